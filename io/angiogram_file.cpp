@@ -15,7 +15,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t maxUnpackedBytes = std::size_t{128} << 20;
+constexpr std::size_t maxUnpackedAngiogramBytes = std::size_t{128} << 20;
 
 core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const std::string& path)
 {
@@ -61,7 +61,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     std::string_view content = input.value().view();
     std::string unpacked;
     if (content.starts_with("\x1f\x8b")) {   // gzip, as archives of DICOM files often are
-        auto inflatedContent = inflated(content, Packing::Gzip, maxUnpackedBytes);
+        auto inflatedContent = inflated(content, Packing::Gzip, maxUnpackedAngiogramBytes);
         if (!inflatedContent || !looksLikeDicom(*inflatedContent)) {
             return fileError(path, says::imageGzipWithoutDicom());
         }

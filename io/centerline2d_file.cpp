@@ -28,7 +28,7 @@ struct CurveColumns {
     std::optional<std::size_t> branch, radius;
 };
 
-core::Result<CurveColumns> columnsOf(const CsvTable& table)
+core::Result<CurveColumns> curveColumnsOf(const CsvTable& table)
 {
     const auto x = table.column("x"), y = table.column("y");
     if (!x || !y) {
@@ -76,7 +76,7 @@ core::Result<Centerline2d> centerlineFromTable(std::string_view content, const s
         return parsed.error();
     }
     const CsvTable& table = parsed.value();
-    const auto columns = columnsOf(table);
+    const auto columns = curveColumnsOf(table);
     if (!columns) {
         return columns.error();
     }

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t maxFiles = 50'000;
-constexpr int maxDepth = 8;
+constexpr int maxFolderDepth = 8;
 
 enum class Reach { FolderOnly, Below };
 
@@ -33,7 +33,7 @@ core::Result<std::vector<std::string>> filesIn(const std::string& folder, Reach 
         if (failed || files.size() > maxFiles) {
             return fileError(folder, failed ? says::folderNotReadToEnd() : says::folderTooFull());
         }
-        if (reach == Reach::FolderOnly || at.depth() >= maxDepth) {
+        if (reach == Reach::FolderOnly || at.depth() >= maxFolderDepth) {
             at.disable_recursion_pending();
         }
         std::error_code unknown;

@@ -23,7 +23,7 @@ std::string poseColumns(const std::string& prefix)
     return text;
 }
 
-std::string header()
+std::string logHeader()
 {
     return "started_at,observer,case,image_sha256,frame,seed,range_mm,range_deg,duration_s,edits,outcome,"
            "in_plane_from_centre_mm,depth_from_centre_mm,rotation_from_centre_deg" +
@@ -47,13 +47,13 @@ std::string rowOf(const ObserverTrial& trial)
 
 core::Status appendTrial(const ObserverTrial& trial, const std::string& path)
 {
-    std::string content = header();
+    std::string content = logHeader();
     if (std::error_code absent; std::filesystem::exists(path, absent)) {
         const auto before = openInput(path);
         if (!before) {
             return before.error();
         }
-        if (!before.value().view().starts_with(header())) {
+        if (!before.value().view().starts_with(logHeader())) {
             return fileError(path, says::noObserverLog());
         }
         content = before.value().view();

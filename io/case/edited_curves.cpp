@@ -11,7 +11,7 @@ namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Whose curves: the case's own, or those of one of its other views.
 struct Owner {

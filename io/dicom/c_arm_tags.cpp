@@ -1,5 +1,6 @@
 #include "io/dicom/c_arm_tags.h"
 
+#include "io/dicom/functional_groups.h"
 #include "io/messages/says.h"
 #include "io/support/numbers.h"
 
@@ -14,7 +15,6 @@ using core::Origin;
 using core::Sourced;
 
 constexpr DicomTag sharedGroups = 0x52009229;
-constexpr DicomTag frameGroups = 0x52009230;
 
 constexpr DicomTag sidTag = 0x00181110;
 constexpr DicomTag sodTag = 0x00181111;
@@ -196,7 +196,7 @@ void readMirror(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 DicomDataset withFunctionalGroups(const DicomDataset& data)
 {
     DicomDataset flat = data;
-    addFromGroups(flat, frameGroups);
+    addFromGroups(flat, perFrameGroupsTag);
     addFromGroups(flat, sharedGroups);
     return flat;
 }

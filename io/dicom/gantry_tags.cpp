@@ -1,6 +1,7 @@
 #include "io/dicom/gantry_tags.h"
 
 #include "io/dicom/c_arm_tags.h"
+#include "io/dicom/functional_groups.h"
 #include "io/messages/says.h"
 #include "io/support/numbers.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 using core::GantryHeader;
 
-constexpr DicomTag frameGroups = 0x52009230;
 constexpr DicomTag positionerPosition = 0x00189405;
 constexpr DicomTag primaryAngle = 0x00181510, secondaryAngle = 0x00181511;
 constexpr DicomTag primaryIncrement = 0x00181520, secondaryIncrement = 0x00181521;
@@ -112,7 +112,7 @@ std::optional<double> positive(const DicomDataset& data, DicomTag tag, std::size
     return value && *value > 0.0 ? value : std::nullopt;
 }
 
-std::optional<Eigen::Vector2d> positivePair(const DicomDataset& data, DicomTag tag)
+std::optional<Eigen::Vector2d> positivePairIn(const DicomDataset& data, DicomTag tag)
 {
     const auto first = positive(data, tag, 0), second = positive(data, tag, 1);
     return first && second ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
@@ -123,7 +123,7 @@ std::optional<Eigen::Vector2d> positivePair(const DicomDataset& data, DicomTag t
 void readFieldOfView(const DicomDataset& data, GantryHeader& header)
 {
     if (data.text(0x00181147) == "RECTANGLE") {
-        header.fieldOfViewMm = positivePair(data, 0x00181149);
+        header.fieldOfViewMm = positivePairIn(data, 0x00181149);
     } else if (const auto diameter = positive(data, 0x00181149); diameter && data.text(0x00181147) == "ROUND") {
         header.intensifierMm = diameter;
     }
@@ -134,17 +134,17 @@ void readFieldOfView(const DicomDataset& data, GantryHeader& header)
 
 void readSpacings(const DicomDataset& data, GantryHeader& header)
 {
-    if (const auto active = positivePair(data, 0x00187026)) {
+    if (const auto active = positivePairIn(data, 0x00187026)) {
         header.detectorMm = Eigen::Vector2d(active->y(), active->x());   // stored row, column
         if (std::lround(data.number(0x00187032).value_or(0.0) / 90.0) % 2 != 0) {
             std::swap(header.detectorMm->x(), header.detectorMm->y());
         }
     }
-    if (const auto pixel = positivePair(data, 0x00280030)) {
+    if (const auto pixel = positivePairIn(data, 0x00280030)) {
         header.pixelSpacingMm = Eigen::Vector2d(pixel->y(), pixel->x());
         header.isPixelSpacingCalibrated = !data.text(0x00280a02).empty();
     }
-    if (const auto aspect = positivePair(data, 0x00280034)) {
+    if (const auto aspect = positivePairIn(data, 0x00280034)) {
         header.pixelAspect = aspect->x() / aspect->y();   // vertical over horizontal
     }
 }
@@ -153,7 +153,7 @@ void readSpacings(const DicomDataset& data, GantryHeader& header)
 std::vector<Eigen::Vector2d> frameAngles(const DicomDataset& data)
 {
     std::vector<Eigen::Vector2d> angles;
-    for (const DicomDataset& frame : data.items(frameGroups)) {
+    for (const DicomDataset& frame : data.items(perFrameGroupsTag)) {
         const auto positions = frame.items(positionerPosition);
         const auto primary = positions.empty() ? std::nullopt : positions.front().number(primaryAngle);
         const auto secondary = positions.empty() ? std::nullopt : positions.front().number(secondaryAngle);

@@ -36,7 +36,7 @@ constexpr std::array replacements{
     Replacement{"é", "\\'e"},
 };
 
-std::string escaped(std::string_view text)
+std::string escapedLatex(std::string_view text)
 {
     std::string result;
     while (!text.empty()) {
@@ -52,11 +52,12 @@ std::string escaped(std::string_view text)
     return result;
 }
 
-std::string line(const std::vector<std::string>& cells, bool isPublished)
+std::string latexLine(const std::vector<std::string>& cells, bool isPublished)
 {
     std::string text;
     for (const std::string& cell : cells) {
-        text += (text.empty() ? "  " : " & ") + (isPublished ? "\\textit{" + escaped(cell) + "}" : escaped(cell));
+        text +=
+            (text.empty() ? "  " : " & ") + (isPublished ? "\\textit{" + escapedLatex(cell) + "}" : escapedLatex(cell));
     }
     return text + " \\\\\n";
 }
@@ -65,16 +66,16 @@ std::string line(const std::vector<std::string>& cells, bool isPublished)
 
 std::string toLatex(const core::ResultTable& table)
 {
-    std::string text = "\\begin{table}\n\\caption{" + escaped(table.title) + "}\n\\label{tab:" + table.id +
+    std::string text = "\\begin{table}\n\\caption{" + escapedLatex(table.title) + "}\n\\label{tab:" + table.id +
                        "}\n\\centering\n\\resizebox{\\linewidth}{!}{%\n\\begin{tabular}{l" +
                        std::string(table.columns.size() - 1, 'r') + "}\n\\toprule\n";
-    text += line(table.columns, false) + "\\midrule\n";
+    text += latexLine(table.columns, false) + "\\midrule\n";
     for (const core::ResultTable::Row& row : table.rows) {
-        text += line(row.cells, row.isPublished);
+        text += latexLine(row.cells, row.isPublished);
     }
     text += "\\bottomrule\n\\end{tabular}}\n";
     for (const std::string& note : table.notes) {
-        text += "\n\\smallskip\\footnotesize " + escaped(note) + "\n";
+        text += "\n\\smallskip\\footnotesize " + escapedLatex(note) + "\n";
     }
     return text + "\\end{table}\n";
 }

@@ -3,7 +3,7 @@
 namespace angiopose::io {
 namespace {
 
-std::string escaped(const std::string& text)
+std::string escapedMarkdown(const std::string& text)
 {
     std::string result;
     for (const char c : text) {
@@ -12,11 +12,11 @@ std::string escaped(const std::string& text)
     return result;
 }
 
-std::string line(const std::vector<std::string>& cells, const std::string& mark)
+std::string markdownLine(const std::vector<std::string>& cells, const std::string& mark)
 {
     std::string text = "|";
     for (const std::string& cell : cells) {
-        text += " " + mark + escaped(cell) + mark + " |";
+        text += " " + mark + escapedMarkdown(cell) + mark + " |";
     }
     return text + "\n";
 }
@@ -25,16 +25,16 @@ std::string line(const std::vector<std::string>& cells, const std::string& mark)
 
 std::string toMarkdown(const core::ResultTable& table)
 {
-    std::string text = "### " + escaped(table.title) + "\n\n" + line(table.columns, "");
+    std::string text = "### " + escapedMarkdown(table.title) + "\n\n" + markdownLine(table.columns, "");
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
         text += k == 0 ? "|---" : "|---:";
     }
     text += "|\n";
     for (const core::ResultTable::Row& row : table.rows) {
-        text += line(row.cells, row.isPublished ? "*" : "");
+        text += markdownLine(row.cells, row.isPublished ? "*" : "");
     }
     for (const std::string& note : table.notes) {
-        text += "\n" + escaped(note) + "\n";
+        text += "\n" + escapedMarkdown(note) + "\n";
     }
     return text;
 }

@@ -12,7 +12,7 @@ std::size_t shownWidth(const std::string& text)
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-std::string line(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths)
+std::string plainLine(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths)
 {
     std::string text;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -44,10 +44,10 @@ std::string toPlainText(const core::ResultTable& table)
     for (const std::size_t width : widths) {
         total += width + 2;
     }
-    std::string text = (table.title.empty() ? "" : table.title + "\n") + line(table.columns, widths) +
+    std::string text = (table.title.empty() ? "" : table.title + "\n") + plainLine(table.columns, widths) +
                        std::string(total - 2, '-') + "\n";
     for (const core::ResultTable::Row& row : table.rows) {
-        text += line(row.cells, widths);
+        text += plainLine(row.cells, widths);
     }
     return text;
 }

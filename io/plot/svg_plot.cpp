@@ -29,7 +29,7 @@ std::string number(double value)
     return core::fixedText(value, 2);
 }
 
-std::string escaped(const std::string& text)
+std::string escapedXml(const std::string& text)
 {
     std::string result;
     for (const char c : text) {
@@ -40,7 +40,7 @@ std::string escaped(const std::string& text)
 
 std::string textAt(double x, double y, const std::string& attributes, const std::string& text)
 {
-    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + attributes + ">" + escaped(text) + "</text>\n";
+    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + attributes + ">" + escapedXml(text) + "</text>\n";
 }
 
 std::string lineFrom(double x1, double y1, double x2, double y2, const std::string& attributes)

@@ -3,6 +3,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
+#include "io/dicom/functional_groups.h"
 #include "io/messages/says.h"
 #include "io/series/segmentation_grid.h"
 #include "io/support/file_error.h"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr std::string_view segmentationClass = "1.2.840.10008.5.1.4.1.1.66.4";
 constexpr std::string_view labelMapClass = "1.2.840.10008.5.1.4.1.1.66.7";
-constexpr DicomTag sharedGroupsTag = 0x52009229;
-constexpr DicomTag perFrameGroupsTag = 0x52009230;
 constexpr DicomTag identificationTag = 0x0062000a;
 constexpr DicomTag segmentNumberTag = 0x0062000b;
 constexpr std::size_t maxPixels = std::size_t{1} << 31;

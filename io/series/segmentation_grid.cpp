@@ -1,5 +1,6 @@
 #include "io/series/segmentation_grid.h"
 
+#include "io/dicom/functional_groups.h"
 #include "io/messages/says.h"
 #include "io/series/slice_stack.h"
 #include "io/support/file_error.h"
@@ -10,7 +11,6 @@
 namespace angiopose::io {
 namespace {
 
-constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr std::size_t maxGridVoxels = std::size_t{1} << 31;
 constexpr double placeTolerance = 0.1;   // of a voxel
 

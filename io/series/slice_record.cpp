@@ -2,6 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
+#include "io/dicom/functional_groups.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 namespace angiopose::io {
 namespace {
 
-constexpr DicomTag sharedGroupsTag = 0x52009229;
-constexpr DicomTag perFrameGroupsTag = 0x52009230;
 constexpr int maxFrames = 20'000;
 
 /// Tags of `phaseKeys` in a classic image.

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::string_view blanks(" \t\r\n\v\f\0", 7);   // DICOM pads with a zero byte
+constexpr std::string_view padding(" \t\r\n\v\f\0", 7);   // DICOM pads with a zero byte
 
 template <class Number>
 std::optional<Number> parseAll(std::string_view text)
@@ -28,11 +28,11 @@ std::optional<Number> parseAll(std::string_view text)
 
 std::string_view trimmed(std::string_view text)
 {
-    const std::size_t first = text.find_first_not_of(blanks);
+    const std::size_t first = text.find_first_not_of(padding);
     if (first == std::string_view::npos) {
         return {};
     }
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+    return text.substr(first, text.find_last_not_of(padding) - first + 1);
 }
 
 std::string lowered(std::string_view text)

@@ -9,7 +9,7 @@
 namespace angiopose::io {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 bool isCurve(const Json& markup)
 {
@@ -64,19 +64,18 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
 
 std::string markupsText(const core::VesselTree& tree)
 {
-    using Ordered = nlohmann::ordered_json;
-    Ordered root;
+    Json root;
     root["@schema"] =
         "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
         "markups-schema-v1.0.3.json#";
-    root["markups"] = Ordered::array();
+    root["markups"] = Json::array();
     for (const core::VesselBranch& branch : tree.branches) {
-        Ordered curve;
+        Json curve;
         curve["type"] = "Curve";
         curve["coordinateSystem"] = "LPS";
         curve["coordinateUnits"] = "mm";
         curve["name"] = branch.name.empty() ? "Branch " + std::to_string(branch.id) : branch.name;
-        curve["controlPoints"] = Ordered::array();
+        curve["controlPoints"] = Json::array();
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
             const Eigen::Vector3d& point = branch.pointsInPatient[i];
             curve["controlPoints"].push_back({{"id", std::to_string(i + 1)},
@@ -85,7 +84,7 @@ std::string markupsText(const core::VesselTree& tree)
         }
         root["markups"].push_back(std::move(curve));
     }
-    return prettyJson(root.dump(-1, ' ', false, Ordered::error_handler_t::replace));
+    return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }   // namespace angiopose::io

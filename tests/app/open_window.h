@@ -3,6 +3,7 @@
 #include "app/case_controller.h"
 #include "app/files/sample_case.h"
 #include "app/preferences/settings.h"
+#include "tests/support/patience.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
@@ -20,12 +21,6 @@
 #include <QTest>
 
 namespace angiopose::test {
-
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr int patienceMs = 300000;
-#else
-inline constexpr int patienceMs = 60000;
-#endif
 
 /// A shown window with everything behind it, driven by real events.
 class OpenWindow {

@@ -1,14 +1,13 @@
 #include "app/registration/target_provider.h"
 
 #include "core/simulation/simulated_case.h"
+#include "tests/support/patience.h"
 
 #include <gtest/gtest.h>
 #include <QTest>
 
 namespace angiopose::app {
 namespace {
-
-constexpr int patienceMs = 60000;
 
 core::Case caseWith(std::shared_ptr<const core::Angiogram> run)
 {
@@ -25,7 +24,7 @@ std::shared_ptr<const core::Angiogram> simulatedRun()
 
 bool isReady(const TargetProvider& provider)
 {
-    return QTest::qWaitFor([&provider] { return provider.current() && !provider.isTracing(); }, patienceMs);
+    return QTest::qWaitFor([&provider] { return provider.current() && !provider.isTracing(); }, test::patienceMs);
 }
 
 TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)

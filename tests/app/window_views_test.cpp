@@ -45,7 +45,7 @@ void openBothViews(OpenWindow& w)
     answer(w, QStringLiteral("Add as a view"));
 }
 
-QString wordsOf(OpenWindow& w, int line)
+QString wordsOfLine(OpenWindow& w, int line)
 {
     return strip(w).item(line)->text();
 }
@@ -65,8 +65,8 @@ TEST(WindowViews, ASecondAngiogramStandsBesideTheFirst)
     EXPECT_TRUE(w.window.views().isVisible());
     EXPECT_EQ(w.window.views().count(), 2);
     // how each agrees is judged by itself
-    EXPECT_TRUE(QTest::qWaitFor([&] { return wordsOf(w, 0).contains("mm ·") && wordsOf(w, 1).contains("mm ·"); },
-                                test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }, test::patienceMs));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().views.size(), 1U);
     EXPECT_FALSE(w.window.views().isVisible());
@@ -77,8 +77,8 @@ TEST(WindowViews, NothingOfAClosedCaseIsKept)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     openBothViews(w);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return wordsOf(w, 0).contains("mm ·") && wordsOf(w, 1).contains("mm ·"); },
-                                test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }, test::patienceMs));
     const std::weak_ptr<const core::VesselTree> tree = w.current().vessels.tree;
     const std::weak_ptr<const core::Angiogram> own = w.current().shown().angiogram;
     const std::weak_ptr<const core::Angiogram> other = w.current().views[1].angiogram;
@@ -284,7 +284,7 @@ TEST(WindowViews, AViewKeepsTheNameThatTheUserGivesIt)
     dialog->setTextValue(QStringLiteral(" before the stent "));
     dialog->accept();
     EXPECT_EQ(w.current().views[1].name, "before the stent");
-    EXPECT_TRUE(wordsOf(w, 1 - shown).startsWith(QStringLiteral("before the stent")));
+    EXPECT_TRUE(wordsOfLine(w, 1 - shown).startsWith(QStringLiteral("before the stent")));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().views[1].name, "");
     w.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -321,7 +321,7 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
     EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().shown().angiogram != nullptr; }, test::patienceMs));
     ASSERT_EQ(again.current().views.size(), 2U);   // kept in the case, though not seen
     EXPECT_FALSE(again.current().views[1].angiogram);
-    EXPECT_TRUE(wordsOf(again, 1 - strip(again).currentRow()).contains("not found"));
+    EXPECT_TRUE(wordsOfLine(again, 1 - strip(again).currentRow()).contains("not found"));
 }
 
 TEST(WindowViews, DeleteTakesTheShownOneOutAndShowsTheNext)

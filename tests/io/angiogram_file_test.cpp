@@ -1,5 +1,6 @@
 #include "io/angiogram_file.h"
 
+#include "tests/io/phantom_view.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
@@ -7,18 +8,6 @@
 #include <limits>
 
 using namespace angiopose;
-
-namespace {
-
-core::Angiogram phantomView(int view)
-{
-    const auto path = test::dataFile("coronary-phantom-xa/views-A/IM" + std::to_string(view) + ".dcm");
-    auto angiogram = io::readAngiogram(path.string());
-    EXPECT_TRUE(angiogram) << angiogram.error().message;
-    return angiogram ? std::move(angiogram).value() : core::Angiogram{};
-}
-
-}   // namespace
 
 TEST(ReadAngiogram, ReadsEveryPhantomView)
 {
@@ -30,7 +19,7 @@ TEST(ReadAngiogram, ReadsEveryPhantomView)
     const Expected expected[] = {
         {14, 31.3, 0.1, 860}, {12, -27.3, -0.1, 865}, {12, -0.8, -23.2, 891}, {10, 0.1, 28.7, 907}};
     for (int view = 1; view <= 4; ++view) {
-        const core::Angiogram angiogram = phantomView(view);
+        const core::Angiogram angiogram = test::phantomView(view);
         const Expected& wanted = expected[view - 1];
         EXPECT_EQ(angiogram.frameCount(), wanted.frames);
         EXPECT_EQ(angiogram.width(), 512);
@@ -53,7 +42,7 @@ TEST(ReadAngiogram, ReadsEveryPhantomView)
 TEST(ReadAngiogram, NeverPassesADerivedSpacingForTheHeaders)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM1.dcm");
-    const core::Angiogram angiogram = phantomView(1);   // (0018,1164) is absent
+    const core::Angiogram angiogram = test::phantomView(1);   // (0018,1164) is absent
     EXPECT_EQ(angiogram.cArm.columnSpacingMm.origin, core::Origin::Derived);
     EXPECT_NEAR(*angiogram.cArm.columnSpacingMm.value, 0.390625, 1e-12);
     EXPECT_NE(angiogram.cArm.columnSpacingMm.basis.find("field of view"), std::string::npos);

@@ -11,7 +11,7 @@ using namespace angiopose;
 
 namespace {
 
-std::string phantomPath()
+std::string phantomCasePath()
 {
     return test::dataFile("coronary-phantom-xa/cases/IM2.angiopose").string();
 }
@@ -50,7 +50,7 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Messages warnings;
-    auto loaded = io::loadCase(phantomPath(), warnings);
+    auto loaded = io::loadCase(phantomCasePath(), warnings);
     ASSERT_TRUE(loaded);
     core::Case original = std::move(loaded).value();
     const core::PoseSnapshot expected = sampleSnapshot();
@@ -86,7 +86,7 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Messages warnings;
-    auto loaded = io::loadCase(phantomPath(), warnings);
+    auto loaded = io::loadCase(phantomCasePath(), warnings);
     ASSERT_TRUE(loaded);
     core::PoseSnapshot unseen = sampleSnapshot();
     unseen.metrics->medianMm = std::numeric_limits<double>::quiet_NaN();   // nothing of the tree in the image
@@ -103,7 +103,7 @@ TEST(CaseSnapshots, ThatMakeNoSenseAreRefusedInWords)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Messages warnings;
-    auto loaded = io::loadCase(phantomPath(), warnings);
+    auto loaded = io::loadCase(phantomCasePath(), warnings);
     ASSERT_TRUE(loaded);
     const nlohmann::json zero =
         nlohmann::json::parse(R"({"snapshots": [{"cameraFromPatient": [[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,1]]}]})");

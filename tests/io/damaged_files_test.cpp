@@ -29,7 +29,7 @@ core::VesselTree twoBranches()
     return tree;
 }
 
-core::Angiogram smallRun()
+core::Angiogram twoFrames()
 {
     core::Angiogram angiogram;
     angiogram.frames.assign(2, core::ImageF(24, 18, 100.0F));
@@ -88,7 +88,7 @@ std::vector<std::string> writeGoodFiles(const test::TemporaryFolder& folder)
 {
     EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.file("tree.vtp")));
     EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.file("tree.csv")));
-    EXPECT_TRUE(io::writeAngiogram(smallRun(), folder.file("run.dcm")));
+    EXPECT_TRUE(io::writeAngiogram(twoFrames(), folder.file("run.dcm")));
     EXPECT_TRUE(io::writePose({}, folder.file("pose.tfm")));
     EXPECT_TRUE(io::writePose({}, folder.file("pose.json")));
     core::Mask2d mask(40, 30);

@@ -18,7 +18,7 @@ core::RigidTransform oddPose()
     return {core::expSo3({0.3, -1.1, 2.0 / 3.0}), Eigen::Vector3d(1.0 / 3.0, -1e-9, 742.123456789012345)};
 }
 
-std::string errorOf(const core::Result<core::RigidTransform>& pose)
+std::string poseErrorOf(const core::Result<core::RigidTransform>& pose)
 {
     return pose ? "loaded" : pose.error().message.text();
 }
@@ -58,10 +58,11 @@ TEST(ReadPose, KnowsItksRigidTransforms)
     const std::string scaled =
         "#Insight Transform File V1.0\nTransform: AffineTransform_double_3_3\n"
         "Parameters: 2 0 0 0 2 0 0 0 2 0 0 0\nFixedParameters: 0 0 0\n";
-    EXPECT_NE(errorOf(io::readPose(folder.write("scaled.tfm", scaled))).find("not a rotation"), std::string::npos);
-    EXPECT_NE(errorOf(io::readPose(folder.write("spline.tfm", "#Insight Transform File V1.0\nTransform: BSpline\n")))
-                  .find("not rigid"),
-              std::string::npos);
+    EXPECT_NE(poseErrorOf(io::readPose(folder.write("scaled.tfm", scaled))).find("not a rotation"), std::string::npos);
+    EXPECT_NE(
+        poseErrorOf(io::readPose(folder.write("spline.tfm", "#Insight Transform File V1.0\nTransform: BSpline\n")))
+            .find("not rigid"),
+        std::string::npos);
 }
 
 TEST(ReadPose, FollowsTheOrderOfEulerAngles)

@@ -32,7 +32,7 @@ std::string element(std::uint32_t tag, const std::string& vr, std::string value)
            (isLong ? littleEndian(0, 2) + littleEndian(size, 4) : littleEndian(size, 2)) + value;
 }
 
-std::string item(const std::string& content)
+std::string sequenceItem(const std::string& content)
 {
     return littleEndian(0xFFFE, 2) + littleEndian(0xE000, 2) +
            littleEndian(static_cast<std::uint32_t>(content.size()), 4) + content;
@@ -58,10 +58,10 @@ core::Result<core::SubtractionPlan> planOf(const std::string& elements)
 
 TEST(ReadSubtractionPlan, TakesFramesAndShiftFromTheMaskModule)
 {
-    const std::string none = item(element(0x00286101, "CS", "NONE"));
-    const std::string mask =
-        item(element(0x00286101, "CS", "AVG_SUB") + element(0x00286110, "US", littleEndian(2, 2) + littleEndian(4, 2)) +
-             element(0x00286114, "FL", single(-0.5F) + single(1.25F)));
+    const std::string none = sequenceItem(element(0x00286101, "CS", "NONE"));
+    const std::string mask = sequenceItem(element(0x00286101, "CS", "AVG_SUB") +
+                                          element(0x00286110, "US", littleEndian(2, 2) + littleEndian(4, 2)) +
+                                          element(0x00286114, "FL", single(-0.5F) + single(1.25F)));
     const auto plan = planOf(element(0x00281040, "CS", "LOG") + element(0x00286100, "SQ", none + mask));
     ASSERT_TRUE(plan) << plan.error().message;
     EXPECT_EQ(plan.value().maskFrames, (std::vector<int>{1, 3})) << "counted from 0";
@@ -72,11 +72,12 @@ TEST(ReadSubtractionPlan, TakesFramesAndShiftFromTheMaskModule)
 
 TEST(ReadSubtractionPlan, TakesIntervalsFromTheMaskModule)
 {
-    const std::string tid = item(element(0x00286101, "CS", "TID") + element(0x00286120, "SS", littleEndian(3, 2)));
+    const std::string tid =
+        sequenceItem(element(0x00286101, "CS", "TID") + element(0x00286120, "SS", littleEndian(3, 2)));
     EXPECT_EQ(planOf(element(0x00286100, "SQ", tid)).value().interval, (core::MaskInterval{3, std::nullopt}));
-    const std::string reversed =
-        item(element(0x00286101, "CS", "REV_TID") + element(0x00286102, "US", littleEndian(6, 2) + littleEndian(9, 2)) +
-             element(0x00286120, "SS", littleEndian(0xFFFF, 2)));
+    const std::string reversed = sequenceItem(element(0x00286101, "CS", "REV_TID") +
+                                              element(0x00286102, "US", littleEndian(6, 2) + littleEndian(9, 2)) +
+                                              element(0x00286120, "SS", littleEndian(0xFFFF, 2)));
     EXPECT_EQ(planOf(element(0x00286100, "SQ", reversed)).value().interval, (core::MaskInterval{-1, 5}));
 }
 

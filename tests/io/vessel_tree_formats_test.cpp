@@ -25,7 +25,7 @@ core::VesselTree oddTree()
     return tree;
 }
 
-core::VesselTree readOrFail(const std::string& path)
+core::VesselTree readTreeOrFail(const std::string& path)
 {
     auto tree = io::readVesselTree(path);
     EXPECT_TRUE(tree) << tree.error().message;
@@ -54,7 +54,7 @@ std::string bigEndian(Number value)
     return bytes;
 }
 
-std::string errorOf(const std::string& path)
+std::string treeErrorOf(const std::string& path)
 {
     const auto tree = io::readVesselTree(path);
     return tree ? "loaded" : tree.error().message.text();
@@ -69,7 +69,7 @@ TEST(WriteVesselTree, RestoresEveryBit)
     const test::TemporaryFolder folder;
     for (const char* name : {"tree.vtp", "tree.csv"}) {
         ASSERT_TRUE(io::writeVesselTree(oddTree(), folder.file(name)));
-        expectSame(readOrFail(folder.file(name)), oddTree());
+        expectSame(readTreeOrFail(folder.file(name)), oddTree());
     }
     EXPECT_FALSE(io::writeVesselTree(oddTree(), folder.file("tree.obj")));
 }
@@ -78,9 +78,11 @@ TEST(ReadVesselTree, TurnsRasIntoLps)
 {
     const test::TemporaryFolder folder;
     const std::string body = "\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n1 2 3 4 5 7\nLINES 1 3\n2 0 1\n";
-    const auto ras = readOrFail(folder.write("ras.vtk", header + std::string("3D Slicer output. SPACE=RAS") + body));
+    const auto ras =
+        readTreeOrFail(folder.write("ras.vtk", header + std::string("3D Slicer output. SPACE=RAS") + body));
     EXPECT_EQ(ras.branches.at(0).pointsInPatient[0], Eigen::Vector3d(-1, -2, 3));
-    const auto lps = readOrFail(folder.write("lps.vtk", header + std::string("3D Slicer output. SPACE=LPS") + body));
+    const auto lps =
+        readTreeOrFail(folder.write("lps.vtk", header + std::string("3D Slicer output. SPACE=LPS") + body));
     EXPECT_EQ(lps.branches.at(0).pointsInPatient[0], Eigen::Vector3d(1, 2, 3));
 }
 
@@ -101,7 +103,7 @@ TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
     for (const float value : {1.0F, 0.5F, 0.25F}) {
         text += bigEndian(value);
     }
-    const auto tree = readOrFail(folder.write("grid.vtk", text + "\n"));
+    const auto tree = readTreeOrFail(folder.write("grid.vtk", text + "\n"));
     ASSERT_EQ(tree.branches.size(), 1u);
     EXPECT_EQ(tree.branches[0].pointsInPatient[2], Eigen::Vector3d(2.5, 0.25, 1.0));
     EXPECT_EQ(tree.branches[0].radiusMm, (std::vector<double>{1.0, 0.5, 0.25}));
@@ -110,7 +112,7 @@ TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
 TEST(ReadVesselTree, ChainsSegmentsAtBifurcations)
 {
     const test::TemporaryFolder folder;
-    const auto tree = readOrFail(
+    const auto tree = readTreeOrFail(
         folder.write("segments.vtk", header + std::string("y\nASCII\nDATASET POLYDATA\n"
                                                           "POINTS 6 float\n0 0 0 1 0 0 2 0 0 3 1 0 4 2 0 3 -1 0\n"
                                                           "LINES 5 15\n2 0 1\n2 1 2\n2 2 3\n2 3 4\n2 2 5\n")));
@@ -128,7 +130,7 @@ TEST(ReadVesselTree, ReadsSwcInItsUnit)
     ASSERT_EQ(tree.value().branches.size(), 3u);
     EXPECT_NEAR(tree.value().branches[0].lengthMm(), 1.0, 1e-12);
     EXPECT_NEAR(tree.value().branches[0].radiusMm[0], 0.5, 1e-12);
-    EXPECT_NE(errorOf(folder.write("orphan.swc", "1 2 0 0 0 1 9\n")).find("parent"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("orphan.swc", "1 2 0 0 0 1 9\n")).find("parent"), std::string::npos);
 }
 
 TEST(ReadVesselTree, MultipliesLengthsByTheUnit)
@@ -160,7 +162,7 @@ TEST(WriteVesselTree, SwcKeepsPointsRadiiAndForks)
     tree.branches.push_back({4, "", {{90.0, 0.0, 0.0}, {99.0, 0.0, 0.0}}, {1.0, 1.0}});   // stands alone
     const std::string path = folder.file("tree.swc");
     ASSERT_TRUE(io::writeVesselTree(tree, path));
-    const core::VesselTree read = readOrFail(path);
+    const core::VesselTree read = readTreeOrFail(path);
     EXPECT_EQ(read.branches.size(), 6u);   // parted at the two forks
     EXPECT_EQ(read.pointCount(), 2u + 2u + 2u + 2u + 3u + 2u);
     const auto has = [&](const Eigen::Vector3d& point, double radius) {
@@ -186,7 +188,7 @@ TEST(WriteVesselTree, SwcWithoutRadii)
     tree.branches.push_back({1, "", {{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}}, {}});
     const std::string path = folder.file("tree.swc");
     ASSERT_TRUE(io::writeVesselTree(tree, path));
-    EXPECT_EQ(readOrFail(path).branches.size(), 1u);
+    EXPECT_EQ(readTreeOrFail(path).branches.size(), 1u);
 }
 
 TEST(ReadVesselTree, CountsSharedTrunksOnce)
@@ -200,7 +202,7 @@ TEST(ReadVesselTree, CountsSharedTrunksOnce)
             text += std::to_string(i) + "," + std::to_string(side) + ",0," + std::to_string(line) + "\n";
         }
     }
-    const auto tree = readOrFail(folder.write("vmtk.csv", text));
+    const auto tree = readTreeOrFail(folder.write("vmtk.csv", text));
     ASSERT_EQ(tree.branches.size(), 3u);
     double length = 0.0;
     for (const auto& branch : tree.branches) {
@@ -212,7 +214,7 @@ TEST(ReadVesselTree, CountsSharedTrunksOnce)
 TEST(ReadVesselTree, SplitsTheRealCoronaryTrees)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-ccta-centerlines/lca_cl.vtp");
-    const auto left = readOrFail(test::dataFile("coronary-ccta-centerlines/lca_cl.vtp").string());
+    const auto left = readTreeOrFail(test::dataFile("coronary-ccta-centerlines/lca_cl.vtp").string());
     EXPECT_EQ(left.branches.size(), 9u);   // 5 outlets: 5 + 4 pieces between bifurcations
     double length = 0.0;
     for (const auto& branch : left.branches) {
@@ -220,9 +222,9 @@ TEST(ReadVesselTree, SplitsTheRealCoronaryTrees)
         EXPECT_EQ(branch.radiusMm.size(), branch.pointsInPatient.size());
     }
     EXPECT_NEAR(length, 428.3, 1.0);   // the five lines together have 792 mm
-    const auto right = readOrFail(test::dataFile("coronary-ccta-centerlines/rca_cl.vtp").string());
+    const auto right = readTreeOrFail(test::dataFile("coronary-ccta-centerlines/rca_cl.vtp").string());
     EXPECT_EQ(right.branches.size(), 7u);
-    const auto rows = readOrFail(test::dataFile("coronary-ccta-centerlines/centerline_lca.csv").string());
+    const auto rows = readTreeOrFail(test::dataFile("coronary-ccta-centerlines/centerline_lca.csv").string());
     for (const auto& branch : rows.branches) {
         for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
             EXPECT_LT((branch.pointsInPatient[i] - branch.pointsInPatient[i - 1]).norm(), 5.0);   // no leaps
@@ -236,11 +238,11 @@ TEST(ReadVesselTree, KeepsIdsOfTheFile)
     const std::string body =
         "ids\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n0 0 0 1 0 0 2 0 0 0 5 0 1 5 0 2 6 0\nLINES 2 8\n3 0 1 2\n3 3 4 "
         "5\n";
-    const auto tree = readOrFail(
+    const auto tree = readTreeOrFail(
         folder.write("ids.vtk", header + body + "CELL_DATA 2\nSCALARS GroupIds int 1\nLOOKUP_TABLE default\n12 4\n"));
     EXPECT_EQ(tree.branches[0].id, 12);
     EXPECT_EQ(tree.branches[1].id, 4);
-    const auto repeated = readOrFail(
+    const auto repeated = readTreeOrFail(
         folder.write("same.vtk", header + body + "CELL_DATA 2\nSCALARS GroupIds int 1\nLOOKUP_TABLE default\n5 5\n"));
     EXPECT_EQ(repeated.branches[0].id, 1);
     EXPECT_EQ(repeated.branches[1].id, 2);
@@ -249,16 +251,18 @@ TEST(ReadVesselTree, KeepsIdsOfTheFile)
 TEST(ReadVesselTree, SaysWhatIsWrong)
 {
     const test::TemporaryFolder folder;
-    EXPECT_NE(errorOf(folder.write("a.csv", "x,y,z\n0,0,0\n1,nan,0\n")).find("line 3"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("b.csv", "x,y,z\n0,0,0\n1,0\n")).find("line 3"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("c.csv", "x;y;z\n0,5;0;0\n")).find("columns"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("d.csv", "x,y,z\n1,1,1\n1,1,1\n")).find("two different points"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("e.csv", "x,y,z\n")).find("no lines"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("a.csv", "x,y,z\n0,0,0\n1,nan,0\n")).find("line 3"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("b.csv", "x,y,z\n0,0,0\n1,0\n")).find("line 3"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("c.csv", "x;y;z\n0,5;0;0\n")).find("columns"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("d.csv", "x,y,z\n1,1,1\n1,1,1\n")).find("two different points"),
+              std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("e.csv", "x,y,z\n")).find("no lines"), std::string::npos);
     const std::string start = header + std::string("t\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 nan\n");
-    EXPECT_NE(errorOf(folder.write("f.vtk", start + "LINES 1 3\n2 0 1\n")).find("not a number"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("g.vtk", start + "LINES 1 3\n2 0 7\n")).find("does not exist"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("h.vtk", start + "POLYGONS 1 4\n3 0 1 1\n")).find("surface"), std::string::npos);
-    EXPECT_NE(errorOf(folder.write("i.vtk", start + "LINES 1 90\n89 0 1\n")).find("LINES"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("f.vtk", start + "LINES 1 3\n2 0 1\n")).find("not a number"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("g.vtk", start + "LINES 1 3\n2 0 7\n")).find("does not exist"),
+              std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("h.vtk", start + "POLYGONS 1 4\n3 0 1 1\n")).find("surface"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("i.vtk", start + "LINES 1 90\n89 0 1\n")).find("LINES"), std::string::npos);
 }
 
 TEST(ReadVesselTree, ReadsSlicerCurves)
@@ -267,10 +271,10 @@ TEST(ReadVesselTree, ReadsSlicerCurves)
     const std::string curve = R"({"markups": [{"type": "Curve", "coordinateSystem": "RAS", "coordinateUnits": "mm",
         "controlPoints": [{"position": [1, 2, 3]}, {"position": [4, 5, 6.5]},
                           {"position": [0, 0, 0], "positionStatus": "undefined"}]}]})";
-    const auto tree = readOrFail(folder.write("curve.mrk.json", curve));
+    const auto tree = readTreeOrFail(folder.write("curve.mrk.json", curve));
     ASSERT_EQ(tree.branches.size(), 1u);
     EXPECT_EQ(tree.branches[0].pointsInPatient, (std::vector<Eigen::Vector3d>{{-1.0, -2.0, 3.0}, {-4.0, -5.0, 6.5}}));
-    EXPECT_NE(errorOf(folder.write("other.json", "{\"markups\": [{\"type\": \"Curve\"}]}")).find("Slicer"),
+    EXPECT_NE(treeErrorOf(folder.write("other.json", "{\"markups\": [{\"type\": \"Curve\"}]}")).find("Slicer"),
               std::string::npos);
-    EXPECT_NE(errorOf(folder.write("none.json", "{}")).find("Slicer"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("none.json", "{}")).find("Slicer"), std::string::npos);
 }

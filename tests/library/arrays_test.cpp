@@ -1,4 +1,4 @@
-#include "angiopose/angiopose.h"
+#include "tests/library/small_case.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,6 @@ namespace angiopose {
 namespace {
 
 namespace fs = std::filesystem;
-
-SimulatedCase smallCase()
-{
-    SimulationOptions options;
-    options.branchCount = 8;
-    options.frameCount = 3;
-    return simulateCase(5, options);
-}
 
 /// The same numbers to the last bit.
 void expectSame(const RegistrationResult& one, const RegistrationResult& other)
@@ -46,7 +38,7 @@ std::string idOfErrorIn(const Work& work)
 
 TEST(Arrays, ACaseAndItsArraysGiveTheSameBits)
 {
-    Case theCase = smallCase().theCase;
+    Case theCase = test::smallCase().theCase;
     const RegistrationInput input = inputOf(theCase);
     const RegistrationOptions options = theCase.options();
     expectSame(registerVessels(input, options), registerCase(theCase));
@@ -54,7 +46,7 @@ TEST(Arrays, ACaseAndItsArraysGiveTheSameBits)
 
 TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)
 {
-    Case theCase = smallCase().theCase;
+    Case theCase = test::smallCase().theCase;
     RegistrationOptions options;
     options.method = "dynaweight";
     options.set("priorWeight", 1.0 / 3.0).set("preset", "seed_metric");
@@ -67,7 +59,7 @@ TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)
 
 TEST(Arrays, ImagePointsInNoOrderLeadToTheSamePlace)
 {
-    const SimulatedCase simulated = smallCase();
+    const SimulatedCase simulated = test::smallCase();
     RegistrationInput input = inputOf(simulated.theCase);
     const RegistrationResult ordered = registerVessels(input);
     input.target.curveIds.clear();
@@ -95,7 +87,7 @@ TEST(Arrays, UnknownRadiiStayUnknown)
 
 TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
 {
-    const RegistrationInput good = inputOf(smallCase().theCase);
+    const RegistrationInput good = inputOf(test::smallCase().theCase);
     RegistrationInput input = good;
     input.tree.branchIds.pop_back();
     EXPECT_EQ("library.lengths-differ", idOfErrorIn([&] { registerVessels(input); }));
@@ -119,7 +111,7 @@ TEST(Arrays, EveryMethodIsListedWithOptionsThatCanBeSet)
     const auto all = methods();
     ASSERT_GT(all.size(), 5U);
     EXPECT_EQ("angiopose", all.front().id);
-    Case theCase = smallCase().theCase;
+    Case theCase = test::smallCase().theCase;
     for (const MethodInfo& method : all) {
         RegistrationOptions options;
         options.method = method.id;

@@ -1,4 +1,4 @@
-#include "angiopose/angiopose.h"
+#include "tests/library/small_case.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -19,17 +19,9 @@ protected:
     const fs::path folder = fs::temp_directory_path() / ("angiopose-library-" + std::to_string(getpid()));
 };
 
-SimulatedCase smallCase()
-{
-    SimulationOptions options;
-    options.branchCount = 8;
-    options.frameCount = 3;
-    return simulateCase(5, options);
-}
-
 TEST_F(CaseOfLibrary, OfArraysIsWrittenWithItsInputsAndOpensAgain)
 {
-    SimulatedCase simulated = smallCase();
+    SimulatedCase simulated = test::smallCase();
     writeCase(simulated.theCase, at("made.angiopose"));
     EXPECT_TRUE(fs::exists(at("made.tree.vtp")));
     EXPECT_TRUE(fs::exists(at("made.angiogram.dcm")));
@@ -43,7 +35,7 @@ TEST_F(CaseOfLibrary, OfArraysIsWrittenWithItsInputsAndOpensAgain)
 
 TEST_F(CaseOfLibrary, OfTwoFilesIsTheCaseOfTheseFiles)
 {
-    SimulatedCase simulated = smallCase();
+    SimulatedCase simulated = test::smallCase();
     writeCase(simulated.theCase, at("made.angiopose"));
     Case fromFiles = readCase(at("made.tree.vtp"), at("made.angiogram.dcm"));
     fromFiles.setStartPose(simulated.theCase.startPose());
@@ -57,7 +49,7 @@ TEST_F(CaseOfLibrary, OfTwoFilesIsTheCaseOfTheseFiles)
 
 TEST_F(CaseOfLibrary, KeepsAGivenTarget)
 {
-    SimulatedCase simulated = smallCase();
+    SimulatedCase simulated = test::smallCase();
     simulated.theCase.setTarget(simulated.trueTarget);
     writeCase(simulated.theCase, at("made.angiopose"));
     EXPECT_EQ(simulated.trueTarget.points.size(), targetOf(readCase(at("made.angiopose"))).points.size());
@@ -65,7 +57,7 @@ TEST_F(CaseOfLibrary, KeepsAGivenTarget)
 
 TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
 {
-    const SimulatedCase simulated = smallCase();
+    const SimulatedCase simulated = test::smallCase();
     const Angiogram run = simulated.theCase.angiogram();
     Case bare(simulated.theCase.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
     bare.setCamera(simulated.theCase.camera());
@@ -81,7 +73,7 @@ TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
 
 TEST_F(CaseOfLibrary, CopiesGoTheirOwnWays)
 {
-    const Case first = smallCase().theCase;
+    const Case first = test::smallCase().theCase;
     Case second = first;
     second.setTitle("another");
     Pose moved = second.cameraFromPatient();
@@ -107,7 +99,7 @@ Centerline2d projections(const RegistrationInput& view, const Pose& cameraFromPa
 
 TEST_F(CaseOfLibrary, TwoViewsAgreeOnOnePlace)
 {
-    const SimulatedCase one = smallCase();
+    const SimulatedCase one = test::smallCase();
     RegistrationInput first = inputOf(one.theCase);
     first.image = {};
     RegistrationInput second = first;

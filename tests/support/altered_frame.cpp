@@ -14,10 +14,10 @@ namespace {
 
 using core::ImageF;
 
-constexpr std::uint64_t noiseSeed = 7;
+constexpr std::uint64_t frameNoiseSeed = 7;
 
 template <class Map>
-DrawnFrame mapped(DrawnFrame drawn, const Map& map)
+DrawnFrame mappedFrame(DrawnFrame drawn, const Map& map)
 {
     for (float& value : drawn.frame.pixels) {
         value = map(value);
@@ -58,7 +58,7 @@ DrawnFrame scaled(const DrawnFrame& drawn, double factor)
 }
 
 /// The part from (`left`, `top`) on, all in shares of the sides.
-DrawnFrame cropped(const DrawnFrame& drawn, double left, double top, double width, double height)
+DrawnFrame croppedFrame(const DrawnFrame& drawn, double left, double top, double width, double height)
 {
     const Eigen::Vector2d sides(drawn.frame.width, drawn.frame.height);
     const Eigen::Vector2d corner = sides.cwiseProduct(Eigen::Vector2d(left, top)).array().round();
@@ -88,15 +88,15 @@ DrawnFrame framed(const DrawnFrame& drawn, int widthPx)
                      [widthPx](const Eigen::Vector2d& at) { return Eigen::Vector2d(at.array() - widthPx); });
 }
 
-DrawnFrame noisy(DrawnFrame drawn, double sigma)
+DrawnFrame noisyFrame(DrawnFrame drawn, double sigma)
 {
-    addNoise(drawn.frame, sigma, noiseSeed);
+    addNoise(drawn.frame, sigma, frameNoiseSeed);
     return drawn;
 }
 
 DrawnFrame bright(DrawnFrame drawn)
 {
-    drawn = mapped(std::move(drawn), [](float value) { return 255.0F - value; });
+    drawn = mappedFrame(std::move(drawn), [](float value) { return 255.0F - value; });
     drawn.polarity = core::Polarity::VesselsBright;
     return drawn;
 }
@@ -160,20 +160,20 @@ std::vector<FrameChange> frameChanges()
         {"1.5 x as large", [](D d) { return scaled(d, 1.5); }},
         {"2 x as large", [](D d) { return scaled(d, 2.0); }},
         {"1024 x 1024", [](D d) { return scaled(d, 1024.0 / d.frame.width); }},
-        {"1024 x 1024, noise 5", [](D d) { return noisy(scaled(d, 1024.0 / d.frame.width), 5.0); }},
-        {"16 bit", [](D d) { return mapped(d, [](float v) { return 100.0F * v - 4000.0F; }); }},
-        {"gamma 0.5", [](D d) { return mapped(d, [](float v) { return power(v, 0.5); }); }},
-        {"gamma 2", [](D d) { return mapped(d, [](float v) { return power(v, 2.0); }); }},
-        {"half the contrast", [](D d) { return mapped(d, [](float v) { return 90.0F + std::round(0.5F * v); }); }},
-        {"20 grey values", [](D d) { return mapped(d, [](float v) { return 12.0F * std::round(v / 12.0F); }); }},
+        {"1024 x 1024, noise 5", [](D d) { return noisyFrame(scaled(d, 1024.0 / d.frame.width), 5.0); }},
+        {"16 bit", [](D d) { return mappedFrame(d, [](float v) { return 100.0F * v - 4000.0F; }); }},
+        {"gamma 0.5", [](D d) { return mappedFrame(d, [](float v) { return power(v, 0.5); }); }},
+        {"gamma 2", [](D d) { return mappedFrame(d, [](float v) { return power(v, 2.0); }); }},
+        {"half the contrast", [](D d) { return mappedFrame(d, [](float v) { return 90.0F + std::round(0.5F * v); }); }},
+        {"20 grey values", [](D d) { return mappedFrame(d, [](float v) { return 12.0F * std::round(v / 12.0F); }); }},
         {"vessels bright", [](D d) { return bright(d); }},
-        {"noise 5", [](D d) { return noisy(d, 5.0); }},
-        {"noise 10", [](D d) { return noisy(d, 10.0); }},
+        {"noise 5", [](D d) { return noisyFrame(d, 5.0); }},
+        {"noise 10", [](D d) { return noisyFrame(d, 10.0); }},
         {"blurred 1 px", [](D d) { return blurred(d, 1.0); }},
         {"JPEG, light", [](D d) { return compressed(d, 6.0F); }},
         {"JPEG, heavy", [](D d) { return compressed(d, 15.0F); }},
-        {"cropped all round", [](D d) { return cropped(d, 0.1, 0.1, 0.8, 0.8); }},
-        {"left upper part", [](D d) { return cropped(d, 0.0, 0.0, 0.7, 0.6); }},
+        {"cropped all round", [](D d) { return croppedFrame(d, 0.1, 0.1, 0.8, 0.8); }},
+        {"left upper part", [](D d) { return croppedFrame(d, 0.0, 0.0, 0.7, 0.6); }},
         {"black frame", [](D d) { return framed(d, 40); }},
         {"mirrored", [](D d) { return mirrored(d); }},
         {"turned 90 deg", [](D d) { return turned(d, 90.0); }},

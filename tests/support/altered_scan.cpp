@@ -12,7 +12,7 @@ namespace {
 using core::Volume;
 using core::VolumeGeometry;
 
-constexpr std::uint64_t noiseSeed = 11;
+constexpr std::uint64_t scanNoiseSeed = 11;
 constexpr double softTissueHu = 60.0;
 
 std::int16_t stored(double value)
@@ -21,7 +21,7 @@ std::int16_t stored(double value)
 }
 
 template <class Map>
-Volume mapped(Volume scan, const Map& map)
+Volume mappedScan(Volume scan, const Map& map)
 {
     for (std::int16_t& voxel : scan.voxels) {
         voxel = stored(map(static_cast<double>(voxel)));
@@ -72,7 +72,7 @@ Volume withSpacing(const Volume& scan, const Eigen::Vector3d& spacingMm)
 }
 
 /// The voxels from `low` on, below `high`, in shares of the size.
-Volume cropped(const Volume& scan, const Eigen::Array3d& low, const Eigen::Array3d& high)
+Volume croppedScan(const Volume& scan, const Eigen::Array3d& low, const Eigen::Array3d& high)
 {
     const Eigen::Array3d size = scan.geometry.size.cast<double>().array();
     const Eigen::Vector3i first = (low * size).round().cast<int>();
@@ -90,17 +90,17 @@ Volume cropped(const Volume& scan, const Eigen::Array3d& low, const Eigen::Array
     return part;
 }
 
-Volume noisy(Volume scan, double sigmaHu)
+Volume noisyScan(Volume scan, double sigmaHu)
 {
-    core::CounterRandom random(noiseSeed);
-    return mapped(std::move(scan), [&](double value) { return value + sigmaHu * random.normal(); });
+    core::CounterRandom random(scanNoiseSeed);
+    return mappedScan(std::move(scan), [&](double value) { return value + sigmaHu * random.normal(); });
 }
 
 /// All that is brighter than soft tissue, by a share of what it was.
 Volume withContrast(const Volume& scan, double share)
 {
-    return mapped(scan,
-                  [share](double hu) { return hu > softTissueHu ? softTissueHu + share * (hu - softTissueHu) : hu; });
+    return mappedScan(
+        scan, [share](double hu) { return hu > softTissueHu ? softTissueHu + share * (hu - softTissueHu) : hu; });
 }
 
 }   // namespace
@@ -144,19 +144,20 @@ std::vector<ScanChange> scanChanges()
          }},
         {"upper 3/4",
          [](V v) {
-             return cropped(v, {0.0, 0.0, 0.25}, Eigen::Array3d::Ones());
+             return croppedScan(v, {0.0, 0.0, 0.25}, Eigen::Array3d::Ones());
          }},
         {"middle",
          [](V v) {
-             return cropped(v, {0.1, 0.1, 0.1}, {0.9, 0.9, 0.9});
+             return croppedScan(v, {0.1, 0.1, 0.1}, {0.9, 0.9, 0.9});
          }},
-        {"values from 0 (+1024)", [](V v) { return mapped(v, [](double hu) { return std::max(0.0, hu + 1024.0); }); }},
-        {"values +1000", [](V v) { return mapped(v, [](double hu) { return hu + 1000.0; }); }},
+        {"values from 0 (+1024)",
+         [](V v) { return mappedScan(v, [](double hu) { return std::max(0.0, hu + 1024.0); }); }},
+        {"values +1000", [](V v) { return mappedScan(v, [](double hu) { return hu + 1000.0; }); }},
         {"in tenths, from 0",
-         [](V v) { return mapped(v, [](double hu) { return std::max(0.0, 0.1 * (hu + 1024.0)); }); }},
-        {"padding -3024", [](V v) { return mapped(v, [](double hu) { return hu < -1000.0 ? -3024.0 : hu; }); }},
-        {"noise 20 HU", [](V v) { return noisy(v, 20.0); }},
-        {"noise 40 HU", [](V v) { return noisy(v, 40.0); }},
+         [](V v) { return mappedScan(v, [](double hu) { return std::max(0.0, 0.1 * (hu + 1024.0)); }); }},
+        {"padding -3024", [](V v) { return mappedScan(v, [](double hu) { return hu < -1000.0 ? -3024.0 : hu; }); }},
+        {"noise 20 HU", [](V v) { return noisyScan(v, 20.0); }},
+        {"noise 40 HU", [](V v) { return noisyScan(v, 40.0); }},
         {"3/4 of the contrast", [](V v) { return withContrast(v, 0.75); }},
         {"half the contrast", [](V v) { return withContrast(v, 0.5); }},
         {"1.5 x the contrast", [](V v) { return withContrast(v, 1.5); }},

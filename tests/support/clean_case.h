@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/problem/registration_problem.h"
 #include "core/simulation/simulated_case.h"
 
@@ -34,5 +35,11 @@ struct CleanCase {
     core::RigidTransform truth;
     core::Centerline2d target;
 };
+
+/// How far the tree's projection at a pose lies from its true one on average, px.
+inline double meanErrorPx(const CleanCase& clean, const core::RigidTransform& pose)
+{
+    return core::projectionError(clean.tree, clean.camera, {pose, clean.truth}).meanPx;
+}
 
 }   // namespace angiopose::test

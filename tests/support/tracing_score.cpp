@@ -16,7 +16,7 @@ using core::Curve2d;
 using core::ImageF;
 using core::Mask2d;
 
-constexpr double leastRadiusPx = 1.0;
+constexpr double leastCountedRadiusPx = 1.0;
 constexpr double leastContrastToNoise = 2.0;
 constexpr double tolerancePx = 2.0;
 constexpr double besideWallsPx = 2.0;
@@ -77,7 +77,7 @@ struct Near {
     double radiusPx = 0.0;
 };
 
-Near nearestOn(const Centerline2d& centerline, const Eigen::Vector2d& point)
+Near nearestOnCurves(const Centerline2d& centerline, const Eigen::Vector2d& point)
 {
     Near near;
     for (const Curve2d& curve : centerline.curves) {
@@ -120,14 +120,14 @@ void scoreVessels(const core::SimulatedCase& simulated, const Centerline2d& trac
             const Eigen::Vector2d& point = curve.pointsPx[i];
             const int x = static_cast<int>(std::lround(point.x()));
             const int y = static_cast<int>(std::lround(point.y()));
-            if (!inside.contains(x, y) || inside.at(x, y) == 0 || curve.radiusPx[i] <= leastRadiusPx ||
+            if (!inside.contains(x, y) || inside.at(x, y) == 0 || curve.radiusPx[i] <= leastCountedRadiusPx ||
                 ownContrast(simulated.trueContrast, point, tangents[i], curve.radiusPx[i]) <
                     leastContrastToNoise * noise.at(x, y) ||
                 insideLumenOf(truth, &curve, point)) {
                 continue;
             }
             score.visiblePx += 1.0;
-            const Near near = nearestOn(traced, point);
+            const Near near = nearestOnCurves(traced, point);
             if (near.distancePx <= tolerancePx) {
                 found += 1.0;
                 offsets += near.offset;
@@ -157,9 +157,9 @@ TracingScore scoreTracing(const core::SimulatedCase& simulated, const core::Angi
         const bool isSuspect =
             std::find(trace.suspectCurves.begin(), trace.suspectCurves.end(), curve.id) != trace.suspectCurves.end();
         for (const Eigen::Vector2d& point : curve.pointsPx) {
-            const Near near = nearestOn(vessels, point);
+            const Near near = nearestOnCurves(vessels, point);
             const bool isVessel = near.distancePx <= tolerancePx || insideLumenOf(vessels, nullptr, point);
-            const bool isFalse = !isVessel && nearestOn(catheter, point).distancePx > tolerancePx;
+            const bool isFalse = !isVessel && nearestOnCurves(catheter, point).distancePx > tolerancePx;
             score.tracedPx += 1.0;
             score.falsePx += isFalse ? 1.0 : 0.0;
             score.falseUnsuspectedPx += isFalse && !isSuspect ? 1.0 : 0.0;

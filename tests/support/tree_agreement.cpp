@@ -19,7 +19,7 @@ struct Nearest {
     double radiusMm = 0.0;
 };
 
-Nearest nearestOn(const core::VesselTree& tree, const Eigen::Vector3d& point)
+Nearest nearestOnTree(const core::VesselTree& tree, const Eigen::Vector3d& point)
 {
     Nearest nearest;
     for (const core::VesselBranch& branch : tree.branches) {
@@ -45,7 +45,7 @@ TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree
     double foundPoints = 0.0;
     for (const core::VesselBranch& branch : core::resampled(truth, spacingMm).branches) {
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-            const double away = nearestOn(traced, branch.pointsInPatient[i]).distanceMm;
+            const double away = nearestOnTree(traced, branch.pointsInPatient[i]).distanceMm;
             foundPoints += away <= std::max(leastReachMm, branch.radiusMm[i]) ? 1.0 : 0.0;
             truePoints += 1.0;
         }
@@ -54,7 +54,7 @@ TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree
     double rightPoints = 0.0;
     for (const core::VesselBranch& branch : core::resampled(traced, spacingMm).branches) {
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-            const Nearest nearest = nearestOn(truth, branch.pointsInPatient[i]);
+            const Nearest nearest = nearestOnTree(truth, branch.pointsInPatient[i]);
             tracedPoints += 1.0;
             if (nearest.distanceMm <= std::max(leastReachMm, nearest.radiusMm)) {
                 rightPoints += 1.0;
@@ -102,9 +102,9 @@ std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const
     return *middle;
 }
 
-double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point)
+double distanceToTree(const core::VesselTree& tree, const Eigen::Vector3d& point)
 {
-    return nearestOn(tree, point).distanceMm;
+    return nearestOnTree(tree, point).distanceMm;
 }
 
 double shareNear(const core::VesselTree& tree, const core::VesselTree& other, double reachMm)
@@ -112,7 +112,7 @@ double shareNear(const core::VesselTree& tree, const core::VesselTree& other, do
     double near = 0.0;
     for (const core::VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            near += distanceTo(other, point) <= reachMm ? 1.0 : 0.0;
+            near += distanceToTree(other, point) <= reachMm ? 1.0 : 0.0;
         }
     }
     return near / static_cast<double>(tree.pointCount());

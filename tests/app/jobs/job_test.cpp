@@ -1,5 +1,7 @@
 #include "app/jobs/job.h"
 
+#include "tests/support/patience.h"
+
 #include <gtest/gtest.h>
 #include <QCoreApplication>
 #include <QTest>
@@ -14,11 +16,10 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int patienceMs = 60000;
 using Link = JobLink<int>;
 
 /// A job that writes down what it is told.
-struct Heard {
+struct HeardJob {
     std::vector<int> reports;
     std::vector<std::string> found;
     std::vector<std::string> problems;
@@ -28,7 +29,7 @@ struct Heard {
 
     bool waits()
     {
-        return QTest::qWaitFor([this] { return !job.isRunning(); }, patienceMs);
+        return QTest::qWaitFor([this] { return !job.isRunning(); }, test::patienceMs);
     }
 };
 
@@ -42,7 +43,7 @@ core::Result<std::string> untilStopped(Link& link)
 
 TEST(Job, TellsTheNewestReportAndOneOutcome)
 {
-    Heard heard;
+    HeardJob heard;
     heard.job.start([](Link& link) -> core::Result<std::string> {
         for (int step = 0; step <= 1000; ++step) {
             link.tell(step);
@@ -60,7 +61,7 @@ TEST(Job, TellsTheNewestReportAndOneOutcome)
 
 TEST(Job, AnswersAStop)
 {
-    Heard heard;
+    HeardJob heard;
     heard.job.start(untilStopped);
     heard.job.requestStop();
     ASSERT_TRUE(heard.waits());
@@ -69,7 +70,7 @@ TEST(Job, AnswersAStop)
 
 TEST(Job, TurnsWhatIsThrownIntoAnError)
 {
-    Heard heard;
+    HeardJob heard;
     heard.job.start([](Link&) -> core::Result<std::string> { throw std::runtime_error("out of luck"); });
     ASSERT_TRUE(heard.waits());
     ASSERT_EQ(heard.problems.size(), 1U);
@@ -78,7 +79,7 @@ TEST(Job, TurnsWhatIsThrownIntoAnError)
 
 TEST(Job, SaysNothingOfWhatWasDropped)
 {
-    Heard heard;
+    HeardJob heard;
     heard.job.start(untilStopped);
     heard.job.start([](Link&) -> core::Result<std::string> { return std::string("second"); });
     ASSERT_TRUE(heard.waits());
@@ -103,7 +104,7 @@ TEST(Job, CanBeStartedAgainByWhoHearsItsEnd)
     });
     again = [&] { job.start([next = runs + 1](JobLink<double>&) -> core::Result<int> { return next; }); };
     again();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return runs == 3; }, patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return runs == 3; }, test::patienceMs));
 }
 
 TEST(Job, IsDestroyedWithoutWaiting)
@@ -111,7 +112,7 @@ TEST(Job, IsDestroyedWithoutWaiting)
     std::atomic<bool> isReleased{false};
     std::atomic<bool> hasEnded{false};
     {
-        Heard heard;
+        HeardJob heard;
         heard.job.start([&](Link&) -> core::Result<std::string> {
             while (!isReleased) {   // deaf to Stop
                 QThread::msleep(1);
@@ -122,7 +123,7 @@ TEST(Job, IsDestroyedWithoutWaiting)
     }
     EXPECT_FALSE(hasEnded);
     isReleased = true;
-    EXPECT_TRUE(QTest::qWaitFor([&] { return hasEnded.load(); }, patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return hasEnded.load(); }, test::patienceMs));
 }
 
 }   // namespace

@@ -1,6 +1,7 @@
 #include "app/jobs/judge_job.h"
 
 #include "tests/app/jobs/small_case.h"
+#include "tests/support/patience.h"
 
 #include <gtest/gtest.h>
 #include <QCoreApplication>
@@ -9,8 +10,6 @@
 
 namespace angiopose::app {
 namespace {
-
-constexpr int patienceMs = 60000;
 
 JudgeRequest requestAt(const core::SimulatedCase& simulated, double shiftMm)
 {
@@ -29,7 +28,7 @@ TEST(JudgeJob, FindsTheTruePoseFree)
 
     job.request(requestAt(simulated, 0.0));
 
-    ASSERT_TRUE(judged.wait(patienceMs));
+    ASSERT_TRUE(judged.wait(test::patienceMs));
     EXPECT_LT(judgement->result.metrics.medianPx, 1.0);
     ASSERT_EQ(judgement->residualPx.size(), simulated.tree.branches.size());
     const core::VesselBranch& branch = simulated.tree.branches.front();
@@ -49,7 +48,7 @@ TEST(JudgeJob, AnswersTheNewestRequestLast)
         job.request(requestAt(simulated, 2.0 * shift));
     }
 
-    while (medians.size() < 2 && judged.wait(patienceMs)) {
+    while (medians.size() < 2 && judged.wait(test::patienceMs)) {
     }
     // The first was already under way, all between were replaced by the last.
     ASSERT_EQ(medians.size(), 2U);

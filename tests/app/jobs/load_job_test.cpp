@@ -4,6 +4,7 @@
 #include "io/volume_file.h"
 #include "tests/io/series/dicom_slices.h"
 #include "tests/support/forked_vessel.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,6 @@
 
 namespace angiopose::app {
 namespace {
-
-constexpr int patienceMs = 60000;
 
 QString dataPath(const char* relative)
 {
@@ -60,7 +59,7 @@ TEST(LoadJob, DeliversACaseOnTheThreadOfItsOwner)
 
     job.start({dataPath("coronary-phantom-xa/cases/IM4.angiopose")});
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     ASSERT_TRUE(inputs && inputs->wholeCase);
     EXPECT_EQ(inputs->wholeCase->title, "Coronary phantom, view IM4");
 }
@@ -72,7 +71,7 @@ TEST(LoadJob, NamesTheFileThatIsMissing)
 
     job.start({QStringLiteral("/nowhere/tree.vtp")});
 
-    ASSERT_TRUE(failed.wait(patienceMs));
+    ASSERT_TRUE(failed.wait(test::patienceMs));
     const auto* reason = static_cast<const core::Message*>(failed.first().first().constData());
     EXPECT_NE(reason->text().find("tree.vtp"), std::string::npos);
 }

@@ -1,6 +1,7 @@
 #include "app/jobs/method_series_job.h"
 
 #include "tests/app/jobs/small_case.h"
+#include "tests/support/patience.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
@@ -9,10 +10,8 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int patienceMs = 60000;
-
-struct Heard {
-    explicit Heard(MethodSeriesJob& job)
+struct HeardSeries {
+    explicit HeardSeries(MethodSeriesJob& job)
     {
         QObject::connect(&job, &MethodSeriesJob::solved,
                          [this](const core::RegistrationResult& result) { methods.push_back(result.method); });
@@ -38,10 +37,10 @@ struct Heard {
 TEST(MethodSeriesJob, RunsEachMethodFromTheSameStartAndGoesOnAfterAFailure)
 {
     MethodSeriesJob job;
-    Heard heard(job);
+    HeardSeries heard(job);
     job.start(test::inputOf(test::smallCase()), {}, {"angiopose", "no-such-method", "dt-icp"});
     EXPECT_TRUE(job.isRunning());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return heard.ended; }, patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return heard.ended; }, test::patienceMs));
 
     EXPECT_EQ(heard.methods, (std::vector<std::string>{"angiopose", "dt-icp"}));
     EXPECT_EQ(heard.failed, std::vector<std::string>{"no-such-method"});
@@ -53,10 +52,10 @@ TEST(MethodSeriesJob, RunsEachMethodFromTheSameStartAndGoesOnAfterAFailure)
 TEST(MethodSeriesJob, StopKeepsWhatIsFinishedAndSkipsTheRest)
 {
     MethodSeriesJob job;
-    Heard heard(job);
+    HeardSeries heard(job);
     QObject::connect(&job, &MethodSeriesJob::solved, &job, [&job] { job.requestStop(); });
     job.start(test::inputOf(test::smallCase()), {}, {"angiopose", "particle", "evolution", "rgbr", "automask"});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return heard.ended; }, patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return heard.ended; }, test::patienceMs));
 
     EXPECT_TRUE(heard.wasStopped);
     EXPECT_LT(heard.methods.size(), 5u);

@@ -1,6 +1,7 @@
 #include "app/jobs/registration_job.h"
 
 #include "tests/app/jobs/small_case.h"
+#include "tests/support/patience.h"
 #include "tests/support/simulated_views.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,6 @@
 
 namespace angiopose::app {
 namespace {
-
-constexpr int patienceMs = 60000;
 
 /// Takes so long that nobody would wait for its end: only a stop ends it.
 core::Case longRun()
@@ -34,7 +33,7 @@ TEST(RegistrationJob, DeliversTheResultOfTheSolver)
 
     job.start(test::caseOf(simulated), {});
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     const auto expected = core::registerCase(test::caseOf(simulated));
     ASSERT_TRUE(expected);
     EXPECT_TRUE(result.cameraFromPatient.matrix() == expected.value().result().cameraFromPatient.matrix());
@@ -51,7 +50,7 @@ TEST(RegistrationJob, KeepsTheBestPoseAfterAStop)
 
     job.start(longRun(), {});
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     EXPECT_TRUE(core::isRigid(result.cameraFromPatient));
     EXPECT_GT(result.metrics.coverage, 0.0);
 }
@@ -68,7 +67,7 @@ TEST(RegistrationJob, ReportsStoppedWhenStoppedAtOnce)
     job.start(std::move(values), {core::RegistrationPlan::Views::Shown, std::move(target)});
     job.requestStop();
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     EXPECT_EQ(result.stopReason, core::StopReason::StoppedByUser);
 }
 
@@ -85,7 +84,7 @@ TEST(RegistrationJob, ReportsProgressOnTheThreadOfItsOwner)
 
     job.start(test::caseOf(test::smallCase()), {});
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     EXPECT_GT(reports, 0);
     EXPECT_TRUE(sameThread);
 }
@@ -107,7 +106,7 @@ TEST(RegistrationJob, SaysThatItsPoseIsOfTheShownViewAndNeverFallsBack)
 
     job.start(values, {core::RegistrationPlan::Views::Shown});
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     EXPECT_EQ(others, 0);
     EXPECT_FALSE(hasFallen);
     EXPECT_GT(last, 0.0);
@@ -120,7 +119,7 @@ TEST(RegistrationJob, FailsOnUnusableInputWithWords)
 
     job.start({}, {});
 
-    ASSERT_TRUE(failed.wait(patienceMs));
+    ASSERT_TRUE(failed.wait(test::patienceMs));
     const auto* reason = static_cast<const core::Message*>(failed.first().first().constData());
     EXPECT_FALSE(reason->text().empty());
     EXPECT_FALSE(job.isRunning());

@@ -1,6 +1,7 @@
 #include "app/jobs/trace_job.h"
 
 #include "tests/app/jobs/small_case.h"
+#include "tests/support/patience.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
@@ -9,8 +10,6 @@
 
 namespace angiopose::app {
 namespace {
-
-constexpr int patienceMs = 60000;
 
 TEST(TraceJob, FindsTheVesselsOfTheFrame)
 {
@@ -22,7 +21,7 @@ TEST(TraceJob, FindsTheVesselsOfTheFrame)
 
     job.start({std::make_shared<core::Angiogram>(simulated.angiogram), simulated.angiogram.suggestedFrame, {}});
 
-    ASSERT_TRUE(finished.wait(patienceMs));
+    ASSERT_TRUE(finished.wait(test::patienceMs));
     ASSERT_TRUE(traced);
     EXPECT_GT(traced->centerline.pointCount(), 50U);
 }
@@ -36,7 +35,7 @@ TEST(TraceJob, SaysWhyAnEvenFrameCannotBeTraced)
 
     job.start({std::make_shared<core::Angiogram>(flat), 0, {}});
 
-    ASSERT_TRUE(failed.wait(patienceMs));
+    ASSERT_TRUE(failed.wait(test::patienceMs));
     const auto* reason = static_cast<const core::Message*>(failed.first().first().constData());
     EXPECT_FALSE(reason->text().empty());
 }

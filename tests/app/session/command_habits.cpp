@@ -15,7 +15,7 @@ namespace {
 /// By the names in the settings: what ends the session, opens another case, or writes over the one that was opened.
 constexpr std::array leadingAway{"quit", "open-", "open-dicom-folder-", "open-sample-case", "save"};
 
-bool leadsAway(const QAction& action)
+bool commandLeadsAway(const QAction& action)
 {
     return std::ranges::any_of(leadingAway,
                                [&](const char* name) { return action.objectName() == QLatin1String(name); });
@@ -26,7 +26,7 @@ QString command(Desk& desk)
 {
     const QList<QAction*> all = desk.window.QWidget::actions();
     QAction* action = desk.hand.oneOf(all);
-    if (!action->isEnabled() || leadsAway(*action)) {
+    if (!action->isEnabled() || commandLeadsAway(*action)) {
         return {};
     }
     ui::AngiogramView& view = desk.window.angiogramView();

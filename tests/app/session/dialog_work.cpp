@@ -15,7 +15,7 @@ namespace {
 
 constexpr int mostActs = 4;
 
-bool leadsAway(const QAbstractButton& button)
+bool answerLeadsAway(const QAbstractButton& button)
 {
     return button.text().contains(QStringLiteral("Open")) || button.text().contains(QStringLiteral("without saving")) ||
            button.text().contains(QStringLiteral("Discard"));
@@ -55,7 +55,7 @@ void useOneOf(const QWidget& dialog, RandomHand& hand)
     }
     QWidget* widget = hand.oneOf(widgets);
     if (auto* button = qobject_cast<QAbstractButton*>(widget)) {
-        if (!leadsAway(*button)) {
+        if (!answerLeadsAway(*button)) {
             QTest::mouseClick(button, Qt::LeftButton, {}, button->rect().center());
         }
     } else if (auto* view = qobject_cast<QAbstractItemView*>(widget)) {

@@ -44,7 +44,7 @@ QString changeChoice(Desk& desk)
 }
 
 /// Buttons whose click leads out of the window or throws the case away.
-bool leadsAway(const QAbstractButton& button)
+bool buttonLeadsAway(const QAbstractButton& button)
 {
     return button.text().contains(QStringLiteral("Open")) || button.text().contains(QStringLiteral("Quit"));
 }
@@ -74,7 +74,7 @@ QString clickButton(Desk& desk)
         return {};
     }
     QAbstractButton* button = desk.hand.oneOf(buttons);
-    if (leadsAway(*button)) {
+    if (buttonLeadsAway(*button)) {
         return {};
     }
     if (holdsMenu(*button)) {

@@ -2,6 +2,7 @@
 
 #include "app/files/autosave.h"
 #include "app/preferences/settings.h"
+#include "tests/support/patience.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>
@@ -13,7 +14,6 @@
 namespace angiopose::test {
 namespace {
 
-constexpr int patienceMs = 60000;
 constexpr int mostDialogs = 5;   // one may lead to the next
 
 /// The dialog or menu in front, if any.

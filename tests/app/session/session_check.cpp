@@ -1,13 +1,13 @@
 #include "tests/app/session/session_check.h"
 
+#include "tests/support/patience.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTest>
 
 namespace angiopose::test {
 namespace {
-
-constexpr int patienceMs = 60000;
 
 bool save(app::CaseController& controller, const QString& path)
 {

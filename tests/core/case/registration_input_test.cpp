@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-VesselTree smallTree()
+VesselTree oneBranchTree()
 {
     VesselTree tree;
     tree.branches.push_back({7, "", {{10, 0, 700}, {14, 3, 706}, {20, 9, 711}}, {}, -1});
@@ -15,7 +15,7 @@ VesselTree smallTree()
 Vessels smallVessels()
 {
     Vessels vessels;
-    vessels.tree = std::make_shared<const VesselTree>(smallTree());
+    vessels.tree = std::make_shared<const VesselTree>(oneBranchTree());
     return vessels;
 }
 

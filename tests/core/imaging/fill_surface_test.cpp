@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 /// A tube along z, open or closed at its ends.
-SurfaceMesh tube(double radius, double length, bool isClosed)
+SurfaceMesh tubeMesh(double radius, double length, bool isClosed)
 {
     SurfaceMesh mesh;
     constexpr std::uint32_t sides = 48;
@@ -43,7 +43,7 @@ TEST(FillSurface, HoldsTheVolumeOfTheTube)
 {
     const double polygonArea = 0.5 * 48 * 25.0 * std::sin(2.0 * std::numbers::pi / 48);
     for (const bool isClosed : {true, false}) {   // the open ends of a vessel are closed by the other axes
-        const SurfaceMesh mesh = tube(5.0, 40.0, isClosed);
+        const SurfaceMesh mesh = tubeMesh(5.0, 40.0, isClosed);
         EXPECT_EQ(checkMesh(mesh).isClosed(), isClosed);
         const auto mask = fillSurface(mesh, 0.23);   // no multiple of it is the radius
         ASSERT_TRUE(mask) << mask.error().message;
@@ -53,15 +53,15 @@ TEST(FillSurface, HoldsTheVolumeOfTheTube)
 
 TEST(FillSurface, OverlappingTubesAreOneInside)
 {
-    SurfaceMesh both = tube(5.0, 40.0, true);
-    const SurfaceMesh second = tube(3.0, 40.0, true);   // inside the first
+    SurfaceMesh both = tubeMesh(5.0, 40.0, true);
+    const SurfaceMesh second = tubeMesh(3.0, 40.0, true);   // inside the first
     const auto offset = static_cast<std::uint32_t>(both.pointsInPatient.size());
     both.pointsInPatient.insert(both.pointsInPatient.end(), second.pointsInPatient.begin(),
                                 second.pointsInPatient.end());
     for (const auto& t : second.triangles) {
         both.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
     }
-    const auto alone = fillSurface(tube(5.0, 40.0, true), 0.5);
+    const auto alone = fillSurface(tubeMesh(5.0, 40.0, true), 0.5);
     const auto joined = fillSurface(both, 0.5);
     ASSERT_TRUE(alone && joined);
     EXPECT_EQ(joined.value().voxels, alone.value().voxels);
@@ -69,8 +69,8 @@ TEST(FillSurface, OverlappingTubesAreOneInside)
 
 TEST(FillSurface, UsualVoxelsAreCoarserForWhatIsSolid)
 {
-    const double slim = usualSpacingMm(tube(1.0, 400.0, true));
-    const double solid = usualSpacingMm(tube(60.0, 120.0, true));
+    const double slim = usualSpacingMm(tubeMesh(1.0, 400.0, true));
+    const double solid = usualSpacingMm(tubeMesh(60.0, 120.0, true));
     EXPECT_NEAR(slim, 0.1, 1e-12) << "as fine as can be";
     const double inside = std::numbers::pi * 60.0 * 60.0 * 120.0;
     EXPECT_NEAR(inside / std::pow(solid, 3), 5e6, 1e5) << "voxels to be thinned";
@@ -82,14 +82,14 @@ TEST(FillSurface, RefusesWhatBoundsNothing)
     EXPECT_FALSE(fillSurface({}, 1.0));
     SurfaceMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     EXPECT_FALSE(fillSurface(flat, 0.1));
-    EXPECT_FALSE(fillSurface(tube(5.0, 40.0, true), 0.0001));
+    EXPECT_FALSE(fillSurface(tubeMesh(5.0, 40.0, true), 0.0001));
     SurfaceMesh sheet{{{0, 0, 0}, {9, 0, 4}, {0, 9, 2}}, {{0, 1, 2}}};
     EXPECT_FALSE(fillSurface(sheet, 0.5)) << "a single triangle";
 }
 
 TEST(CheckMesh, FindsHolesAndTurnedTriangles)
 {
-    SurfaceMesh mesh = tube(5.0, 40.0, true);
+    SurfaceMesh mesh = tubeMesh(5.0, 40.0, true);
     EXPECT_TRUE(checkMesh(mesh).isOriented);
     std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
     EXPECT_FALSE(checkMesh(mesh).isOriented);

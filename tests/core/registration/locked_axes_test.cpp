@@ -41,7 +41,7 @@ struct LockedCase {
     RigidTransform truth;
 };
 
-RegistrationOptions locking(std::string_view method, std::initializer_list<PoseAxis> axes)
+RegistrationOptions methodLocking(std::string_view method, std::initializer_list<PoseAxis> axes)
 {
     RegistrationOptions options;
     options.method = method;
@@ -71,7 +71,8 @@ TEST_P(LockedAxes, KeepTheirValueExactly)
     const PoseOffset before = locked.fromTruth(input.initialCameraFromPatient);
     RegistrationInput counted = input;
     counted.lockReference = locked.truth;
-    const RegistrationOptions options = locking(GetParam(), {PoseAxis::AlongRay, PoseAxis::LaoRao, PoseAxis::Right});
+    const RegistrationOptions options =
+        methodLocking(GetParam(), {PoseAxis::AlongRay, PoseAxis::LaoRao, PoseAxis::Right});
     const auto result = registerVessels(counted, options);
     if (!heedsLocks(GetParam())) {
         ASSERT_FALSE(result);
@@ -98,7 +99,7 @@ TEST_P(LockedAxes, FindTheOthersWhenTheLockedAreRight)
     const LockedCase locked(3);
     const RegistrationInput input = locked.from({.upMm = 2.0, .rollDeg = 1.0});
     const auto result = registerVessels(
-        input, locking(GetParam(), {PoseAxis::Right, PoseAxis::AlongRay, PoseAxis::LaoRao, PoseAxis::CraCau}));
+        input, methodLocking(GetParam(), {PoseAxis::Right, PoseAxis::AlongRay, PoseAxis::LaoRao, PoseAxis::CraCau}));
     ASSERT_TRUE(result) << result.error().message;
     const PoseOffset off = locked.fromTruth(result.value().cameraFromPatient);
     EXPECT_NEAR(off.upMm, 0.0, 0.5);
@@ -113,8 +114,9 @@ TEST_P(LockedAxes, LeaveOneFree)
     }
     const LockedCase locked(4);
     const RegistrationInput input = locked.from({.upMm = 2.0});
-    const auto result = registerVessels(input, locking(GetParam(), {PoseAxis::Right, PoseAxis::AlongRay, PoseAxis::Roll,
-                                                                    PoseAxis::LaoRao, PoseAxis::CraCau}));
+    const auto result =
+        registerVessels(input, methodLocking(GetParam(), {PoseAxis::Right, PoseAxis::AlongRay, PoseAxis::Roll,
+                                                          PoseAxis::LaoRao, PoseAxis::CraCau}));
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_NEAR(locked.fromTruth(result.value().cameraFromPatient).upMm, 0.0, 0.5);
 }
@@ -142,7 +144,7 @@ TEST(LockedAxesOfAngioPose, AreExactAndTheRestIsExactWithTrueLocks)
     const LockedCase locked(5);
     RegistrationInput input = locked.from({.rightMm = 25.0, .upMm = -14.0, .rollDeg = 9.0, .craCauDeg = 5.0});
     input.lockReference = locked.truth;
-    const auto result = registerVessels(input, locking("angiopose", {PoseAxis::AlongRay, PoseAxis::LaoRao}));
+    const auto result = registerVessels(input, methodLocking("angiopose", {PoseAxis::AlongRay, PoseAxis::LaoRao}));
     ASSERT_TRUE(result);
     const PoseOffset off = locked.fromTruth(result.value().cameraFromPatient);
     for (const PoseAxis axis : poseAxes) {
@@ -155,7 +157,7 @@ TEST(LockedAxesOfAngioPose, HoldForTheWholeTreeThoughBranchesAreExcluded)
     const LockedCase locked(5);
     RegistrationInput input = locked.from({.rightMm = 3.0, .alongRayMm = 4.0, .craCauDeg = 2.0});
     input.excludedBranchIds = {locked.tree.branches[1].id, locked.tree.branches[4].id};
-    const auto result = registerVessels(input, locking("angiopose", {PoseAxis::AlongRay}));
+    const auto result = registerVessels(input, methodLocking("angiopose", {PoseAxis::AlongRay}));
     ASSERT_TRUE(result);
     EXPECT_NEAR(locked.fromTruth(result.value().cameraFromPatient).alongRayMm, 4.0, 1e-9);
 }
@@ -169,7 +171,7 @@ TEST(LockedAxesOfAngioPose, LockingAllOrSeveralViewsIsRefused)
     EXPECT_NE(findProblem(options)->text().find("nothing is left"), std::string::npos);
     EXPECT_FALSE(registerVessels(input, options));
     const std::vector<RegistrationInput> views{input, input};
-    EXPECT_FALSE(registerViews(views, locking("angiopose", {PoseAxis::Roll})));
+    EXPECT_FALSE(registerViews(views, methodLocking("angiopose", {PoseAxis::Roll})));
 }
 
 }   // namespace

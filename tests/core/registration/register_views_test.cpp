@@ -4,15 +4,14 @@
 #include "core/registration/alignment/joint_solve.h"
 #include "tests/support/clean_case.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <gtest/gtest.h>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 /// A tree in two views, the second one turned by 70° about the tree; targets of noisy points.
 struct TwoViews {
@@ -20,7 +19,7 @@ struct TwoViews {
     {
         const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
         truth[0] = clean.truth;
-        truth[1].rotation = expSo3({0.0, 70.0 * degree, 0.0}) * clean.truth.rotation;
+        truth[1].rotation = expSo3({0.0, 70.0 * radiansPerDegree, 0.0}) * clean.truth.rotation;
         truth[1].translation = Eigen::Vector3d(-3.0, 5.0, 780.0) - truth[1].rotation * centroid;
         for (std::size_t k = 0; k < 2; ++k) {
             inputs[k] = clean.from(truth[k]);
@@ -62,7 +61,7 @@ struct TwoViews {
 Vector6d typicalStep()
 {
     Vector6d step;
-    step << 3.0 * degree, -2.0 * degree, 2.0 * degree, 8.0, -6.0, 20.0;
+    step << 3.0 * radiansPerDegree, -2.0 * radiansPerDegree, 2.0 * radiansPerDegree, 8.0, -6.0, 20.0;
     return step;
 }
 
@@ -125,14 +124,14 @@ TEST(RegisterViews, FindsTheErrorOfTheGeometry)
     two.startOff(typicalStep());
     const Eigen::Vector3d centroid = centroidInPatient(two.clean.tree);
     Vector6d sag;
-    sag << 0.4 * degree, -0.3 * degree, 0.5 * degree, 1.0, -0.8, 0.5;
+    sag << 0.4 * radiansPerDegree, -0.3 * radiansPerDegree, 0.5 * radiansPerDegree, 1.0, -0.8, 0.5;
     const CentroidPose second = aboutCentroid(two.inputs[1].initialCameraFromPatient, centroid);
     two.inputs[1].initialCameraFromPatient = cameraFromPatient(moved(second, -sag), centroid);
     const auto result = registerViews(two.inputs);
     ASSERT_TRUE(result);
     EXPECT_TRUE(result.value().trustworthy);
     const Vector6d found = result.value().corrections[1];
-    EXPECT_LT((found - sag).head<3>().norm(), 0.15 * degree);
+    EXPECT_LT((found - sag).head<3>().norm(), 0.15 * radiansPerDegree);
     EXPECT_LT((found - sag).segment<2>(3).norm(), 0.7);   // shared with the depth in the first view
     EXPECT_EQ(result.value().corrections[0].norm(), 0.0);
 }
@@ -142,7 +141,7 @@ TEST(RegisterViews, DoubtsViewsThatCannotBelongTogether)
     TwoViews two;
     two.startOff(Vector6d::Zero());
     two.inputs[1].initialCameraFromPatient.rotation =
-        expSo3({0.0, 5.0 * degree, 0.0}) * two.inputs[1].initialCameraFromPatient.rotation;
+        expSo3({0.0, 5.0 * radiansPerDegree, 0.0}) * two.inputs[1].initialCameraFromPatient.rotation;
     const auto result = registerViews(two.inputs);
     ASSERT_TRUE(result);
     EXPECT_FALSE(result.value().trustworthy);

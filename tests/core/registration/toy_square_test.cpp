@@ -3,15 +3,14 @@
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct ToySquare {
     /// `segments` per edge; every edge is a branch.
@@ -55,7 +54,7 @@ struct ToySquare {
 /// Variant T-B: tilted by 30° so that the square is seen as one.
 RigidTransform tilted()
 {
-    const Eigen::Matrix3d turn = expSo3({30.0 * degree, 0.0, 0.0});
+    const Eigen::Matrix3d turn = expSo3({30.0 * radiansPerDegree, 0.0, 0.0});
     return {turn, Eigen::Vector3d(0.0, 0.0, 12.5) - turn * Eigen::Vector3d(7.5, 0.0, 12.5)};
 }
 
@@ -67,7 +66,7 @@ TEST_P(ToySquareSizes, NeverLocksOneToothOff)
     CounterRandom random(5);
     for (int draw = 0; draw < 10; ++draw) {
         EXPECT_LT(square.errorPx(tilted(), 0.0, random), 1.0) << "shift only, draw " << draw;
-        EXPECT_LT(square.errorPx(tilted(), 1.0 * degree, random), 1.0) << "with a turn, draw " << draw;
+        EXPECT_LT(square.errorPx(tilted(), 1.0 * radiansPerDegree, random), 1.0) << "with a turn, draw " << draw;
     }
 }
 

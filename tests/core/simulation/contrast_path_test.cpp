@@ -9,10 +9,10 @@ namespace {
 
 using namespace core;
 
-const ProjectionCamera camera{-2000.0, 2000.0, 100.0, 100.0, 201, 201};
+const ProjectionCamera contrastCamera{-2000.0, 2000.0, 100.0, 100.0, 201, 201};
 constexpr double depthMm = 800.0;   // 2.5 px per mm
 
-ContrastPath tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusMm)
+ContrastPath tubePath(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusMm)
 {
     ContrastPath path;
     for (int i = 0; i <= 40; ++i) {
@@ -23,7 +23,7 @@ ContrastPath tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double
 
 ImageF filledThickness(const ContrastPath& path)
 {
-    return contrastThicknessMm({path}, {.injectionS = 1e9}, 100.0, camera, {});
+    return contrastThicknessMm({path}, {.injectionS = 1e9}, 100.0, contrastCamera, {});
 }
 
 double fullConcentration()
@@ -33,7 +33,7 @@ double fullConcentration()
 
 TEST(ContrastPath, ATubeAcrossTheRayHasTheChordProfile)
 {
-    const ImageF image = filledThickness(tube({-30, 0, depthMm}, {30, 0, depthMm}, 3.0));
+    const ImageF image = filledThickness(tubePath({-30, 0, depthMm}, {30, 0, depthMm}, 3.0));
     for (int y = -6; y <= 6; ++y) {
         const double rhoMm = y / 2.5;
         const double chordMm = 2.0 * std::sqrt(9.0 - rhoMm * rhoMm);
@@ -47,13 +47,13 @@ TEST(ContrastPath, ATubeTiltedTowardsTheRayLooksDenser)
     const double tilt = std::numbers::pi / 3.0;   // 60° out of the detector plane: path length doubles
     const Eigen::Vector3d half(20.0 * std::cos(tilt), 0.0, 20.0 * std::sin(tilt));
     const Eigen::Vector3d centre(0.0, 0.0, depthMm);
-    const ImageF image = filledThickness(tube(centre - half, centre + half, 1.5));
+    const ImageF image = filledThickness(tubePath(centre - half, centre + half, 1.5));
     EXPECT_NEAR(image.at(100, 100) / fullConcentration(), 2.0 * 3.0, 0.25);
 }
 
 TEST(ContrastPath, ContrastScalesWithOpacity)
 {
-    ContrastPath path = tube({-30, 0, depthMm}, {30, 0, depthMm}, 2.0);
+    ContrastPath path = tubePath({-30, 0, depthMm}, {30, 0, depthMm}, 2.0);
     const double full = filledThickness(path).at(100, 100);
     for (ContrastPoint& point : path) {
         point.opacity = 0.4;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-std::set<int> idsOf(const VesselTree& tree)
+std::set<int> idSetOf(const VesselTree& tree)
 {
     std::set<int> ids;
     for (const VesselBranch& branch : tree.branches) {
@@ -26,7 +26,7 @@ TEST(FillVessels, NoFilledBranchHangsOnAnEmptyOne)
         CounterRandom random(seed);
         const FilledVessels vessels = fillVessels(grown, {.missingBranchShare = 0.4}, random);
         EXPECT_EQ(vessels.missingBranchIds.size(), 10u);   // 0.4 of 24
-        const std::set<int> visible = idsOf(vessels.visible);
+        const std::set<int> visible = idSetOf(vessels.visible);
         for (std::size_t b = 1; b < grown.tree.branches.size(); ++b) {
             const auto parent = static_cast<std::size_t>(grown.takeoffs[b].parentIndex);
             if (visible.contains(grown.tree.branches[b].id)) {
@@ -42,7 +42,7 @@ TEST(FillVessels, ExtraVesselsHaveNewIds)
     CounterRandom random(1);
     const FilledVessels vessels = fillVessels(grown, {.missingBranchShare = 0.0, .extraBranchShare = 1.0}, random);
     EXPECT_EQ(vessels.visible.branches.size(), 48u);
-    EXPECT_EQ(idsOf(vessels.visible).size(), 48u);
+    EXPECT_EQ(idSetOf(vessels.visible).size(), 48u);
     EXPECT_FALSE(findProblem(vessels.visible));
 }
 

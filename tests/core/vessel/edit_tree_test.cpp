@@ -13,7 +13,7 @@ namespace {
 using core::VesselBranch;
 using core::VesselTree;
 
-VesselBranch straight(int id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusMm)
+VesselBranch straightBranch(int id, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusMm)
 {
     VesselBranch branch;
     branch.id = id;
@@ -29,8 +29,9 @@ VesselBranch straight(int id, const Eigen::Vector3d& from, const Eigen::Vector3d
 VesselTree smallTree()
 {
     VesselTree tree;
-    tree.branches = {straight(1, {0, 0, 0}, {0, 0, 60}, 4.0), straight(4, {0, 0, 20}, {30, 0, 20}, 2.0),
-                     straight(6, {0, 0, 40}, {-25, 0, 40}, 1.5), straight(9, {15, 0, 20}, {15, 8, 20}, 0.8)};
+    tree.branches = {straightBranch(1, {0, 0, 0}, {0, 0, 60}, 4.0), straightBranch(4, {0, 0, 20}, {30, 0, 20}, 2.0),
+                     straightBranch(6, {0, 0, 40}, {-25, 0, 40}, 1.5),
+                     straightBranch(9, {15, 0, 20}, {15, 8, 20}, 0.8)};
     tree.branches[0].name = "trunk";
     const int generations[] = {0, 1, 1, 2};
     for (std::size_t b = 0; b < 4; ++b) {
@@ -39,7 +40,7 @@ VesselTree smallTree()
     return tree;
 }
 
-std::vector<int> idsOf(const VesselTree& tree)
+std::vector<int> idsInOrder(const VesselTree& tree)
 {
     std::vector<int> ids;
     for (const VesselBranch& branch : tree.branches) {
@@ -50,27 +51,27 @@ std::vector<int> idsOf(const VesselTree& tree)
 
 TEST(EditTree, DeletesABranchWithAllThatLeavesIt)
 {
-    EXPECT_EQ(idsOf(core::withoutSubtree(smallTree(), 4).value()), (std::vector<int>{1, 6}));
-    EXPECT_EQ(idsOf(core::withoutSubtree(smallTree(), 9).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_EQ(idsInOrder(core::withoutSubtree(smallTree(), 4).value()), (std::vector<int>{1, 6}));
+    EXPECT_EQ(idsInOrder(core::withoutSubtree(smallTree(), 9).value()), (std::vector<int>{1, 4, 6}));
     EXPECT_FALSE(core::withoutSubtree(smallTree(), 1));
     EXPECT_FALSE(core::withoutSubtree(smallTree(), 2));
 }
 
 TEST(EditTree, PrunesShortAndThinEndBranches)
 {
-    EXPECT_EQ(idsOf(core::pruned(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
-    EXPECT_EQ(idsOf(core::pruned(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
+    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
     // Branch 4 is thin but carries branch 9 until that is gone.
-    EXPECT_EQ(idsOf(core::pruned(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
+    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
     EXPECT_FALSE(core::pruned(smallTree(), 100.0, 0.0));
-    EXPECT_EQ(idsOf(core::pruned(smallTree(), 0.0, 0.0).value()), idsOf(smallTree()));
+    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 0.0).value()), idsInOrder(smallTree()));
 }
 
 TEST(EditTree, CutsAndJoinsBack)
 {
     const auto cut = core::cutAt(smallTree(), 1, 29);
     ASSERT_TRUE(cut);
-    EXPECT_EQ(idsOf(cut.value()), (std::vector<int>{1, 4, 6, 9, 10}));
+    EXPECT_EQ(idsInOrder(cut.value()), (std::vector<int>{1, 4, 6, 9, 10}));
     EXPECT_EQ(cut.value().find(1)->pointsInPatient.size(), 30U);
     EXPECT_EQ(cut.value().find(10)->pointsInPatient.front(), Eigen::Vector3d(0, 0, 30));
     EXPECT_EQ(cut.value().find(10)->radiusMm.size(), 31U);
@@ -88,7 +89,7 @@ TEST(EditTree, CutsAndJoinsBack)
 TEST(EditTree, JoinsNearestEndsWhicheverWayTheyRun)
 {
     VesselTree tree;
-    tree.branches = {straight(1, {0, 0, 10}, {0, 0, 0}, 2.0), straight(2, {0, 0, 30}, {0, 0, 16}, 3.0)};
+    tree.branches = {straightBranch(1, {0, 0, 10}, {0, 0, 0}, 2.0), straightBranch(2, {0, 0, 30}, {0, 0, 16}, 3.0)};
     const auto joined = core::joined(tree, 1, 2);
     ASSERT_TRUE(joined);
     ASSERT_EQ(joined.value().branches.size(), 1U);
@@ -136,7 +137,7 @@ TEST(EditTree, RenamesOneBranch)
 TEST(RootTree, KeepsATreeThatHasItsRootAlready)
 {
     const VesselTree rooted = core::rootedAt(smallTree(), {1, 0, -2});
-    EXPECT_EQ(idsOf(rooted), idsOf(smallTree()));
+    EXPECT_EQ(idsInOrder(rooted), idsInOrder(smallTree()));
     for (std::size_t b = 0; b < 4; ++b) {
         EXPECT_EQ(rooted.branches[b].generation, smallTree().branches[b].generation);
         EXPECT_EQ(rooted.branches[b].pointsInPatient, smallTree().branches[b].pointsInPatient);
@@ -179,7 +180,7 @@ TEST(RootTree, PartsTheBranchThatIsEnteredInItsMiddle)
 TEST(RootTree, StartsOtherPiecesAtTheirThickEnd)
 {
     VesselTree tree = smallTree();
-    tree.branches.push_back(straight(12, {100, 0, 0}, {100, 0, 20}, 1.0));
+    tree.branches.push_back(straightBranch(12, {100, 0, 0}, {100, 0, 20}, 1.0));
     tree.branches.back().radiusMm.back() = 9.0;
     const VesselTree rooted = core::rootedAt(tree, {0, 0, 0});
     EXPECT_EQ(rooted.branches.back().id, 12);
@@ -197,9 +198,9 @@ TEST(TreeGaps, SeesNoneInAWholeTree)
 TEST(TreeGaps, AdvisesToMendABrokenVessel)
 {
     VesselTree tree = smallTree();
-    tree.branches.push_back(straight(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));   // goes on where branch 4 ends
-    tree.branches.push_back(straight(13, {0, 9, 50}, {0, 30, 50}, 1.0));   // left the trunk
-    tree.branches.push_back(straight(14, {0, 200, 0}, {0, 230, 0}, 1.0));   // of something else
+    tree.branches.push_back(straightBranch(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));   // goes on where branch 4 ends
+    tree.branches.push_back(straightBranch(13, {0, 9, 50}, {0, 30, 50}, 1.0));   // left the trunk
+    tree.branches.push_back(straightBranch(14, {0, 200, 0}, {0, 230, 0}, 1.0));   // of something else
     const std::vector<core::TreeGap> gaps = core::findGaps(tree);
     ASSERT_EQ(gaps.size(), 2U);
     EXPECT_EQ(gaps[0].fromBranchId + gaps[0].toBranchId, 4 + 12);
@@ -216,8 +217,8 @@ TEST(TreeGaps, AdvisesToMendABrokenVessel)
 TEST(TreeGaps, AreClosedByJoiningEndsOrLeadingOnToASide)
 {
     VesselTree tree = smallTree();
-    tree.branches.push_back(straight(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));
-    tree.branches.push_back(straight(13, {0, 9, 50}, {0, 30, 50}, 1.0));
+    tree.branches.push_back(straightBranch(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));
+    tree.branches.push_back(straightBranch(13, {0, 9, 50}, {0, 30, 50}, 1.0));
     EXPECT_EQ(core::pieceCount(tree), 3);
 
     for (int round = 0; round < 2; ++round) {

@@ -33,7 +33,7 @@ std::string longElement(io::DicomTag tag, const std::string& vr, const std::stri
     return tagBytes(tag) + vr + std::string(2, '\0') + number(value.size(), 4) + value;
 }
 
-std::string item(const std::string& elements)
+std::string gateItem(const std::string& elements)
 {
     return tagBytes(0xfffee000) + number(elements.size(), 4) + elements;
 }
@@ -47,14 +47,14 @@ io::DicomFile parsed(const std::string& bytes)
     return file ? std::move(file).value() : io::DicomFile{};
 }
 
-const std::string rows = shortElement(0x00280010, "US", number(512, 2));
+const std::string rowsElement = shortElement(0x00280010, "US", number(512, 2));
 
 }   // namespace
 
 TEST(DicomGate, FindsAnElementWhoseVrWasForgotten)
 {
     const std::string bare = tagBytes(0x00181110) + number(4, 4) + "1020";
-    const io::DicomFile file = parsed(bare + rows);
+    const io::DicomFile file = parsed(bare + rowsElement);
     EXPECT_EQ(file.dataset.number(0x00181110), 1020.0);
     EXPECT_EQ(file.dataset.integer(0x00280010), 512);
     EXPECT_FALSE(file.damage);
@@ -67,8 +67,8 @@ TEST(DicomGate, ReadsNumbersWhoseVrIsUnknown)
 
 TEST(DicomGate, LeavesOutASequenceThatIsDamagedInside)
 {
-    const std::string damaged = item(tagBytes(0x00081155) + "UI" + number(5000, 2) + "1.2");
-    const io::DicomFile file = parsed(longElement(0x00081140, "SQ", damaged) + rows);
+    const std::string damaged = gateItem(tagBytes(0x00081155) + "UI" + number(5000, 2) + "1.2");
+    const io::DicomFile file = parsed(longElement(0x00081140, "SQ", damaged) + rowsElement);
     EXPECT_FALSE(file.dataset.has(0x00081140));
     EXPECT_EQ(file.dataset.integer(0x00280010), 512);
     EXPECT_FALSE(file.damage);
@@ -76,7 +76,8 @@ TEST(DicomGate, LeavesOutASequenceThatIsDamagedInside)
 
 TEST(DicomGate, KeepsTheItemsOfSoundSequences)
 {
-    const std::string items = item(shortElement(0x00181510, "DS", "30")) + item(shortElement(0x00181510, "DS", "-5"));
+    const std::string items =
+        gateItem(shortElement(0x00181510, "DS", "30")) + gateItem(shortElement(0x00181510, "DS", "-5"));
     const auto found = parsed(longElement(0x00081140, "SQ", items)).dataset.items(0x00081140);
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].number(0x00181510), 30.0);
@@ -87,16 +88,16 @@ TEST(DicomGate, LeavesOutWhatIsNestedTooDeeply)
 {
     std::string nested;
     for (int depth = 0; depth < 2'000; ++depth) {
-        nested = item(longElement(0x00081140, "SQ", nested));
+        nested = gateItem(longElement(0x00081140, "SQ", nested));
     }
-    const io::DicomFile file = parsed(longElement(0x00081140, "SQ", nested) + rows);
+    const io::DicomFile file = parsed(longElement(0x00081140, "SQ", nested) + rowsElement);
     EXPECT_FALSE(file.dataset.has(0x00081140));
     EXPECT_EQ(file.dataset.integer(0x00280010), 512);
 }
 
 TEST(DicomGate, NamesTheElementThatIsCutShort)
 {
-    const io::DicomFile file = parsed(rows + longElement(0x7fe00010, "OW", std::string(100, 'p')).substr(0, 60));
+    const io::DicomFile file = parsed(rowsElement + longElement(0x7fe00010, "OW", std::string(100, 'p')).substr(0, 60));
     ASSERT_TRUE(file.damage);
     EXPECT_TRUE(file.damage->is(io::says::dicomElementTooLong));
     EXPECT_EQ(file.pixels.at(io::pixelDataTag).bytes.size(), 48U);

@@ -1,8 +1,7 @@
 #include "io/dicom/gantry_tags.h"
 
 #include "core/case/case.h"
-#include "io/angiogram_file.h"
-#include "tests/support/test_data.h"
+#include "tests/io/phantom_view.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -36,21 +35,13 @@ std::string valueOf(const core::GantryHeader& header, const std::string& tag)
     return found == header.tags.end() ? "absent" : found->value;
 }
 
-core::Angiogram phantomView(int view)
-{
-    auto read =
-        io::readAngiogram(test::dataFile("coronary-phantom-xa/views-A/IM" + std::to_string(view) + ".dcm").string());
-    EXPECT_TRUE(read) << read.error().message;
-    return read ? std::move(read).value() : core::Angiogram{};
-}
-
 }   // namespace
 
 TEST(GantryHeader, ListsEveryGeometryTagOfThePhantom)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM1.dcm");
     for (int view = 1; view <= 4; ++view) {
-        const core::GantryHeader header = phantomView(view).gantry;
+        const core::GantryHeader header = test::phantomView(view).gantry;
         EXPECT_EQ(valueOf(header, "(0018,1111)"), "720");
         EXPECT_EQ(valueOf(header, "(0018,1164)"), "absent");
         EXPECT_EQ(valueOf(header, "(0018,1149)"), "200, 200");
@@ -66,7 +57,7 @@ TEST(GantryHeader, AnglesGiveTheRelativeRotationOfEveryPairOfViewsExactly)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM1.dcm");
     std::vector<core::CArm> views;
     for (int view = 1; view <= 4; ++view) {
-        views.push_back(phantomView(view).cArm);
+        views.push_back(test::phantomView(view).cArm);
     }
     const auto turned = [](double deg, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(deg * 3.14159265358979323846 / 180.0, axis).toRotationMatrix();

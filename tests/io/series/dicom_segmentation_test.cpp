@@ -17,7 +17,7 @@ using test::DicomBytes;
 using test::TemporaryFolder;
 
 constexpr int columns = 9;   // 9 × 7 pixels: frames do not end on whole bytes
-constexpr int rows = 7;
+constexpr int segmentRows = 7;
 constexpr double layerMm = 1.25;
 
 /// A frame shows one segment at one layer.
@@ -75,7 +75,7 @@ std::string pixelsOf(const Written& file)
     std::string pixels;
     std::size_t bit = 0;
     for (const Frame& frame : file.frames) {
-        for (int y = 0; y < rows; ++y) {
+        for (int y = 0; y < segmentRows; ++y) {
             for (int x = 0; x < columns; ++x, ++bit) {
                 const bool isSet = isIn(frame.segment, frame.layer, x, y);
                 if (file.bitsAllocated == 8) {
@@ -109,7 +109,7 @@ std::string segmentationBytes(const Written& file)
     data.number(0x0028, 0x0002, 1);
     data.text(0x0028, 0x0004, "CS", file.photometric);
     data.text(0x0028, 0x0008, "IS", std::to_string(file.frames.size()));
-    data.number(0x0028, 0x0010, rows);
+    data.number(0x0028, 0x0010, segmentRows);
     data.number(0x0028, 0x0011, columns);
     data.number(0x0028, 0x0100, static_cast<std::uint16_t>(file.bitsAllocated));
     data.number(0x0028, 0x0101, static_cast<std::uint16_t>(file.bitsAllocated));
@@ -126,10 +126,10 @@ std::string segmentationBytes(const Written& file)
 
 void expectPhantom(const core::LabelVolume& labels)
 {
-    ASSERT_EQ(labels.geometry.size, Eigen::Vector3i(columns, rows, 3));   // layers 2 to 4
+    ASSERT_EQ(labels.geometry.size, Eigen::Vector3i(columns, segmentRows, 3));   // layers 2 to 4
     EXPECT_TRUE(labels.geometry.spacingMm.isApprox(Eigen::Vector3d(0.5, 0.8, layerMm)));
     for (int k = 0; k < 3; ++k) {
-        for (int y = 0; y < rows; ++y) {
+        for (int y = 0; y < segmentRows; ++y) {
             for (int x = 0; x < columns; ++x) {
                 // The layers run along −x of the patient; the normal of the frames does as well.
                 const Eigen::Vector3d place = labels.geometry.patientFromVoxel() * Eigen::Vector3d(x, y, k);
@@ -143,7 +143,7 @@ void expectPhantom(const core::LabelVolume& labels)
     }
 }
 
-core::LabelVolume readOrFail(const std::string& path)
+core::LabelVolume readLabelsOrFail(const std::string& path)
 {
     auto labels = io::readLabels(path);
     EXPECT_TRUE(labels) << labels.error().message;
@@ -153,13 +153,14 @@ core::LabelVolume readOrFail(const std::string& path)
 TEST(DicomSegmentation, ReadsBitsAcrossBytesOnTheGridOfAllSegments)
 {
     const TemporaryFolder folder;
-    expectPhantom(readOrFail(folder.write("seg.dcm", segmentationBytes({}))));
+    expectPhantom(readLabelsOrFail(folder.write("seg.dcm", segmentationBytes({}))));
 }
 
 TEST(DicomSegmentation, ReadsFractionsFromHalfOn)
 {
     const TemporaryFolder folder;
-    expectPhantom(readOrFail(folder.write("seg.dcm", segmentationBytes({.type = "FRACTIONAL", .bitsAllocated = 8}))));
+    expectPhantom(
+        readLabelsOrFail(folder.write("seg.dcm", segmentationBytes({.type = "FRACTIONAL", .bitsAllocated = 8}))));
 }
 
 TEST(DicomSegmentation, ReadsLabelMapsInGreyAndInColour)
@@ -171,8 +172,8 @@ TEST(DicomSegmentation, ReadsLabelMapsInGreyAndInColour)
                            .frames = {{2, 0}, {2, 1}},
                            .sopClass = "1.2.840.10008.5.1.4.1.1.66.7",
                            .photometric = photometric};
-        const core::LabelVolume labels = readOrFail(folder.write("map.dcm", segmentationBytes(file)));
-        EXPECT_EQ(labels.geometry.size, Eigen::Vector3i(columns, rows, 2));
+        const core::LabelVolume labels = readLabelsOrFail(folder.write("map.dcm", segmentationBytes(file)));
+        EXPECT_EQ(labels.geometry.size, Eigen::Vector3i(columns, segmentRows, 2));
         EXPECT_EQ(std::count(labels.voxels.begin(), labels.voxels.end(), 2), 4 * (4 + 3)) << photometric;
     }
 }

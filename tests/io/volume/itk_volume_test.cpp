@@ -26,7 +26,7 @@ void expectUnplaced(const core::Result<io::LoadedVolume>& loaded, const char* fo
 }
 
 /// The bytes of numbers, the highest first.
-std::string bigEndian(const std::vector<std::int16_t>& values)
+std::string bigEndianShorts(const std::vector<std::int16_t>& values)
 {
     std::string bytes;
     for (const std::int16_t value : values) {
@@ -48,7 +48,8 @@ TEST(VtkImage, IsReadAsTextAndBinary)
     };
     expectUnplaced(io::readVolume(folder.write("text.vtk", header("ASCII") + "0 100 200 300 400 500 600 700\n")),
                    "VTK image");
-    expectUnplaced(io::readVolume(folder.write("binary.vtk", header("BINARY") + bigEndian(counted))), "VTK image");
+    expectUnplaced(io::readVolume(folder.write("binary.vtk", header("BINARY") + bigEndianShorts(counted))),
+                   "VTK image");
     test::expectRefused(folder.write("short.vtk", header("BINARY").replace(65, 16, "DIMENSIONS 9 9 9")), "cut short");
 }
 
@@ -56,10 +57,10 @@ TEST(Gipl, IsReadWithItsSpacing)
 {
     const TemporaryFolder folder;
     std::string header(256, '\0');
-    header.replace(0, 10, bigEndian({2, 2, 2, 1, 15}));   // sizes, 16-bit voxels
+    header.replace(0, 10, bigEndianShorts({2, 2, 2, 1, 15}));   // sizes, 16-bit voxels
     header.replace(10, 12, std::string("\x3f\0\0\0\x40\0\0\0\x40\x40\0\0", 12));   // 0.5, 2, 3
     header.replace(252, 4, "\xef\xff\xe9\xb0");
-    expectUnplaced(io::readVolume(folder.write("scan.gipl", header + bigEndian(counted))), "GIPL");
+    expectUnplaced(io::readVolume(folder.write("scan.gipl", header + bigEndianShorts(counted))), "GIPL");
     test::expectRefused(folder.write("short.gipl", header + "ab"), "cut short");
 }
 

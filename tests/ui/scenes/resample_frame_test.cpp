@@ -23,7 +23,7 @@ std::vector<int> resampled(const Grey& grey, const ui::ViewRect& rect, ui::Inter
     return values;
 }
 
-Grey ramp(int width, int height)
+Grey rampFrame(int width, int height)
 {
     Grey grey(width, height);
     for (int y = 0; y < height; ++y) {
@@ -36,7 +36,7 @@ Grey ramp(int width, int height)
 
 TEST(ResampleFrame, KeepsEveryPixelAtScaleOne)
 {
-    const Grey grey = ramp(13, 9);
+    const Grey grey = rampFrame(13, 9);
     for (const auto interpolation : {ui::Interpolation::Smooth, ui::Interpolation::Nearest}) {
         const auto values = resampled(grey, {-0.5, 12.5, -0.5, 8.5}, interpolation, 13, 9);
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -47,7 +47,7 @@ TEST(ResampleFrame, KeepsEveryPixelAtScaleOne)
 
 TEST(ResampleFrame, PutsAPlaneWhereItBelongsAtAnyZoom)
 {
-    const Grey grey = ramp(40, 30);
+    const Grey grey = rampFrame(40, 30);
     for (const double zoom : {0.37, 0.8, 1.7, 5.3}) {
         const ui::ViewRect rect{5.2, 30.7, 6.1, 22.9};
         const int width = static_cast<int>(rect.width() * zoom);

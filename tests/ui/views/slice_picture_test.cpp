@@ -9,7 +9,7 @@ namespace angiopose::ui {
 namespace {
 
 /// 8 × 8 pixels of 1 × 2 mm with the values 0, 100, … 700 from left to right.
-SliceContent ramp()
+SliceContent rampSlice()
 {
     SliceContent content;
     content.grid.width = content.grid.height = 8;
@@ -41,7 +41,7 @@ QRgb middleOf(const QImage& picture, int column, int row, int scale = 1)
 
 TEST(SlicePicture, ShowsTheWindowAndInterpolates)
 {
-    const QImage picture = slicePicture(ramp(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
+    const QImage picture = slicePicture(rampSlice(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
     for (const int column : {0, 3, 7}) {
         EXPECT_NEAR(qRed(middleOf(picture, column, 2)), 255.0 * column / 8.0, 7.0);
         EXPECT_EQ(qRed(middleOf(picture, column, 2)), qBlue(middleOf(picture, column, 2)));
@@ -49,14 +49,15 @@ TEST(SlicePicture, ShowsTheWindowAndInterpolates)
     const int between = qRed(picture.pixel(40, 50));   // from column 3 to column 4
     EXPECT_GT(between, qRed(middleOf(picture, 3, 2)));
     EXPECT_LT(between, qRed(middleOf(picture, 4, 2)));
-    EXPECT_EQ(middleOf(slicePicture(ramp(), {10.0, 900.0}, {}, fittedViewport(), {80, 160}, 1.0), 7, 7), qRgb(0, 0, 0));
-    EXPECT_EQ(middleOf(slicePicture(ramp(), {10.0, -90.0}, {}, fittedViewport(), {80, 160}, 1.0), 0, 0),
+    EXPECT_EQ(middleOf(slicePicture(rampSlice(), {10.0, 900.0}, {}, fittedViewport(), {80, 160}, 1.0), 7, 7),
+              qRgb(0, 0, 0));
+    EXPECT_EQ(middleOf(slicePicture(rampSlice(), {10.0, -90.0}, {}, fittedViewport(), {80, 160}, 1.0), 0, 0),
               qRgb(255, 255, 255));
 }
 
 TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
 {
-    SliceContent content = ramp();
+    SliceContent content = rampSlice();
     content.mask.assign(64, 0);
     content.mask[8 * 4 + 1] = 1;
     SliceTints tints{{{{0, 0, 255}, 0.5}}, {{255, 0, 0}, 0.5}, 450.0};
@@ -69,7 +70,7 @@ TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
 
 TEST(SlicePicture, TintsEachLabelInItsColour)
 {
-    SliceContent content = ramp();
+    SliceContent content = rampSlice();
     content.values.clear();
     content.mask.assign(64, 0);
     content.mask[8 * 4 + 1] = 1;
@@ -85,7 +86,7 @@ TEST(SlicePicture, TintsEachLabelInItsColour)
 
 TEST(SlicePicture, IsBlackOutsideTheScan)
 {
-    SliceContent content = ramp();
+    SliceContent content = rampSlice();
     content.values[0] = std::numeric_limits<float>::quiet_NaN();
     const SliceTints everything{{{{0, 0, 255}, 0.5}}, {{255, 0, 0}, 0.5}, -1e9};
     const QImage picture = slicePicture(content, {10.0, -90.0}, everything, fittedViewport(), {200, 160}, 1.0);
@@ -97,8 +98,8 @@ TEST(SlicePicture, IsBlackOutsideTheScan)
 
 TEST(SlicePicture, IsTheSameOnAFineScreen)
 {
-    const QImage coarse = slicePicture(ramp(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
-    const QImage fine = slicePicture(ramp(), wholeRamp, {}, fittedViewport(), {160, 320}, 2.0);
+    const QImage coarse = slicePicture(rampSlice(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
+    const QImage fine = slicePicture(rampSlice(), wholeRamp, {}, fittedViewport(), {160, 320}, 2.0);
     for (const int column : {0, 3, 7}) {
         EXPECT_NEAR(qRed(middleOf(fine, column, 5, 2)), qRed(middleOf(coarse, column, 5)), 6);
     }

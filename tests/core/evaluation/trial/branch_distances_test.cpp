@@ -9,7 +9,7 @@ namespace {
 
 using namespace core;
 
-const ProjectionCamera camera{-1000.0, 1000.0, 100.0, 100.0, 201, 201};
+const ProjectionCamera branchCamera{-1000.0, 1000.0, 100.0, 100.0, 201, 201};
 
 /// A branch along x at depth 1000 mm, which projects onto row 100, and one behind the source.
 VesselTree twoBranches()
@@ -24,7 +24,7 @@ TEST(BranchDistances, MeasuresToTheCurveBetweenItsPoints)
 {
     Centerline2d target;
     target.curves.push_back({1, {{0.0, 103.0}, {200.0, 103.0}}, {}});
-    const auto distances = branchDistances(twoBranches(), target, camera, {});
+    const auto distances = branchDistances(twoBranches(), target, branchCamera, {});
     ASSERT_EQ(distances.at(4).size(), 3u);
     for (const double distance : distances.at(4)) {
         EXPECT_NEAR(distance, 3.0, 0.02);
@@ -35,7 +35,7 @@ TEST(BranchDistances, PointsBehindTheSourceAreInfinitelyFar)
 {
     Centerline2d target;
     target.curves.push_back({1, {{100.0, 100.0}}, {}});
-    const auto distances = branchDistances(twoBranches(), target, camera, {});
+    const auto distances = branchDistances(twoBranches(), target, branchCamera, {});
     for (const double distance : distances.at(9)) {
         EXPECT_TRUE(std::isinf(distance));
     }
@@ -43,7 +43,7 @@ TEST(BranchDistances, PointsBehindTheSourceAreInfinitelyFar)
 
 TEST(BranchDistances, NothingTracedGivesNothing)
 {
-    EXPECT_TRUE(branchDistances(twoBranches(), {}, camera, {}).empty());
+    EXPECT_TRUE(branchDistances(twoBranches(), {}, branchCamera, {}).empty());
 }
 
 }   // namespace

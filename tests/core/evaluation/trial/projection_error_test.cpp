@@ -12,9 +12,9 @@ namespace {
 
 using namespace core;
 
-const ProjectionCamera camera{-1877.0, 1877.0, 255.5, 255.5, 512, 512};
+const ProjectionCamera errorCamera{-1877.0, 1877.0, 255.5, 255.5, 512, 512};
 
-RigidTransform poseAt(double depthMm)
+RigidTransform poseAtDepth(double depthMm)
 {
     return {expSo3(Eigen::Vector3d(0.3, -0.2, 0.1)), Eigen::Vector3d(2.0, -3.0, depthMm)};
 }
@@ -36,8 +36,8 @@ VesselTree scatteredTree()
 TEST(ProjectionError, IsZeroForTheTruth)
 {
     const VesselTree tree = scatteredTree();
-    const PosePair poses{poseAt(800.0), poseAt(800.0)};
-    const ProjectionError error = projectionError(tree, camera, poses);
+    const PosePair poses{poseAtDepth(800.0), poseAtDepth(800.0)};
+    const ProjectionError error = projectionError(tree, errorCamera, poses);
     EXPECT_EQ(error.meanPx, 0.0);
     EXPECT_EQ(error.p95Mm, 0.0);
     EXPECT_EQ(targetError(targetsOf(tree), poses).mtreMm, 0.0);
@@ -52,7 +52,7 @@ TEST(ProjectionError, AFlatTreeShiftedSidewaysMovesByFocalLengthOverDepth)
     truth.translation = {0.0, 0.0, 800.0};
     RigidTransform shifted = truth;
     shifted.translation.x() += 2.0;
-    const ProjectionError error = projectionError(flat, camera, {shifted, truth});
+    const ProjectionError error = projectionError(flat, errorCamera, {shifted, truth});
     EXPECT_NEAR(error.meanPx, 1877.0 * 2.0 / 800.0, 1e-10);
     EXPECT_NEAR(error.rmsPx, error.meanPx, 1e-10);
     EXPECT_NEAR(error.p95Px, error.meanPx, 1e-10);
@@ -71,7 +71,7 @@ TEST(ProjectionError, RanksAndMeansFollowTheirDefinitions)
     const double far = 1877.0 / 1000.0;
     const double middle = 1877.0 / 900.0;
     const double near = 1877.0 / 800.0;
-    const ProjectionError error = projectionError(tree, camera, {shifted, truth});
+    const ProjectionError error = projectionError(tree, errorCamera, {shifted, truth});
     EXPECT_NEAR(error.medianPx, middle, 1e-10);
     EXPECT_NEAR(error.p75Px, 0.5 * (middle + near), 1e-10);
     EXPECT_NEAR(error.p95Px, 0.1 * middle + 0.9 * near, 1e-10);
@@ -81,7 +81,7 @@ TEST(ProjectionError, RanksAndMeansFollowTheirDefinitions)
 TEST(ProjectionError, PointsThrownBehindTheSourceCostInfinity)
 {
     const VesselTree tree = scatteredTree();
-    const ProjectionError error = projectionError(tree, camera, {poseAt(-800.0), poseAt(800.0)});
+    const ProjectionError error = projectionError(tree, errorCamera, {poseAtDepth(-800.0), poseAtDepth(800.0)});
     EXPECT_TRUE(std::isinf(error.meanPx));
     EXPECT_TRUE(std::isinf(error.medianPx));
 }
@@ -99,7 +99,7 @@ TEST(TargetError, CountsEveryPointAndTheCornersOfTheirBox)
 TEST(TargetError, ReprojectionDistanceIgnoresDepthAlongTheRay)
 {
     // One target, displaced along its own ray: no rigid pose does this to many targets at once.
-    const RigidTransform truth = poseAt(800.0);
+    const RigidTransform truth = poseAtDepth(800.0);
     for (const Eigen::Vector3d& target : targetsOf(scatteredTree())) {
         RigidTransform deeper = truth;
         deeper.translation += 0.05 * (truth * target);
@@ -124,7 +124,7 @@ TEST(TargetError, ReprojectionDistanceSeesAShiftAcrossTheRay)
 TEST(PoseError, SplitsRotationAndShiftByTheDetectorPlane)
 {
     const Eigen::Vector3d centroid(10.0, -20.0, 5.0);
-    const RigidTransform truth = poseAt(800.0);
+    const RigidTransform truth = poseAtDepth(800.0);
     const Eigen::Vector3d omega(0.003, 0.004, -0.012);
     RigidTransform estimate;
     estimate.rotation = expSo3(omega) * truth.rotation;
@@ -141,7 +141,7 @@ TEST(PoseError, SplitsRotationAndShiftByTheDetectorPlane)
 
 TEST(PoseError, SeedDistanceIsTheShiftOfTheSourceOnly)
 {
-    const RigidTransform truth = poseAt(800.0);
+    const RigidTransform truth = poseAtDepth(800.0);
     Vector6d rotation = Vector6d::Zero();
     rotation.head<3>() << 0.02, -0.03, 0.01;
     EXPECT_NEAR(poseError(Eigen::Vector3d::Zero(), {expSe3(rotation) * truth, truth}).seedDistanceMm, 0.0, 1e-10);

@@ -3,13 +3,12 @@
 #include "core/registration/alignment/pose_ranking.h"
 #include "tests/support/clean_case.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace angiopose::core {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 struct PoseSearchTest : ::testing::Test {
     /// Rough pose found from a start that is off by `step`, its distance to the truth.
@@ -40,10 +39,10 @@ TEST_F(PoseSearchTest, FindsStartsThatAreFarOffInEveryDirection)
         for (double& value : step) {
             value = random.normal();
         }
-        step.head<3>() *= 15.0 * degree / step.head<3>().norm();
+        step.head<3>() *= 15.0 * radiansPerDegree / step.head<3>().norm();
         step.tail<3>() *= 60.0 / step.tail<3>().norm();
         const Vector6d error = errorAfterWideSearch(step);
-        EXPECT_LT(error.head<3>().norm(), 0.5 * degree);
+        EXPECT_LT(error.head<3>().norm(), 0.5 * radiansPerDegree);
         EXPECT_LT(error.segment<2>(3).norm(), 1.0);
     }
 }
@@ -56,7 +55,7 @@ TEST_F(PoseSearchTest, JunctionsFindStartsTurnedAndDisplacedFar)
         for (double& value : step) {
             value = random.normal();
         }
-        step.head<3>() *= 60.0 * degree / step.head<3>().norm();
+        step.head<3>() *= 60.0 * radiansPerDegree / step.head<3>().norm();
         step.tail<3>() *= 100.0 / step.tail<3>().norm();
         const CentroidPose start = moved(truth, step);
         PoseRanking ranking(problem, target, startPrior(start, options));
@@ -65,7 +64,7 @@ TEST_F(PoseSearchTest, JunctionsFindStartsTurnedAndDisplacedFar)
             ranking.add(hypothesis);
         }
         const Vector6d error = stepBetween(truth, ranking.best().pose);
-        EXPECT_LT(error.head<3>().norm(), 0.5 * degree);
+        EXPECT_LT(error.head<3>().norm(), 0.5 * radiansPerDegree);
         EXPECT_LT(error.segment<2>(3).norm(), 1.0);
     }
 }

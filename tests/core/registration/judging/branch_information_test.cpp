@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-const ProjectionCamera camera{-2000.0, 2000.0, 255.5, 255.5, 512, 512};
+const ProjectionCamera crossCamera{-2000.0, 2000.0, 255.5, 255.5, 512, 512};
 const RigidTransform pose{Eigen::Matrix3d::Identity(), {0.0, 0.0, 750.0}};
 const Vector6d prior = (Vector6d() << 0.1, 0.1, 0.1, 20.0, 20.0, 40.0).finished();
 
@@ -33,7 +33,7 @@ VesselTree cross()
 
 TEST(BranchInformation, SeesOnlyAcrossTheVessel)
 {
-    const auto told = branchInformation(cross(), camera, pose);
+    const auto told = branchInformation(cross(), crossCamera, pose);
     ASSERT_EQ(told.size(), 4u);
     EXPECT_LT(told[0].information(3, 3), 1e-9);   // along a vessel nothing is told
     EXPECT_GT(told[0].information(4, 4), 1.0);
@@ -44,7 +44,7 @@ TEST(BranchInformation, SeesOnlyAcrossTheVessel)
 
 TEST(BranchInformation, LeavesOutWhatLiesOutsideTheImage)
 {
-    const auto told = branchInformation(cross(), camera, pose);
+    const auto told = branchInformation(cross(), crossCamera, pose);
     EXPECT_EQ(told[3].lengthPx, 0.0);
     EXPECT_EQ(told[3].information.norm(), 0.0);
 }
@@ -55,8 +55,8 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
     const Eigen::Vector3d from(10.0, 5.0, 720.0);
     const Eigen::Vector3d to(10.4, 5.3, 721.0);
     const Eigen::Vector3d centre(-3.0, 8.0, 750.0);
-    const Matrix6d information = pieceInformation(camera, from, to, centre);
-    const Eigen::Vector2d along = *project(camera, to) - *project(camera, from);
+    const Matrix6d information = pieceInformation(crossCamera, from, to, centre);
+    const Eigen::Vector2d along = *project(crossCamera, to) - *project(crossCamera, from);
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
     const Eigen::Vector3d middle = 0.5 * (from + to);
     for (int k = 0; k < 6; ++k) {
@@ -64,7 +64,7 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
         step[k] = 1e-5;
         const auto movedBy = [&](double sign) {
             const Eigen::Matrix3d turn = expSo3(sign * step.head<3>());
-            return normal.dot(*project(camera, turn * (middle - centre) + centre + sign * step.tail<3>()));
+            return normal.dot(*project(crossCamera, turn * (middle - centre) + centre + sign * step.tail<3>()));
         };
         const double derivative = (movedBy(1.0) - movedBy(-1.0)) / 2e-5;
         EXPECT_NEAR(information(k, k), along.norm() * derivative * derivative, 1e-4 * (1.0 + information(k, k))) << k;
@@ -73,7 +73,7 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
 
 TEST(BranchInformation, NamesTheBranchThatPinsAStep)
 {
-    const auto told = branchInformation(cross(), camera, pose);
+    const auto told = branchInformation(cross(), crossCamera, pose);
     EXPECT_EQ(branchesThatPin(told, 3, prior, 1), std::vector{2});   // sideways: the upright vessel
     EXPECT_EQ(branchesThatPin(told, 4, prior, 1), std::vector{1});
     const auto outside = branchesThatPin(told, 5, prior, 4);
@@ -82,7 +82,7 @@ TEST(BranchInformation, NamesTheBranchThatPinsAStep)
 
 TEST(BranchInformation, ChoosesFewBranchesThatTellNearlyAsMuchAsAll)
 {
-    const auto told = branchInformation(cross(), camera, pose);
+    const auto told = branchInformation(cross(), crossCamera, pose);
     const auto chosen = mostInformativeBranches(told, prior, 1.3);
     ASSERT_EQ(chosen.size(), 2u);   // the two long ones
     EXPECT_TRUE(std::ranges::count(chosen, 1) == 1 && std::ranges::count(chosen, 2) == 1);

@@ -37,7 +37,7 @@ struct SmallCase {
     RegistrationInput input;
 };
 
-RegistrationOptions optionsFor(std::string_view method)
+RegistrationOptions quickOptions(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
@@ -60,7 +60,7 @@ class EveryMethod : public testing::TestWithParam<std::string_view> {};
 TEST_P(EveryMethod, RecoversThePoseFromANearbyStart)
 {
     const SmallCase small(3);
-    const auto result = registerVessels(small.input, optionsFor(GetParam()));
+    const auto result = registerVessels(small.input, quickOptions(GetParam()));
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(result.value().method, GetParam());
     EXPECT_GT(small.meanPx(small.input.initialCameraFromPatient), 3.0);
@@ -75,7 +75,7 @@ TEST_P(EveryMethod, RecoversThePoseFromANearbyStart)
 TEST_P(EveryMethod, RepeatsBitForBit)
 {
     const SmallCase small(4);
-    const RegistrationOptions options = optionsFor(GetParam());
+    const RegistrationOptions options = quickOptions(GetParam());
     const auto first = registerVessels(small.input, options);
     const auto again = registerVessels(small.input, options);
     ASSERT_TRUE(first && again);
@@ -88,7 +88,7 @@ TEST_P(EveryMethod, AStopEndsItAtOnceWithTheReportedPose)
     const SmallCase small(3);
     for (const int stopAt : {1, 3, 8}) {
         IterationReport last;
-        const auto result = registerVessels(small.input, optionsFor(GetParam()), [&](const IterationReport& report) {
+        const auto result = registerVessels(small.input, quickOptions(GetParam()), [&](const IterationReport& report) {
             last = report;
             return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
         });

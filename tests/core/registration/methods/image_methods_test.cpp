@@ -66,7 +66,7 @@ RigidTransform poseBy(const RegistrationInput& input, const RegistrationOptions&
     return findMethod(options.method)->solve(problem, options, progress).cameraFromPatient;
 }
 
-RegistrationOptions optionsFor(std::string_view method)
+RegistrationOptions brightnessOptions(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
@@ -81,7 +81,7 @@ TEST(ImageMethods, ReadTheAngiogramNotTheTarget)
     const std::map<std::string_view, double> limitsPx{
         {"rgbr", 0.9}, {"automask", 1.35}, {"gradient-matching", 0.75}, {"evolution", 1.45}, {"nicp", 1.15}};
     for (const auto& [method, limitPx] : limitsPx) {
-        const RigidTransform pose = poseBy(drawn.input, optionsFor(method));
+        const RigidTransform pose = poseBy(drawn.input, brightnessOptions(method));
         EXPECT_LT(drawn.meanPx(pose), limitPx) << method;
     }
 }
@@ -93,7 +93,7 @@ TEST(ImageMethods, DoNotFindVesselsFarFromTheStart)
     drawn.input.initialCameraFromPatient =
         RigidTransform{Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.0, 60.0, 0.0)} * drawn.truth;
     for (const std::string_view method : {"gradient-matching", "nicp"}) {
-        EXPECT_GT(drawn.meanPx(poseBy(drawn.input, optionsFor(method))), 10.0) << method;
+        EXPECT_GT(drawn.meanPx(poseBy(drawn.input, brightnessOptions(method))), 10.0) << method;
     }
 }
 
@@ -191,7 +191,7 @@ TEST(AutoMask, RegistersACta)
 {
     DrawnCase drawn;
     drawn.input.volume = ctaOf(drawn.tree);
-    EXPECT_LT(drawn.meanPx(poseBy(drawn.input, optionsFor("automask"))), 0.6);
+    EXPECT_LT(drawn.meanPx(poseBy(drawn.input, brightnessOptions("automask"))), 0.6);
 }
 
 TEST(RankCorrelation, KnowsOrderAndNothingElse)

@@ -1,4 +1,3 @@
-#include "core/evaluation/trial/projection_error.h"
 #include "core/registration/methods/method.h"
 #include "core/registration/pnp/distance_descent.h"
 #include "core/registration/pnp/seed_problem.h"
@@ -15,7 +14,7 @@ namespace {
 using namespace core;
 using test::CleanCase;
 
-RegistrationOptions exactSamples(std::string_view method)
+RegistrationOptions exactSamplesBy(std::string_view method)
 {
     RegistrationOptions options;
     options.method = method;
@@ -33,11 +32,6 @@ RigidTransform poseOf(const RegistrationInput& input, const RegistrationOptions&
     return findMethod(options.method)->solve(problem.value(), options, progress).cameraFromPatient;
 }
 
-double meanPx(const CleanCase& clean, const RigidTransform& pose)
-{
-    return projectionError(clean.tree, clean.camera, {pose, clean.truth}).meanPx;
-}
-
 double depthOffMm(const CleanCase& clean, const RigidTransform& pose)
 {
     const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
@@ -49,12 +43,12 @@ TEST(DtIcp, BothSolversAndTheAffineStageFindTheExactPose)
     const CleanCase clean(2);
     CounterRandom random(5);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    RegistrationOptions options = exactSamples("dt-icp");
-    EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01);
+    RegistrationOptions options = exactSamplesBy("dt-icp");
+    EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.01);
     options.icp.model = IcpModel::Affine;
-    EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01);
+    EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.01);
     options.icp.solver = DescentSolver::Lbfgs;
-    EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.1);
+    EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.1);
 }
 
 // What the method is known for (ALGORITHMS §3.6): shrinking always lowers a one-sided distance, so with branches
@@ -65,7 +59,7 @@ TEST(DtIcp, RunsAwayInDepthWhereTheImageShowsLittle)
     clean.target.curves.resize(2);
     CounterRandom random(1);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    EXPECT_GT(std::abs(depthOffMm(clean, poseOf(input, exactSamples("dt-icp")))), 100.0);
+    EXPECT_GT(std::abs(depthOffMm(clean, poseOf(input, exactSamplesBy("dt-icp")))), 100.0);
 }
 
 TEST(DistanceDescent, GradientOfTheSmoothSolverLeadsDownhill)
@@ -73,8 +67,8 @@ TEST(DistanceDescent, GradientOfTheSmoothSolverLeadsDownhill)
     const CleanCase clean(2);
     CounterRandom random(9);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    const auto problem = makeProblem(input, exactSamples("dt-icp"));
-    const SeedProblem seed = makeSeedProblem(problem.value(), exactSamples("dt-icp"));
+    const auto problem = makeProblem(input, exactSamplesBy("dt-icp"));
+    const SeedProblem seed = makeSeedProblem(problem.value(), exactSamplesBy("dt-icp"));
     const KernelProblem full = seed.full(clean.camera);
     const auto loss = [&](const RigidTransform& pose) {
         KernelDistances distances;
@@ -97,7 +91,7 @@ TEST(Nicp, LiteralStepsHardlyShift)
     const CleanCase clean(1);
     const RigidTransform start =
         RigidTransform{Eigen::Matrix3d::Identity(), Eigen::Vector3d(3.0, 4.0, 0.0)} * clean.truth;
-    RegistrationOptions options = exactSamples("nicp");
+    RegistrationOptions options = exactSamplesBy("nicp");
     options.nicp.iterations = 60;
     options.nicp.step = StepMetric::Literal;
     const RigidTransform motion = poseOf(clean.from(start), options) * start.inverse();
@@ -110,7 +104,7 @@ TEST(Nicp, ThePriorHoldsItBack)
     const CleanCase clean(1);
     CounterRandom random(3);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    RegistrationOptions options = exactSamples("nicp");
+    RegistrationOptions options = exactSamplesBy("nicp");
     options.nicp.iterations = 60;
     options.seed.preset = PriorPreset::SeedMean;
     const RigidTransform free = poseOf(input, options);
@@ -128,12 +122,12 @@ TEST(Nicp, ThePriorLeavesTheTurnToIt)
     const CleanCase clean(2);
     Vector6d twist;
     twist << 0.010, -0.012, 0.008, 3.0, 4.0, 0.0;
-    RegistrationOptions options = exactSamples("nicp");
+    RegistrationOptions options = exactSamplesBy("nicp");
     options.seed.preset = PriorPreset::SeedMean;
     options.nicp.prior = true;
     const RigidTransform start = expSe3(twist) * clean.truth;
     const RigidTransform pose = poseOf(clean.from(start), options);
-    EXPECT_LT(meanPx(clean, pose), 1.5);
+    EXPECT_LT(meanErrorPx(clean, pose), 1.5);
     EXPECT_NEAR((pose * clean.truth.inverse()).translation.norm(), 5.0, 0.1);
 }
 
@@ -143,9 +137,9 @@ TEST(Alternation, TakesAnyMethodOfPoints)
     CounterRandom random(6);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (const std::string_view method : {"dt-icp", "assembled-icp"}) {
-        RegistrationOptions options = exactSamples(method);
+        RegistrationOptions options = exactSamplesBy(method);
         options.icp.alternate = true;
-        EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.01) << method;
+        EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.01) << method;
     }
 }
 
@@ -155,9 +149,9 @@ TEST(Neighbours, MoreOfThemStillLeadToThePose)
     CounterRandom random(4);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (const Neighbours rule : {Neighbours::Closest, Neighbours::Five, Neighbours::Radius}) {
-        RegistrationOptions options = exactSamples("iterative-pnp");
+        RegistrationOptions options = exactSamplesBy("iterative-pnp");
         options.seed.neighbours = rule;
-        EXPECT_LT(meanPx(clean, poseOf(input, options)), 0.5) << static_cast<int>(rule);
+        EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.5) << static_cast<int>(rule);
     }
 }
 
@@ -165,7 +159,7 @@ TEST(Neighbours, GradientOfTheirKernelSumMatchesDifferences)
 {
     const CleanCase clean(2);
     CounterRandom random(8);
-    RegistrationOptions options = exactSamples("iterative-pnp");
+    RegistrationOptions options = exactSamplesBy("iterative-pnp");
     options.seed.neighbours = Neighbours::Five;
     const auto problem = makeProblem(clean.from(clean.nearbyStart(random)), options);
     const SeedProblem seed = makeSeedProblem(problem.value(), options);
@@ -190,7 +184,7 @@ TEST(Neighbours, GradientOfTheirKernelSumMatchesDifferences)
 TEST(AuxiliaryPoints, FollowTheOption)
 {
     const CleanCase clean(5);
-    RegistrationOptions options = exactSamples("dynaweight");
+    RegistrationOptions options = exactSamplesBy("dynaweight");
     const auto choose = [&](AuxiliarySet set, std::vector<int> branchIds) {
         options.seed.auxiliary = set;
         RegistrationInput input = clean.from(clean.truth);

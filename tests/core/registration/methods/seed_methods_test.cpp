@@ -16,7 +16,7 @@ using namespace core;
 using test::CleanCase;
 
 /// Points as they are, so that every tree point has its exact partner.
-RegistrationOptions exactSamples(PriorPreset preset)
+RegistrationOptions exactSamplesWith(PriorPreset preset)
 {
     RegistrationOptions options;
     options.resample = false;
@@ -29,8 +29,8 @@ struct Outcome {
     std::vector<IterationReport> reports;
 };
 
-Outcome run(MethodSolver* method, const RegistrationInput& input, const RegistrationOptions& options,
-            const IterationObserver& observe = {})
+Outcome solvedBy(MethodSolver* method, const RegistrationInput& input, const RegistrationOptions& options,
+                 const IterationObserver& observe = {})
 {
     const Result<RegistrationProblem> problem = makeProblem(input, options);
     EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
@@ -50,7 +50,7 @@ int countStages(const std::vector<IterationReport>& reports, std::string_view st
     return count;
 }
 
-double meanPx(const CleanCase& clean, const Outcome& outcome)
+double outcomeErrorPx(const CleanCase& clean, const Outcome& outcome)
 {
     return projectionError(clean.tree, clean.camera, {outcome.solution.cameraFromPatient, clean.truth}).meanPx;
 }
@@ -86,8 +86,8 @@ TEST(SeedMethods, WithoutPriorFindTheExactPoseFromNearbyStarts)
         for (int trial = 0; trial < 3; ++trial) {
             const RegistrationInput input = clean.from(clean.nearbyStart(random));
             for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
-                const Outcome exact = run(method, input, exactSamples(PriorPreset::NoPrior));
-                EXPECT_LT(meanPx(clean, exact), 1e-6) << "tree " << seed << " trial " << trial;
+                const Outcome exact = solvedBy(method, input, exactSamplesWith(PriorPreset::NoPrior));
+                EXPECT_LT(outcomeErrorPx(clean, exact), 1e-6) << "tree " << seed << " trial " << trial;
                 EXPECT_EQ(exact.solution.stopReason, StopReason::Converged);
             }
         }
@@ -97,7 +97,8 @@ TEST(SeedMethods, WithoutPriorFindTheExactPoseFromNearbyStarts)
 TEST(SeedMethods, ThePriorPerPointNeverLetsTheSourceMove)
 {
     const CleanCase clean(1);
-    const Outcome held = run(solveIterativePnp, clean.from(valleyStart(clean)), exactSamples(PriorPreset::SeedMean));
+    const Outcome held =
+        solvedBy(solveIterativePnp, clean.from(valleyStart(clean)), exactSamplesWith(PriorPreset::SeedMean));
     EXPECT_NEAR(seedDistanceMm(clean, held), 5.0, 0.01);
 }
 
@@ -106,10 +107,10 @@ TEST(SeedMethods, AlternationFreesTheShiftThatThePriorHolds)
 {
     const CleanCase clean(1);
     const RegistrationInput input = clean.from(valleyStart(clean));
-    RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
-    const Outcome alternating = run(solveDynaWeight, input, options);
+    RegistrationOptions options = exactSamplesWith(PriorPreset::SeedMean);
+    const Outcome alternating = solvedBy(solveDynaWeight, input, options);
     options.seed.alternation = false;
-    const Outcome plain = run(solveDynaWeight, input, options);
+    const Outcome plain = solvedBy(solveDynaWeight, input, options);
     EXPECT_NEAR(seedDistanceMm(clean, plain), 5.0, 0.01);
     EXPECT_LT(seedDistanceMm(clean, alternating), 2.5);
 }
@@ -118,8 +119,8 @@ TEST(SeedMethods, MetricPriorPullsLessThanMillimetresBesideRadians)
 {
     const CleanCase clean(2);
     const RegistrationInput input = clean.from(valleyStart(clean));
-    EXPECT_LT(meanPx(clean, run(solveIterativePnp, input, exactSamples(PriorPreset::SeedMetric))),
-              0.5 * meanPx(clean, run(solveIterativePnp, input, exactSamples(PriorPreset::SeedMean))));
+    EXPECT_LT(outcomeErrorPx(clean, solvedBy(solveIterativePnp, input, exactSamplesWith(PriorPreset::SeedMetric))),
+              0.5 * outcomeErrorPx(clean, solvedBy(solveIterativePnp, input, exactSamplesWith(PriorPreset::SeedMean))));
 }
 
 /// Of eight starts 2° and 5 mm off about the source: about 50 px in the image.
@@ -135,9 +136,9 @@ int lostStarts(MethodSolver* method, StartScale startScale)
         }
         twist.head<3>() *= 2.0 * std::numbers::pi / 180.0 / twist.head<3>().norm();
         twist.tail<3>() *= 5.0 / twist.tail<3>().norm();
-        RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
+        RegistrationOptions options = exactSamplesWith(PriorPreset::SeedMean);
         options.seed.startScale = startScale;
-        lost += meanPx(clean, run(method, clean.from(expSe3(twist) * clean.truth), options)) > 5.0 ? 1 : 0;
+        lost += outcomeErrorPx(clean, solvedBy(method, clean.from(expSe3(twist) * clean.truth), options)) > 5.0 ? 1 : 0;
     }
     return lost;
 }
@@ -155,8 +156,8 @@ TEST(DynaWeight, RunsItsStagesInOrder)
     const CleanCase clean(3);
     CounterRandom random(3);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    RegistrationOptions options = exactSamples(PriorPreset::NoPrior);
-    const Outcome all = run(solveDynaWeight, input, options);
+    RegistrationOptions options = exactSamplesWith(PriorPreset::NoPrior);
+    const Outcome all = solvedBy(solveDynaWeight, input, options);
     EXPECT_EQ(all.reports.front().stage, "rotation");
     EXPECT_EQ(countStages(all.reports, "rotation"), 1);
     EXPECT_GE(countStages(all.reports, "auxiliary"), 1);
@@ -164,7 +165,7 @@ TEST(DynaWeight, RunsItsStagesInOrder)
 
     options.seed.rotationFirst = false;
     options.seed.alternation = false;
-    const Outcome plain = run(solveDynaWeight, input, options);
+    const Outcome plain = solvedBy(solveDynaWeight, input, options);
     EXPECT_EQ(countStages(plain.reports, "rotation") + countStages(plain.reports, "auxiliary"), 0);
     EXPECT_EQ(countStages(plain.reports, "refine"), 1);
 }
@@ -179,7 +180,7 @@ TEST(DynaWeight, EndsAfterFiveRoundsAtMostEvenWhereNothingFits)
     }
     for (int trial = 0; trial < 6; ++trial) {
         const RigidTransform start = perturbedAboutSource(clean.truth, 3.0, 10.0, random);
-        const Outcome lost = run(solveDynaWeight, clean.from(start), exactSamples(PriorPreset::NoPrior));
+        const Outcome lost = solvedBy(solveDynaWeight, clean.from(start), exactSamplesWith(PriorPreset::NoPrior));
         EXPECT_LE(countStages(lost.reports, "auxiliary"), 5);
         EXPECT_NE(lost.solution.stopReason, StopReason::Converged);
         EXPECT_TRUE(isRigid(lost.solution.cameraFromPatient, 1e-9));
@@ -195,9 +196,9 @@ TEST(DynaWeight, SkipsAnAuxiliaryProblemThatCannotFixAPose)
         std::min_element(clean.tree.branches.begin(), clean.tree.branches.end(),
                          [](const VesselBranch& a, const VesselBranch& b) { return a.lengthMm() < b.lengthMm(); });
     input.auxiliaryBranchIds = {shortest->id};
-    const Outcome skipped = run(solveDynaWeight, input, exactSamples(PriorPreset::NoPrior));
+    const Outcome skipped = solvedBy(solveDynaWeight, input, exactSamplesWith(PriorPreset::NoPrior));
     EXPECT_EQ(countStages(skipped.reports, "auxiliary"), 0);
-    EXPECT_LT(meanPx(clean, skipped), 1e-6);
+    EXPECT_LT(outcomeErrorPx(clean, skipped), 1e-6);
 }
 
 TEST(DynaWeight, SolvesTheChosenBranchesFirst)
@@ -205,11 +206,11 @@ TEST(DynaWeight, SolvesTheChosenBranchesFirst)
     const CleanCase clean(2);
     CounterRandom random(4);
     RegistrationInput input = clean.from(clean.nearbyStart(random));
-    const Outcome withNodes = run(solveDynaWeight, input, exactSamples(PriorPreset::SeedMean));
+    const Outcome withNodes = solvedBy(solveDynaWeight, input, exactSamplesWith(PriorPreset::SeedMean));
     for (std::size_t i = 0; i < clean.tree.branches.size(); i += 2) {
         input.auxiliaryBranchIds.push_back(clean.tree.branches[i].id);
     }
-    const Outcome withBranches = run(solveDynaWeight, input, exactSamples(PriorPreset::SeedMean));
+    const Outcome withBranches = solvedBy(solveDynaWeight, input, exactSamplesWith(PriorPreset::SeedMean));
     EXPECT_GE(countStages(withBranches.reports, "auxiliary"), 1);
     EXPECT_NE(withBranches.solution.cameraFromPatient.matrix(), withNodes.solution.cameraFromPatient.matrix());
 }
@@ -221,8 +222,8 @@ TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         for (const int stopAt : {1, 4, 33, 40}) {
-            const RegistrationOptions options = exactSamples(PriorPreset::SeedMean);
-            const Outcome stopped = run(method, input, options, [stopAt](const IterationReport& report) {
+            const RegistrationOptions options = exactSamplesWith(PriorPreset::SeedMean);
+            const Outcome stopped = solvedBy(method, input, options, [stopAt](const IterationReport& report) {
                 return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
             });
             if (static_cast<int>(stopped.reports.size()) < stopAt) {
@@ -244,7 +245,7 @@ TEST(SeedMethods, ProgressRisesToTheEnd)
     CounterRandom random(2);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
-        const Outcome done = run(method, input, exactSamples(PriorPreset::SeedMean));
+        const Outcome done = solvedBy(method, input, exactSamplesWith(PriorPreset::SeedMean));
         for (std::size_t i = 1; i < done.reports.size(); ++i) {
             EXPECT_GE(done.reports[i].progress, done.reports[i - 1].progress);
         }
@@ -258,11 +259,11 @@ TEST(SeedMethods, EveryIndexLeadsToThePose)
     const CleanCase clean(2);
     CounterRandom random(31);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    RegistrationOptions options = exactSamples(PriorPreset::NoPrior);
+    RegistrationOptions options = exactSamplesWith(PriorPreset::NoPrior);
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         for (const IndexKind kind : {IndexKind::KdTree, IndexKind::Grid, IndexKind::Map}) {
             options.seed.index = kind;
-            EXPECT_LT(meanPx(clean, run(method, input, options)), kind == IndexKind::Map ? 1.0 : 1e-6);
+            EXPECT_LT(outcomeErrorPx(clean, solvedBy(method, input, options)), kind == IndexKind::Map ? 1.0 : 1e-6);
         }
     }
 }
@@ -273,8 +274,8 @@ TEST(SeedMethods, RepeatBitForBit)
     CounterRandom random(5);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
-        const Outcome first = run(method, input, exactSamples(PriorPreset::SeedSum));
-        const Outcome again = run(method, input, exactSamples(PriorPreset::SeedSum));
+        const Outcome first = solvedBy(method, input, exactSamplesWith(PriorPreset::SeedSum));
+        const Outcome again = solvedBy(method, input, exactSamplesWith(PriorPreset::SeedSum));
         EXPECT_EQ(first.solution.cameraFromPatient.matrix(), again.solution.cameraFromPatient.matrix());
         EXPECT_EQ(first.solution.iterations, again.solution.iterations);
     }
@@ -291,7 +292,7 @@ TEST(SeedMethods, TheDepthGuardHoldsWithoutAPrior)
     }
     const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
-        const Outcome guarded = run(method, clean.from(clean.truth), exactSamples(PriorPreset::NoPrior));
+        const Outcome guarded = solvedBy(method, clean.from(clean.truth), exactSamplesWith(PriorPreset::NoPrior));
         EXPECT_LT(std::abs((guarded.solution.cameraFromPatient * centroid - clean.truth * centroid).z()), 102.0);
     }
 }

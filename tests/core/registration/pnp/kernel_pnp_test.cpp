@@ -14,11 +14,11 @@ namespace {
 
 using namespace core;
 
-const ProjectionCamera camera{-1877.0, 1877.0, 511.5, 511.5, 1024, 1024};
+const ProjectionCamera kernelCamera{-1877.0, 1877.0, 511.5, 511.5, 1024, 1024};
 
 /// Exact projections of a tree 800 mm from the source; points in the true camera frame, so the true pose is identity.
-struct CleanCase {
-    explicit CleanCase(std::uint64_t seed, double depthMm = 800.0)
+struct KernelCase {
+    explicit KernelCase(std::uint64_t seed, double depthMm = 800.0)
     {
         const VesselTree tree = simulateTree(seed);
         const Eigen::Matrix3d view = expSo3(Eigen::Vector3d(0.4, 0.3 * static_cast<double>(seed % 7), -0.2));
@@ -26,19 +26,19 @@ struct CleanCase {
         for (const VesselBranch& branch : tree.branches) {
             for (const Eigen::Vector3d& point : branch.pointsInPatient) {
                 points.push_back(view * (point - centroidInPatient(tree)) + centroid);
-                partnersPx.push_back(*project(camera, points.back()));
+                partnersPx.push_back(*project(kernelCamera, points.back()));
             }
         }
         index = makeKdTreeIndex(partnersPx);
     }
 
-    KernelProblem matched() const { return {points, camera, index.get(), {}}; }
-    KernelProblem known() const { return {points, camera, index.get(), partnersPx}; }
+    KernelProblem matched() const { return {points, kernelCamera, index.get(), {}}; }
+    KernelProblem known() const { return {points, kernelCamera, index.get(), partnersPx}; }
     double meanPx(const RigidTransform& pose) const
     {
         double sum = 0.0;
         for (std::size_t i = 0; i < points.size(); ++i) {
-            sum += (*project(camera, pose * points[i]) - partnersPx[i]).norm();
+            sum += (*project(kernelCamera, pose * points[i]) - partnersPx[i]).norm();
         }
         return sum / static_cast<double>(points.size());
     }
@@ -56,7 +56,7 @@ RigidTransform shiftedBy(const Eigen::Vector3d& shiftMm)
 }
 
 /// The pose that hides a lateral shift best by turning about the source.
-RigidTransform onValley(const CleanCase& clean, const Eigen::Vector3d& shiftMm)
+RigidTransform onValley(const KernelCase& clean, const Eigen::Vector3d& shiftMm)
 {
     KernelSchedule rotationOnly;
     rotationOnly.freedom = Freedom::Rotation;
@@ -70,7 +70,7 @@ RigidTransform onValley(const CleanCase& clean, const Eigen::Vector3d& shiftMm)
     return KernelPnp(problem, {}, rotationOnly).solve({}).pose * shiftedBy(shiftMm);
 }
 
-double meanSquaredMisfit(const CleanCase& clean, const RigidTransform& pose)
+double meanSquaredMisfit(const KernelCase& clean, const RigidTransform& pose)
 {
     KernelDistances distances;
     measure(clean.known(), pose, distances);
@@ -83,7 +83,7 @@ double meanSquaredMisfit(const CleanCase& clean, const RigidTransform& pose)
 
 TEST(KernelEquations, GradientAndRowsMatchFiniteDifferences)
 {
-    const CleanCase clean(1);
+    const KernelCase clean(1);
     const double scalePx = 6.0;
     const RigidTransform pose = expSe3((Vector6d() << 0.002, -0.003, 0.004, 2.0, -1.0, 5.0).finished());
     KernelDistances distances;
@@ -114,7 +114,7 @@ TEST(KernelLoss, ChargesPointsBehindTheSourceInFull)
 {
     const std::vector<Eigen::Vector3d> points{{0.0, 0.0, 800.0}, {0.0, 0.0, -800.0}};
     const std::vector<Eigen::Vector2d> partners{{511.5, 511.5}, {511.5, 511.5}};
-    const KernelProblem problem{points, camera, nullptr, partners};
+    const KernelProblem problem{points, kernelCamera, nullptr, partners};
     KernelDistances distances;
     measure(problem, {}, distances);
     EXPECT_DOUBLE_EQ(kernelLoss(distances, 5.0), 1.0);
@@ -127,7 +127,7 @@ TEST(KernelLoss, ChargesPointsBehindTheSourceInFull)
 TEST(KernelPnp, FindsTheExactPoseFromStartsInTheBasin)
 {
     for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const CleanCase clean(seed);
+        const KernelCase clean(seed);
         CounterRandom random(seed);
         for (int trial = 0; trial < 4; ++trial) {
             const RigidTransform start =
@@ -141,7 +141,7 @@ TEST(KernelPnp, FindsTheExactPoseFromStartsInTheBasin)
 
 TEST(KernelPnp, NeverAcceptsAFallOfTheKernelSum)
 {
-    const CleanCase clean(3);
+    const KernelCase clean(3);
     CounterRandom random(5);
     for (const double priorStrength : {0.0, 100.0, 100.0 * clean.count()}) {
         const RigidTransform start = perturbedAboutSource({}, 2.0, 5.0, random);
@@ -163,7 +163,7 @@ TEST(KernelPnp, NeverAcceptsAFallOfTheKernelSum)
 
 TEST(KernelPnp, TheKernelStartsAtTheLargestDistanceOrLiterallyAtItsSquare)
 {
-    const CleanCase clean(2);
+    const KernelCase clean(2);
     const RigidTransform start = shiftedBy(Eigen::Vector3d(2.0, -3.0, 4.0));
     KernelDistances distances;
     measure(clean.matched(), start, distances);
@@ -179,7 +179,7 @@ TEST(KernelPnp, TheKernelStartsAtTheLargestDistanceOrLiterallyAtItsSquare)
 
 TEST(KernelPnp, WaitingForStagnationFindsTheSamePose)
 {
-    const CleanCase clean(2);
+    const KernelCase clean(2);
     CounterRandom random(6);
     KernelSchedule schedule;
     schedule.decay = Decay::Stagnation;
@@ -192,7 +192,7 @@ TEST(KernelPnp, WaitingForStagnationFindsTheSamePose)
 
 TEST(KernelPnp, RotationOnlyTurnsAboutTheSource)
 {
-    const CleanCase clean(2);
+    const KernelCase clean(2);
     Vector6d turn = Vector6d::Zero();
     turn.head<3>() << 0.004, -0.003, 0.006;
     KernelSchedule schedule;
@@ -206,7 +206,7 @@ TEST(KernelPnp, RotationOnlyTurnsAboutTheSource)
 TEST(KernelPnp, AValleyOfPosesHidesALateralShift)
 {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        const CleanCase clean(seed);
+        const KernelCase clean(seed);
         for (const double direction : {0.0, 1.0, 2.0}) {
             const Eigen::Vector3d shift(5.0 * std::cos(direction), 5.0 * std::sin(direction), 0.0);
             const RigidTransform pose = onValley(clean, shift);
@@ -221,7 +221,7 @@ TEST(KernelPnp, AValleyOfPosesHidesALateralShift)
 // F1 of ALGORITHMS §0: the offset that stays is λ / (λ + Nκ) of the start's, κ being the misfit per mm².
 TEST(KernelPnp, ThePriorHoldsThePoseInTheValleyByTheLaw)
 {
-    const CleanCase clean(1);
+    const KernelCase clean(1);
     const RigidTransform start = onValley(clean, Eigen::Vector3d(5.0, 0.0, 0.0));
     const double startMm = start.translation.norm();
     const double kappa = meanSquaredMisfit(clean, start) / (startMm * startMm);
@@ -240,7 +240,7 @@ TEST(KernelPnp, ThePriorHoldsThePoseInTheValleyByTheLaw)
 
 TEST(KernelPnp, APriorPerPointHoldsTheShiftExactly)
 {
-    const CleanCase clean(1);
+    const KernelCase clean(1);
     const RigidTransform start = onValley(clean, Eigen::Vector3d(3.0, 4.0, 0.0));
     PosePrior prior;
     prior.reference = start;
@@ -251,7 +251,7 @@ TEST(KernelPnp, APriorPerPointHoldsTheShiftExactly)
 
 TEST(KernelPnp, KeepsTheDepthWithinItsGuard)
 {
-    const CleanCase clean(4);
+    const KernelCase clean(4);
     KernelSchedule schedule;
     schedule.nearestMm = 815.0;
     schedule.farthestMm = 900.0;
@@ -264,7 +264,7 @@ TEST(KernelPnp, KeepsTheDepthWithinItsGuard)
 
 TEST(KernelPnp, AStopKeepsThePoseReachedSoFar)
 {
-    const CleanCase clean(2);
+    const KernelCase clean(2);
     CounterRandom random(9);
     const RigidTransform start = perturbedAboutCentroid({}, clean.centroid, 1.0, 3.0, random);
     RigidTransform seen;
@@ -281,7 +281,7 @@ TEST(KernelPnp, AStopKeepsThePoseReachedSoFar)
 
 TEST(KernelPnp, RepeatsBitForBit)
 {
-    const CleanCase clean(5);
+    const KernelCase clean(5);
     CounterRandom random(3);
     const RigidTransform start = perturbedAboutCentroid({}, clean.centroid, 2.0, 5.0, random);
     KernelPnp solver(clean.matched(), {}, {});

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-CentroidPose somePose()
+CentroidPose someCentroidPose()
 {
     return {expSo3({0.3, -0.2, 0.7}), {5.0, -8.0, 790.0}};
 }
@@ -13,30 +13,30 @@ CentroidPose somePose()
 TEST(CentroidPose, GoesToAPoseAndBack)
 {
     const Eigen::Vector3d centroid(12.0, -70.0, 300.0);
-    const RigidTransform pose = cameraFromPatient(somePose(), centroid);
-    EXPECT_LT((pose * centroid - somePose().centroidInCamera).norm(), 1e-12);
+    const RigidTransform pose = cameraFromPatient(someCentroidPose(), centroid);
+    EXPECT_LT((pose * centroid - someCentroidPose().centroidInCamera).norm(), 1e-12);
     const CentroidPose back = aboutCentroid(pose, centroid);
-    EXPECT_LT((back.rotation - somePose().rotation).norm(), 1e-14);
-    EXPECT_LT((back.centroidInCamera - somePose().centroidInCamera).norm(), 1e-11);
+    EXPECT_LT((back.rotation - someCentroidPose().rotation).norm(), 1e-14);
+    EXPECT_LT((back.centroidInCamera - someCentroidPose().centroidInCamera).norm(), 1e-11);
 }
 
 TEST(CentroidPose, StepBetweenUndoesMoved)
 {
     Vector6d step;
     step << 0.1, -0.05, 0.2, 3.0, -4.0, 20.0;
-    EXPECT_LT((stepBetween(somePose(), moved(somePose(), step)) - step).norm(), 1e-12);
+    EXPECT_LT((stepBetween(someCentroidPose(), moved(someCentroidPose(), step)) - step).norm(), 1e-12);
 }
 
 TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
 {
     Vector6d std;
     std << 0.14, 0.2, 1.05, 30.0, 20.0, 60.0;
-    StartPrior prior = independentPrior(somePose(), std);
+    StartPrior prior = independentPrior(someCentroidPose(), std);
     const Vector6d shared = 0.7 / 20.0 * Vector6d::Unit(4) + 0.7 / 0.14 * Vector6d::Unit(0);
     prior.information += shared * shared.transpose();
     Vector6d away;
     away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
-    const CentroidPose pose = moved(somePose(), away);
+    const CentroidPose pose = moved(someCentroidPose(), away);
     NormalEquations equations;
     prior.add(pose, 1.0, equations);
     for (int k = 0; k < 6; ++k) {
@@ -49,13 +49,13 @@ TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
 
 TEST(StartPrior, InformationIsTheCurvatureOfItsCost)
 {
-    const StartPrior prior = startPrior(somePose(), {});
+    const StartPrior prior = startPrior(someCentroidPose(), {});
     Vector6d away;
     away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
     NormalEquations equations;
-    prior.add(moved(somePose(), away), 1.0, equations);
-    EXPECT_LT((equations.hessian - prior.informationAt(moved(somePose(), away))).norm(), 1e-9);
-    EXPECT_LT((prior.std() - independentPrior(somePose(), prior.std()).std()).norm(), 1e-9);
+    prior.add(moved(someCentroidPose(), away), 1.0, equations);
+    EXPECT_LT((equations.hessian - prior.informationAt(moved(someCentroidPose(), away))).norm(), 1e-9);
+    EXPECT_LT((prior.std() - independentPrior(someCentroidPose(), prior.std()).std()).norm(), 1e-9);
     EXPECT_DOUBLE_EQ(prior.std()[5], RegistrationOptions().angiopose.priorDepthMm);
 }
 

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr ProjectionCamera camera{-2500.0, 2500.0, 255.5, 255.5, 512, 512};
+constexpr ProjectionCamera landmarkCamera{-2500.0, 2500.0, 255.5, 255.5, 512, 512};
 const Eigen::Vector3d centre(15.0, -180.0, 700.0);
 
 RigidTransform trueCameraFromPatient()
@@ -21,7 +21,7 @@ RigidTransform trueCameraFromPatient()
     return cameraFromPatient(cArm, centre).value();
 }
 
-std::vector<Landmark> pairsOf(const std::vector<Eigen::Vector3d>& offsets, const ProjectionCamera& by = camera,
+std::vector<Landmark> pairsOf(const std::vector<Eigen::Vector3d>& offsets, const ProjectionCamera& by = landmarkCamera,
                               double noisePx = 0.0)
 {
     std::mt19937_64 random(5);
@@ -34,7 +34,8 @@ std::vector<Landmark> pairsOf(const std::vector<Eigen::Vector3d>& offsets, const
     return pairs;
 }
 
-const std::vector<Eigen::Vector3d> spread{{30, 5, -20}, {-25, 12, 10}, {4, -30, 25}, {-8, 22, -31}, {18, -9, 33}};
+const std::vector<Eigen::Vector3d> spreadOffsets{
+    {30, 5, -20}, {-25, 12, 10}, {4, -30, 25}, {-8, 22, -31}, {18, -9, 33}};
 
 /// The true pose turned and moved as hands do.
 RigidTransform disturbed(double turnDeg, const Eigen::Vector3d& shiftMm)
@@ -56,8 +57,8 @@ double turnDeg(const RigidTransform& a, const RigidTransform& b)
 TEST(LandmarkPose, FindsTheExactPoseWithoutAStart)
 {
     for (const std::size_t count : {4U, 5U}) {
-        const auto found =
-            poseFromLandmarks(pairsOf({spread.begin(), spread.begin() + static_cast<long>(count)}), camera, {});
+        const auto found = poseFromLandmarks(
+            pairsOf({spreadOffsets.begin(), spreadOffsets.begin() + static_cast<long>(count)}), landmarkCamera, {});
         ASSERT_TRUE(found) << found.error().message.text();
         EXPECT_LT((found.value().cameraFromPatient.matrix() - trueCameraFromPatient().matrix()).norm(), 1e-5);
         EXPECT_LT(found.value().rmsPx, 1e-6);
@@ -67,9 +68,9 @@ TEST(LandmarkPose, FindsTheExactPoseWithoutAStart)
 
 TEST(LandmarkPose, NeverMirrorsTheVesselsInAMirroredImage)
 {
-    ProjectionCamera mirrored = camera;
-    mirrored.fx = -camera.fx;
-    const auto found = poseFromLandmarks(pairsOf(spread, mirrored), mirrored, {});
+    ProjectionCamera mirrored = landmarkCamera;
+    mirrored.fx = -landmarkCamera.fx;
+    const auto found = poseFromLandmarks(pairsOf(spreadOffsets, mirrored), mirrored, {});
     ASSERT_TRUE(found);
     EXPECT_NEAR(found.value().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, trueCameraFromPatient()), 1e-5);
@@ -77,7 +78,7 @@ TEST(LandmarkPose, NeverMirrorsTheVesselsInAMirroredImage)
 
 TEST(LandmarkPose, NoisyClicksStayWithinTheErrorsItTells)
 {
-    const auto found = poseFromLandmarks(pairsOf(spread, camera, 2.0), camera, {});
+    const auto found = poseFromLandmarks(pairsOf(spreadOffsets, landmarkCamera, 2.0), landmarkCamera, {});
     ASSERT_TRUE(found);
     const LandmarkPose& pose = found.value();
     EXPECT_GT(pose.rmsPx, 0.2);
@@ -91,12 +92,12 @@ TEST(LandmarkPose, NoisyClicksStayWithinTheErrorsItTells)
 TEST(LandmarkPose, OnePairShiftsThePoseAndTurnsNothing)
 {
     const RigidTransform before = disturbed(6.0, {20.0, -14.0, 30.0});
-    const auto found = poseFromLandmarks(pairsOf({spread[0]}), camera, before);
+    const auto found = poseFromLandmarks(pairsOf({spreadOffsets[0]}), landmarkCamera, before);
     ASSERT_TRUE(found) << found.error().message.text();
     EXPECT_TRUE(found.value().leansOnPrior);
     EXPECT_LT(found.value().errorPx[0], 0.1);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, before), 0.05);
-    const Eigen::Vector3d point = centre + spread[0];
+    const Eigen::Vector3d point = centre + spreadOffsets[0];
     EXPECT_NEAR((found.value().cameraFromPatient * point).z(), (before * point).z(), 0.5);
 }
 
@@ -105,7 +106,7 @@ TEST(LandmarkPose, TwoPairsRollItToo)
     const RigidTransform truth = trueCameraFromPatient();
     const Eigen::Matrix3d roll = expSo3(Eigen::Vector3d(0.0, 0.0, 0.4));
     const RigidTransform before{roll * truth.rotation, roll * truth.translation};
-    const auto found = poseFromLandmarks(pairsOf({spread[0], spread[1]}), camera, before);
+    const auto found = poseFromLandmarks(pairsOf({spreadOffsets[0], spreadOffsets[1]}), landmarkCamera, before);
     ASSERT_TRUE(found);
     EXPECT_LT(found.value().rmsPx, 0.5);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, truth), 2.0);
@@ -113,8 +114,8 @@ TEST(LandmarkPose, TwoPairsRollItToo)
 
 TEST(LandmarkPose, ThreePairsTakeTheSolutionNearTheStart)
 {
-    const auto found =
-        poseFromLandmarks(pairsOf({spread[0], spread[1], spread[2]}), camera, disturbed(5.0, {5.0, 5.0, 10.0}));
+    const auto found = poseFromLandmarks(pairsOf({spreadOffsets[0], spreadOffsets[1], spreadOffsets[2]}),
+                                         landmarkCamera, disturbed(5.0, {5.0, 5.0, 10.0}));
     ASSERT_TRUE(found);
     EXPECT_LT(found.value().rmsPx, 1.0);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, trueCameraFromPatient()), 8.0);
@@ -122,7 +123,7 @@ TEST(LandmarkPose, ThreePairsTakeTheSolutionNearTheStart)
 
 TEST(LandmarkPose, AWrongStartDoesNotKeepItFromTheTruth)
 {
-    const auto found = poseFromLandmarks(pairsOf(spread), camera, disturbed(150.0, {40.0, 0.0, 100.0}));
+    const auto found = poseFromLandmarks(pairsOf(spreadOffsets), landmarkCamera, disturbed(150.0, {40.0, 0.0, 100.0}));
     ASSERT_TRUE(found);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, trueCameraFromPatient()), 1e-4);
 }
@@ -130,16 +131,18 @@ TEST(LandmarkPose, AWrongStartDoesNotKeepItFromTheTruth)
 TEST(LandmarkPose, SaysWhatDegeneratePairsLack)
 {
     const auto messageOf = [](const std::vector<Landmark>& pairs, const std::optional<RigidTransform>& before) {
-        const auto found = poseFromLandmarks(pairs, camera, before);
+        const auto found = poseFromLandmarks(pairs, landmarkCamera, before);
         return found ? std::string() : found.error().message.text();
     };
     EXPECT_NE(messageOf({}, trueCameraFromPatient()).find("no landmarks"), std::string::npos);
-    EXPECT_NE(messageOf(pairsOf({spread[0], spread[1], spread[2]}), {}).find("four"), std::string::npos);
+    EXPECT_NE(messageOf(pairsOf({spreadOffsets[0], spreadOffsets[1], spreadOffsets[2]}), {}).find("four"),
+              std::string::npos);
     EXPECT_NE(messageOf(pairsOf({{0, 0, 0}, {10, 5, 2}, {20, 10, 4}, {-10, -5, -2}}), {}).find("line"),
               std::string::npos);
-    EXPECT_NE(messageOf(pairsOf({spread[0], spread[0], spread[0], spread[0]}), {}).find("one place"),
+    EXPECT_NE(messageOf(pairsOf({spreadOffsets[0], spreadOffsets[0], spreadOffsets[0], spreadOffsets[0]}), {})
+                  .find("one place"),
               std::string::npos);
-    std::vector<Landmark> broken = pairsOf(spread);
+    std::vector<Landmark> broken = pairsOf(spreadOffsets);
     broken[2].pixel.x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(messageOf(broken, {}).find("finite"), std::string::npos);
 }

@@ -3,6 +3,8 @@
 #include "core/geometry/projection_camera.h"
 #include "core/support/random.h"
 
+#include "core/geometry/angle_units.h"
+
 #include <gtest/gtest.h>
 
 using namespace angiopose;
@@ -11,9 +13,7 @@ namespace {
 
 using namespace core;
 
-constexpr double degree = 0.017453292519943295;
-
-PoseLocks locking(std::initializer_list<PoseAxis> axes)
+PoseLocks locksOf(std::initializer_list<PoseAxis> axes)
 {
     PoseLocks locks{};
     for (const PoseAxis axis : axes) {
@@ -27,14 +27,14 @@ struct Scene {
     CentroidPose start{expSo3({0.1, -0.2, 0.05}) * expSo3({0.4, 0.9, -0.3}), {5.0, -8.0, 790.0}};
     PoseFreedom::Frame frame{expSo3({0.4, 0.9, -0.3}), {6.0, -4.0, 9.0}};
 
-    PoseFreedom freedom(std::initializer_list<PoseAxis> axes) const { return {locking(axes), frame, start}; }
+    PoseFreedom freedom(std::initializer_list<PoseAxis> axes) const { return {locksOf(axes), frame, start}; }
     Vector6d randomStep(CounterRandom& random) const
     {
         Vector6d step;
         for (double& value : step) {
             value = random.normal();
         }
-        step.head<3>() *= 3.0 * degree;
+        step.head<3>() *= 3.0 * radiansPerDegree;
         return 4.0 * step;
     }
 };
@@ -59,9 +59,9 @@ TEST(PoseFreedom, CoordinatesAreThoseOfThePosePanel)
                       centroid + scene.frame.pivotFromCentroid, camera);
     const PoseFreedom freedom = scene.freedom({PoseAxis::AlongRay});
     const Vector6d difference = freedom.coordinates(scene.start) - freedom.coordinates(referencePose);
-    EXPECT_NEAR(difference[0] / degree, -offset.craCauDeg, 1e-10);
-    EXPECT_NEAR(difference[1] / degree, offset.laoRaoDeg, 1e-10);
-    EXPECT_NEAR(difference[2] / degree, -offset.rollDeg, 1e-10);   // the image is mirrored
+    EXPECT_NEAR(difference[0] / radiansPerDegree, -offset.craCauDeg, 1e-10);
+    EXPECT_NEAR(difference[1] / radiansPerDegree, offset.laoRaoDeg, 1e-10);
+    EXPECT_NEAR(difference[2] / radiansPerDegree, -offset.rollDeg, 1e-10);   // the image is mirrored
     EXPECT_NEAR(difference[3], -offset.rightMm, 1e-10);
     EXPECT_NEAR(difference[4], -offset.upMm, 1e-10);
     EXPECT_NEAR(difference[5], offset.alongRayMm, 1e-10);

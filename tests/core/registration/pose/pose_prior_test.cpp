@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-Vector6d randomTwist(CounterRandom& random, double angle, double millimetres)
+Vector6d gaussianTwist(CounterRandom& random, double angle, double millimetres)
 {
     Vector6d twist;
     for (int k = 0; k < 6; ++k) {
@@ -23,8 +23,8 @@ TEST(PosePrior, JacobianMatchesFiniteDifferences)
 {
     CounterRandom random(11);
     for (const double angle : {1e-4, 0.03, 0.4}) {
-        const RigidTransform reference = expSe3(randomTwist(random, 0.5, 300.0));
-        const RigidTransform pose = expSe3(randomTwist(random, angle, 30.0)) * reference;
+        const RigidTransform reference = expSe3(gaussianTwist(random, 0.5, 300.0));
+        const RigidTransform pose = expSe3(gaussianTwist(random, angle, 30.0)) * reference;
         const PosePrior prior{reference, Vector6d::Ones(), 1.0};
         const Matrix6d analytic = priorJacobian(prior, pose);
         for (int k = 0; k < 6; ++k) {
@@ -41,9 +41,9 @@ TEST(PosePrior, JacobianMatchesFiniteDifferences)
 TEST(PosePrior, GradientMatchesTheCost)
 {
     CounterRandom random(12);
-    PosePrior prior{expSe3(randomTwist(random, 0.2, 100.0)), Vector6d::Ones(), 100.0};
+    PosePrior prior{expSe3(gaussianTwist(random, 0.2, 100.0)), Vector6d::Ones(), 100.0};
     prior.weights.tail<3>().setConstant(1.0 / 800.0);
-    const RigidTransform pose = expSe3(randomTwist(random, 0.1, 10.0)) * prior.reference;
+    const RigidTransform pose = expSe3(gaussianTwist(random, 0.1, 10.0)) * prior.reference;
     NormalEquations equations;
     addPrior(prior, pose, equations);
     for (int k = 0; k < 6; ++k) {
@@ -58,15 +58,15 @@ TEST(PosePrior, GradientMatchesTheCost)
 TEST(PosePrior, IsZeroAtItsReference)
 {
     CounterRandom random(13);
-    const PosePrior prior{expSe3(randomTwist(random, 0.4, 200.0)), Vector6d::Ones(), 100.0};
+    const PosePrior prior{expSe3(gaussianTwist(random, 0.4, 200.0)), Vector6d::Ones(), 100.0};
     EXPECT_LT(priorCost(prior, prior.reference), 1e-20);
 }
 
 TEST(PosePrior, OneStepReturnsToTheReference)
 {
     CounterRandom random(14);
-    const PosePrior prior{expSe3(randomTwist(random, 0.4, 200.0)), Vector6d::Ones(), 7.0};
-    RigidTransform pose = expSe3(randomTwist(random, 0.01, 1.0)) * prior.reference;
+    const PosePrior prior{expSe3(gaussianTwist(random, 0.4, 200.0)), Vector6d::Ones(), 7.0};
+    RigidTransform pose = expSe3(gaussianTwist(random, 0.01, 1.0)) * prior.reference;
     for (int k = 0; k < 4; ++k) {
         NormalEquations equations;
         addPrior(prior, pose, equations);

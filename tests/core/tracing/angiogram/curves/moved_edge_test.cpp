@@ -12,13 +12,13 @@ namespace {
 
 using test::Path;
 
-const Path vessel = test::line({60.0, 20.0}, {140.0, 230.0});
+const Path edgeVessel = test::line({60.0, 20.0}, {140.0, 230.0});
 const Path edge = test::line({40.0, 160.0}, {215.0, 100.0});
 
 /// A vessel, and a line of bone that lay 3 px higher in the mask image; or the same line with nothing bright beside it.
 core::ImageF frameWithMovedEdge(bool hasBrightSide)
 {
-    core::ImageF frame = test::drawnFrame(256, 256, {vessel}, 3.0);
+    core::ImageF frame = test::drawnFrame(256, 256, {edgeVessel}, 3.0);
     const auto add = [&](const Path& path, float sign) {
         const core::ImageF line = test::drawnFrame(256, 256, {path}, 1.5, {.depth = 30.0F});
         for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
@@ -47,7 +47,7 @@ TEST(MovedEdge, IsNoVesselBesideItsBrightSide)
 {
     const auto trace = core::traceAngiogram(frameWithMovedEdge(true), core::Polarity::VesselsDark);
     ASSERT_TRUE(trace) << trace.error().message;
-    EXPECT_GT(lengthNear(trace.value().centerline, vessel), 210.0);
+    EXPECT_GT(lengthNear(trace.value().centerline, edgeVessel), 210.0);
     EXPECT_LT(lengthNear(trace.value().centerline, edge), 30.0) << "but for the crossing";
 }
 

@@ -14,7 +14,7 @@ constexpr int side = 512;
 
 /// 200 px along x, with the given course across and width along it.
 template <class Course, class Width>
-Curve2d drawn(int id, Course course, Width width)
+Curve2d drawnCurve(int id, Course course, Width width)
 {
     Curve2d curve{id, {}, {}};
     for (int x = 0; x <= 200; ++x) {
@@ -24,7 +24,7 @@ Curve2d drawn(int id, Course course, Width width)
     return curve;
 }
 
-const auto straight = [](double) { return 0.0; };
+const auto straightCourse = [](double) { return 0.0; };
 const auto arc = [](double x) { return std::sqrt(400.0 * 400.0 - (x - 80.0) * (x - 80.0)) - 400.0; };
 const auto winding = [](double x) { return 6.0 * std::sin(0.06 * x); };
 const auto even = [](double) { return 2.0; };
@@ -32,25 +32,25 @@ const auto tapering = [](double x) { return 3.0 - 0.009 * x; };
 
 TEST(SuspectCurves, AreStraightOrEvenlyBentAndOfEvenWidth)
 {
-    const Centerline2d centerline{{drawn(1, straight, even), drawn(2, arc, even)}};
+    const Centerline2d centerline{{drawnCurve(1, straightCourse, even), drawnCurve(2, arc, even)}};
     EXPECT_EQ(core::suspectCurves(centerline, side), (std::vector<int>{1, 2}));
 }
 
 TEST(SuspectCurves, VesselsWindOrTaper)
 {
-    const Centerline2d centerline{{drawn(1, winding, even), drawn(2, arc, tapering)}};
+    const Centerline2d centerline{{drawnCurve(1, winding, even), drawnCurve(2, arc, tapering)}};
     EXPECT_TRUE(core::suspectCurves(centerline, side).empty());
 }
 
 TEST(SuspectCurves, ShortOnesAreNotJudged)
 {
-    EXPECT_TRUE(core::suspectCurves({{drawn(1, straight, even)}}, 2048).empty());
+    EXPECT_TRUE(core::suspectCurves({{drawnCurve(1, straightCourse, even)}}, 2048).empty());
     EXPECT_TRUE(core::suspectCurves({{Curve2d{1, {{3.0, 4.0}}, {1.0}}, Curve2d{}}}, 4).empty());
 }
 
 TEST(SuspectCurves, WithoutWidthsTheCourseDecides)
 {
-    Curve2d unknown = drawn(4, arc, tapering);
+    Curve2d unknown = drawnCurve(4, arc, tapering);
     unknown.radiusPx.clear();
     EXPECT_EQ(core::suspectCurves({{unknown}}, side), std::vector<int>{4});
 }

@@ -13,18 +13,18 @@ namespace {
 
 using core::ImageF;
 
-constexpr double noise = 8.0;
+constexpr double noiseSigma = 8.0;
 
 /// The same vessel in other noise; it ends at `reach` of its length and lies `shiftPx` lower.
-ImageF frameOf(std::uint64_t seed, double reach = 1.0, double shiftPx = 0.0)
+ImageF noisyFrame(std::uint64_t seed, double reach = 1.0, double shiftPx = 0.0)
 {
     const Eigen::Vector2d start(20.0, 30.0 + shiftPx);
     ImageF frame = test::drawnFrame(256, 220, {test::line(start, start + reach * Eigen::Vector2d(210.0, 150.0))}, 3.5);
-    test::addNoise(frame, noise, seed);
+    test::addNoise(frame, noiseSigma, seed);
     return frame;
 }
 
-double spread(const ImageF& a, const ImageF& b)
+double rmsBetween(const ImageF& a, const ImageF& b)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
@@ -38,15 +38,15 @@ TEST(SteadyFrame, AveragesWhatStandsStill)
     const ImageF clean = test::drawnFrame(256, 220, {test::line({20, 30}, {230, 180})}, 3.5);
     std::vector<ImageF> run;
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        run.push_back(frameOf(seed));
+        run.push_back(noisyFrame(seed));
     }
-    EXPECT_NEAR(spread(core::steadyFrame(run, 6), clean), noise / 3.0, 0.05 * noise);   // of nine frames
-    EXPECT_NEAR(spread(core::steadyFrame(run, 0), clean), noise / std::sqrt(5.0), 0.05 * noise);
+    EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 6), clean), noiseSigma / 3.0, 0.05 * noiseSigma);   // of nine frames
+    EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 0), clean), noiseSigma / std::sqrt(5.0), 0.05 * noiseSigma);
 }
 
 TEST(SteadyFrame, TakesOutAChangeOfBrightness)
 {
-    std::vector<ImageF> run{frameOf(1), frameOf(2), frameOf(3)};
+    std::vector<ImageF> run{noisyFrame(1), noisyFrame(2), noisyFrame(3)};
     for (float& value : run[2].pixels) {
         value += 30.0F;
     }
@@ -60,13 +60,13 @@ TEST(SteadyFrame, TakesOutAChangeOfBrightness)
 
 TEST(SteadyFrame, LeavesAMovingVesselAsItIs)
 {
-    const std::vector<ImageF> run{frameOf(1, 1.0, -6.0), frameOf(2), frameOf(3, 1.0, 6.0)};
+    const std::vector<ImageF> run{noisyFrame(1, 1.0, -6.0), noisyFrame(2), noisyFrame(3, 1.0, 6.0)};
     EXPECT_EQ(core::steadyFrame(run, 1).pixels, run[1].pixels);
 }
 
 TEST(SteadyFrame, WhatHasChangedTakesNoPart)
 {
-    std::vector<ImageF> run{frameOf(1, 0.9), frameOf(2)};   // less than one pixel in a hundred fills
+    std::vector<ImageF> run{noisyFrame(1, 0.9), noisyFrame(2)};   // less than one pixel in a hundred fills
     const ImageF steady = core::steadyFrame(run, 1);
     EXPECT_NE(steady.pixels, run[1].pixels);
     int kept = 0;
@@ -80,10 +80,10 @@ TEST(SteadyFrame, WhatHasChangedTakesNoPart)
 
 TEST(SteadyFrame, FramesThatDoNotFitAreLeftOut)
 {
-    ImageF notFinite = frameOf(3);
+    ImageF notFinite = noisyFrame(3);
     notFinite.at(10, 10) = std::numeric_limits<float>::quiet_NaN();
     const ImageF other(100, 100, 5.0F);
-    EXPECT_EQ(core::steadyFrame({notFinite, frameOf(2), other}, 1).pixels, frameOf(2).pixels);
+    EXPECT_EQ(core::steadyFrame({notFinite, noisyFrame(2), other}, 1).pixels, noisyFrame(2).pixels);
     EXPECT_EQ(core::steadyFrame({ImageF()}, 0).pixels.size(), 0U);
 }
 
@@ -94,7 +94,7 @@ TEST(SteadyFrame, LetsAFainterVesselBeTraced)
     core::Angiogram run;
     for (std::uint64_t seed = 1; seed <= 9; ++seed) {
         run.frames.push_back(test::drawnFrame(256, 220, {test::line({20, 30}, {230, 180})}, 3.0, faint));
-        test::addNoise(run.frames.back(), noise, seed);
+        test::addNoise(run.frames.back(), noiseSigma, seed);
     }
     const auto lengthIn = [](const core::Result<core::AngiogramTrace>& trace) {
         return trace && !trace.value().centerline.curves.empty() ? trace.value().centerline.curves.front().lengthPx()

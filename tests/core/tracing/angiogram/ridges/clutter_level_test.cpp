@@ -12,7 +12,7 @@ namespace {
 using core::ImageF;
 using core::Mask2d;
 
-ImageF noise(int width, int height, double sigma)
+ImageF noiseFrame(int width, int height, double sigma)
 {
     ImageF image(width, height);
     test::addNoise(image, sigma, 11);
@@ -32,14 +32,14 @@ double clutterOf(const ImageF& opacity)
 
 TEST(ClutterLevel, GrowsWithTheNoise)
 {
-    const double once = clutterOf(noise(200, 200, 2.0));
+    const double once = clutterOf(noiseFrame(200, 200, 2.0));
     EXPECT_GT(once, 0.0);
-    EXPECT_NEAR(clutterOf(noise(200, 200, 6.0)), 3.0 * once, 0.01 * once);
+    EXPECT_NEAR(clutterOf(noiseFrame(200, 200, 6.0)), 3.0 * once, 0.01 * once);
 }
 
 TEST(ClutterLevel, DoesNotSeeTheVesselsThemselves)
 {
-    ImageF opacity = noise(200, 200, 2.0);
+    ImageF opacity = noiseFrame(200, 200, 2.0);
     const double without = clutterOf(opacity);
     const ImageF drawn =
         test::drawnFrame(200, 200, {test::line({10, 20}, {190, 150}), test::line({20, 180}, {180, 40})}, 3.0);
@@ -51,28 +51,28 @@ TEST(ClutterLevel, DoesNotSeeTheVesselsThemselves)
 
 TEST(ClutterLevel, BandsOfALargeImageStandForTheWhole)
 {
-    EXPECT_NEAR(clutterOf(noise(300, 700, 2.0)), clutterOf(noise(300, 300, 2.0)),
-                0.05 * clutterOf(noise(300, 300, 2.0)));
+    EXPECT_NEAR(clutterOf(noiseFrame(300, 700, 2.0)), clutterOf(noiseFrame(300, 300, 2.0)),
+                0.05 * clutterOf(noiseFrame(300, 300, 2.0)));
 }
 
 TEST(ClutterLevel, IsNothingWithoutAField)
 {
-    const core::Clutter clutter(noise(60, 60, 2.0), Mask2d(60, 60), core::ridgeScales(1.5, 8.0));
-    EXPECT_EQ(clutter.level(noise(60, 60, 2.0)), 0.0);
+    const core::Clutter clutter(noiseFrame(60, 60, 2.0), Mask2d(60, 60), core::ridgeScales(1.5, 8.0));
+    EXPECT_EQ(clutter.level(noiseFrame(60, 60, 2.0)), 0.0);
 }
 
 TEST(ClutterLevel, NoiseOfSinglePixelsTakesWeightFromTheFinestScales)
 {
-    const auto scales = measured(noise(300, 300, 4.0)).scales();
+    const auto scales = measured(noiseFrame(300, 300, 4.0)).scales();
     EXPECT_LT(scales.front().weight, 0.7);
     EXPECT_EQ(scales.back().weight, 1.0);
 }
 
 TEST(ClutterLevel, StructuresOfAllSizesLeaveTheWeightsAlone)
 {
-    ImageF opacity = noise(300, 300, 1.0);
+    ImageF opacity = noiseFrame(300, 300, 1.0);
     for (const double sigmaPx : {1.5, 3.0, 6.0, 12.0}) {   // with as much contrast at each size
-        const ImageF coarser = core::blurred(noise(300, 300, 40.0 * sigmaPx), sigmaPx);
+        const ImageF coarser = core::blurred(noiseFrame(300, 300, 40.0 * sigmaPx), sigmaPx);
         for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
             opacity.pixels[i] += coarser.pixels[i];
         }

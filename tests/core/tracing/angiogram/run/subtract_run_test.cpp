@@ -14,10 +14,10 @@ namespace {
 using core::ImageF;
 using core::Polarity;
 
-const test::Path vessel = test::line({20, 30}, {180, 120});
+const test::Path contrastVessel = test::line({20, 30}, {180, 120});
 
 /// A frame with ribs as dark as the vessel, which is filled or not; the patient has moved by `driftPx`.
-ImageF frameOf(bool isFilled, double driftPx, std::uint64_t seed)
+ImageF ribFrame(bool isFilled, double driftPx, std::uint64_t seed)
 {
     std::vector<test::Path> bars;
     for (const double x : {40.0, 90.0, 150.0}) {
@@ -26,7 +26,7 @@ ImageF frameOf(bool isFilled, double driftPx, std::uint64_t seed)
     bars.push_back(test::line({-20.0, 60.0 + 0.5 * driftPx}, {220.0, 20.0 + 0.5 * driftPx}));
     ImageF frame = test::drawnFrame(200, 150, bars, 5.0, {.background = 900.0F, .depth = 300.0F});
     if (isFilled) {
-        const ImageF shadow = test::drawnFrame(200, 150, {vessel}, 3.0, {.background = 1.0F, .depth = 0.25F});
+        const ImageF shadow = test::drawnFrame(200, 150, {contrastVessel}, 3.0, {.background = 1.0F, .depth = 0.25F});
         std::transform(frame.pixels.begin(), frame.pixels.end(), shadow.pixels.begin(), frame.pixels.begin(),
                        std::multiplies<>());
     }
@@ -34,12 +34,12 @@ ImageF frameOf(bool isFilled, double driftPx, std::uint64_t seed)
     return frame;
 }
 
-const std::vector<ImageF> run{frameOf(false, 0.0, 1), frameOf(false, 0.2, 2), frameOf(true, 1.5, 3),
-                              frameOf(true, 2.1, 4)};
+const std::vector<ImageF> ribRun{ribFrame(false, 0.0, 1), ribFrame(false, 0.2, 2), ribFrame(true, 1.5, 3),
+                                 ribFrame(true, 2.1, 4)};
 
 TEST(SubtractRun, LeavesTheVesselAlone)
 {
-    const auto subtracted = core::subtractRun(run, Polarity::VesselsDark, {.maskFrames = {0, 1}});
+    const auto subtracted = core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {0, 1}});
     ASSERT_TRUE(subtracted) << subtracted.error().message;
     ASSERT_EQ(subtracted.value().frames.size(), 4U);
     EXPECT_NEAR(subtracted.value().maskShiftsPx[2].x(), 1.4, 0.15);
@@ -48,7 +48,7 @@ TEST(SubtractRun, LeavesTheVesselAlone)
     double found = 0.0;
     for (const core::Curve2d& curve : trace.value().centerline.curves) {
         for (const Eigen::Vector2d& point : curve.pointsPx) {
-            EXPECT_LT(test::distanceTo(vessel, point), 3.0) << "a rib";
+            EXPECT_LT(test::distanceTo(contrastVessel, point), 3.0) << "a rib";
         }
         found += curve.lengthPx();
     }
@@ -103,8 +103,8 @@ TEST(SubtractRun, AReversedIntervalWalksBackwards)
 TEST(SubtractRun, OneFrameIsAsInTheRun)
 {
     const core::SubtractionPlan plan{.maskFrames = {0, 1}};
-    const auto whole = core::subtractRun(run, Polarity::VesselsDark, plan);
-    const auto one = core::subtractFrame(run, Polarity::VesselsDark, plan, 2);
+    const auto whole = core::subtractRun(ribRun, Polarity::VesselsDark, plan);
+    const auto one = core::subtractFrame(ribRun, Polarity::VesselsDark, plan, 2);
     ASSERT_TRUE(whole && one);
     EXPECT_EQ(one.value().frame.pixels, whole.value().frames[2].pixels);
     EXPECT_EQ(one.value().maskShiftPx, whole.value().maskShiftsPx[2]);
@@ -113,13 +113,13 @@ TEST(SubtractRun, OneFrameIsAsInTheRun)
 TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
 {
     core::Angiogram stored;
-    stored.frames = run;
+    stored.frames = ribRun;
     core::RunTreatment treatment{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
     const auto treated = core::treatedRun(stored, treatment);
     ASSERT_TRUE(treated) << treated.error().message;
     ASSERT_EQ(treated.value().frameCount(), stored.frameCount());
     EXPECT_EQ(treated.value().frames[0].pixels, treated.value().frames[3].pixels);
-    const auto subtracted = core::subtractRun(run, Polarity::VesselsDark, treatment.plan);
+    const auto subtracted = core::subtractRun(ribRun, Polarity::VesselsDark, treatment.plan);
     for (std::size_t i = 0; i < 200; ++i) {
         EXPECT_LE(treated.value().frames[0].pixels[i], subtracted.value().frames[2].pixels[i]);
     }
@@ -127,31 +127,32 @@ TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
 
 TEST(SubtractRun, StopsWhenAsked)
 {
-    EXPECT_FALSE(core::subtractRun(run, Polarity::VesselsDark, {.maskFrames = {0}}, [] { return true; }));
+    EXPECT_FALSE(core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {0}}, [] { return true; }));
 }
 
 TEST(SubtractRun, AShiftByHandIsTaken)
 {
     const Eigen::Vector2d byHand(0.5, -1.0);
-    const auto subtracted = core::subtractRun(run, Polarity::VesselsDark, {.maskFrames = {0}, .maskShiftPx = byHand});
+    const auto subtracted =
+        core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {0}, .maskShiftPx = byHand});
     ASSERT_TRUE(subtracted);
     EXPECT_EQ(subtracted.value().maskShiftsPx, std::vector<Eigen::Vector2d>(4, byHand));
 }
 
 TEST(SubtractRun, RefusesInPlainWords)
 {
-    const auto missing = core::subtractRun(run, Polarity::VesselsDark, {.maskFrames = {9}});
+    const auto missing = core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {9}});
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().message.text().find("frames 0 to 3"), std::string::npos);
-    EXPECT_FALSE(core::subtractRun({run[0]}, Polarity::VesselsDark, {.maskFrames = {0}}));
-    EXPECT_FALSE(core::subtractRun({run[0], ImageF(3, 3)}, Polarity::VesselsDark, {.maskFrames = {0}}));
-    const std::vector<ImageF> filled{frameOf(true, 0.0, 5), frameOf(true, 0.0, 6)};
+    EXPECT_FALSE(core::subtractRun({ribRun[0]}, Polarity::VesselsDark, {.maskFrames = {0}}));
+    EXPECT_FALSE(core::subtractRun({ribRun[0], ImageF(3, 3)}, Polarity::VesselsDark, {.maskFrames = {0}}));
+    const std::vector<ImageF> filled{ribFrame(true, 0.0, 5), ribFrame(true, 0.0, 6)};
     EXPECT_FALSE(core::subtractRun(filled, Polarity::VesselsDark, {})) << "contrast from the first frame on";
 }
 
 TEST(SubtractRun, AFrameThatShowsNothingIsNeitherMaskNorSubtractedFrom)
 {
-    std::vector<ImageF> frames = run;
+    std::vector<ImageF> frames = ribRun;
     std::ranges::fill(frames[0].pixels, 1200.0F);
     std::ranges::fill(frames[3].pixels, 1200.0F);
     const auto subtracted = core::subtractRun(frames, Polarity::VesselsDark, {.maskFrames = {0, 1}});
@@ -164,7 +165,7 @@ TEST(SuggestMaskFrames, AreThoseBeforeTheContrastArrives)
 {
     std::vector<ImageF> plain;
     for (int k = 0; k < 6; ++k) {
-        const std::vector<test::Path> filled(k < 2 ? 0 : 1, vessel);
+        const std::vector<test::Path> filled(k < 2 ? 0 : 1, contrastVessel);
         plain.push_back(test::drawnFrame(160, 120, filled, 3.0, {.noise = 4.0}));
     }
     EXPECT_EQ(core::suggestMaskFrames(plain, Polarity::VesselsDark), (std::vector<int>{0, 1}));

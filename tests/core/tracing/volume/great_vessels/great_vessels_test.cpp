@@ -15,7 +15,7 @@ namespace {
 using test::Tube;
 
 /// Filled tubes in a body of 120 x 120 x 180 mm.
-core::CoarseBlood drawn(const std::vector<Tube>& tubes, const Eigen::Vector3d& voxelMm = {1.5, 1.5, 1.5})
+core::CoarseBlood drawnBlood(const std::vector<Tube>& tubes, const Eigen::Vector3d& voxelMm = {1.5, 1.5, 1.5})
 {
     const Eigen::Vector3i size = Eigen::Vector3d(120, 120, 180).cwiseQuotient(voxelMm).array().round().cast<int>();
     const core::VoxelMask lumen = test::drawnMask(test::gridAround({0, 0, 0}, size, voxelMm), tubes);
@@ -44,7 +44,7 @@ const Tube leftVentricle{{20, 20, -30}, {30, 20, -45}, 24.0};
 
 TEST(GreatVessels, TheLongOneAlongTheBodyComesFirst)
 {
-    const auto found = foundIn(drawn({pulmonaryArtery, leftVentricle, aorta}));
+    const auto found = foundIn(drawnBlood({pulmonaryArtery, leftVentricle, aorta}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_TRUE(passes(found[0], {-30, 20, 0}, 5.0));
     EXPECT_TRUE(passes(found[1], {20, -25, 40}, 6.0));
@@ -53,7 +53,7 @@ TEST(GreatVessels, TheLongOneAlongTheBodyComesFirst)
 
 TEST(GreatVessels, ChambersAreNone)
 {
-    EXPECT_TRUE(foundIn(drawn({leftVentricle, {{25, -20, 0}, {30, -22, 6}, 20.0}})).empty());
+    EXPECT_TRUE(foundIn(drawnBlood({leftVentricle, {{25, -20, 0}, {30, -22, 6}, 20.0}})).empty());
 }
 
 TEST(GreatVessels, WalksRoundAnArch)
@@ -66,7 +66,7 @@ TEST(GreatVessels, WalksRoundAnArch)
     for (int n = 0; n < 12; ++n) {
         tubes.push_back({onArch(n), onArch(n + 1), 10.0});
     }
-    const auto found = foundIn(drawn(tubes));
+    const auto found = foundIn(drawnBlood(tubes));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(passes(found[0], {-28, 0, -60}, 6.0));
     EXPECT_TRUE(passes(found[0], {28, 0, -40}, 6.0));
@@ -75,18 +75,19 @@ TEST(GreatVessels, WalksRoundAnArch)
 
 TEST(GreatVessels, VesselsThatTouchAreTwo)
 {
-    const auto found = foundIn(drawn({aorta, {{-9, 20, -60}, {-9, 20, 60}, 9.0}, {{-30, 20, 0}, {-9, 20, 0}, 2.0}}));
+    const auto found =
+        foundIn(drawnBlood({aorta, {{-9, 20, -60}, {-9, 20, 60}, 9.0}, {{-30, 20, 0}, {-9, 20, 0}, 2.0}}));
     ASSERT_EQ(found.size(), 2U);
     EXPECT_FALSE(passes(found[0], {-9, 20, 40}, 6.0));
 }
 
 TEST(GreatVessels, AreTheSameInVoxelsOfAnySize)
 {
-    const auto usual = foundIn(drawn({pulmonaryArtery, leftVentricle, aorta}));
+    const auto usual = foundIn(drawnBlood({pulmonaryArtery, leftVentricle, aorta}));
     ASSERT_EQ(usual.size(), 2U);
     for (const Eigen::Vector3d& voxelMm : {Eigen::Vector3d(0.6, 0.6, 0.6), Eigen::Vector3d(1.0, 1.0, 1.0),
                                            Eigen::Vector3d(1.2, 1.2, 1.2), Eigen::Vector3d(0.75, 0.75, 5.0)}) {
-        const core::CoarseBlood blood = drawn({pulmonaryArtery, leftVentricle, aorta}, voxelMm);
+        const core::CoarseBlood blood = drawnBlood({pulmonaryArtery, leftVentricle, aorta}, voxelMm);
         EXPECT_TRUE((blood.lumen.geometry.spacingMm.array() == 1.5).all());
         const auto found = foundIn(blood);
         ASSERT_EQ(found.size(), 2U) << voxelMm.transpose();
@@ -103,7 +104,7 @@ TEST(GreatVessels, AreWalkedWhereTheyAreFlattened)
     for (double x = -39.0; x <= -21.0; x += 3.0) {   // the true lumen of a torn aorta: 27 mm wide, 9 mm thick
         tubes.push_back({{x, 20, -30}, {x, 20, 30}, 4.5});
     }
-    const auto found = foundIn(drawn(tubes));
+    const auto found = foundIn(drawnBlood(tubes));
     ASSERT_FALSE(found.empty());
     const core::Trunk& first = found.front().trunks.front();
     EXPECT_LT(first.pointsInPatient.front().z() * first.pointsInPatient.back().z(), 0.0);
@@ -161,12 +162,12 @@ TEST(GreatVessels, GoOnThroughNarrowPlacesOfTheSameBlood)
 
 TEST(GreatVessels, AreNamedByAPlaceInThem)
 {
-    const auto found = foundIn(drawn({aorta}));
+    const auto found = foundIn(drawnBlood({aorta}));
     ASSERT_EQ(found.size(), 1U);
     const Eigen::Vector3d middle = found[0].middleInPatient();
     EXPECT_LT((middle.head<2>() - Eigen::Vector2d(-30, 20)).norm(), 2.0);
     EXPECT_LT(std::abs(middle.z()), 60.0);
-    EXPECT_TRUE(foundIn(drawn({})).empty());
+    EXPECT_TRUE(foundIn(drawnBlood({})).empty());
 }
 
 }   // namespace
