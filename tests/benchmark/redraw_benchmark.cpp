@@ -1,13 +1,18 @@
-// How long a pose edit takes until both views show it. Run it on a screen or under
-// xvfb-run -a -s "-screen 0 1920x1200x24".
+// How long a pose edit takes until both views show it, and the tree's lines alone by our rasteriser and by QPainter.
+// Run it on a screen or under xvfb-run -a -s "-screen 0 1920x1200x24".
 #include "core/geometry/pose_offset.h"
 #include "core/simulation/simulated_case.h"
+#include "ui/scenes/fill_strokes.h"
+#include "ui/scenes/overlay_pens.h"
+#include "ui/scenes/overlay_strokes.h"
+#include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QScreen>
 #include <QTest>
 #include <QVBoxLayout>
@@ -106,6 +111,78 @@ bool measure(const core::SimulatedCase& simulated, const QSize& size, ui::Overla
     return true;
 }
 
+/// Milliseconds of one call, the median of many.
+template <class Draw>
+double medianMsOf(const Draw& draw)
+{
+    std::vector<double> wallMs;
+    for (int i = 0; i < 21; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        draw();
+        wallMs.push_back(1e-6 * static_cast<double>(timer.nsecsElapsed()));
+    }
+    std::ranges::nth_element(wallMs, wallMs.begin() + 10);
+    return wallMs[10];
+}
+
+/// The tree's centrelines or edges with their borders, as a programmer would draw them with Qt.
+void drawByQt(const ui::OverlayContent& content, const ui::DeviceFromImage& device, QImage& picture)
+{
+    const bool isTube = content.mode == ui::OverlayMode::Tube;
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const auto lineOf = [&](const std::vector<ui::ProjectedPoint>& run, double side) {
+        QPolygonF line;
+        for (const ui::ProjectedPoint& point : run) {
+            const Eigen::Vector2d at = device * point.edgePx(side);
+            line << QPointF(at.x(), device.height - at.y());
+        }
+        return line;
+    };
+    const auto forEachLine = [&](const auto& draw) {
+        for (const ui::ProjectedBranch& branch : content.projected) {
+            for (const auto& run : branch.runs) {
+                for (const double side : isTube ? std::vector<double>{1.0, -1.0} : std::vector<double>{0.0}) {
+                    draw(lineOf(run, side));
+                }
+            }
+        }
+    };
+    const double width = (isTube ? ui::edgeWidth : 1.0) * content.lineWidthPx;
+    const QColor tone = toQColor(ui::branchColors(ui::palette(ui::ThemeMode::Dark)).plain);
+    const QColor shade = toQColor(ui::palette(ui::ThemeMode::Dark).canvas, ui::haloOpacity);
+    for (const auto& [color, widthPx] :
+         {std::pair(shade, width + ui::haloWidth * content.lineWidthPx), {tone, width}}) {
+        painter.setPen(QPen(color, widthPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        forEachLine([&painter](const QPolygonF& line) { painter.drawPolyline(line); });
+    }
+}
+
+/// Prints what the tree's lines alone cost, without frame, by one thread.
+void measureLines(const core::SimulatedCase& simulated, const QSize& size, ui::OverlayMode mode)
+{
+    ui::OverlayScene scene;
+    scene.setTree(simulated.tree);
+    scene.setCamera(simulated.camera);
+    scene.setPose(simulated.initialCameraFromPatient);
+    scene.setMode(mode);
+    scene.setLineWidthPx(2.4);
+    const double wide = 512.0 * size.width() / size.height();
+    scene.setViewRect({256.0 - 0.5 * wide, 256.0 + 0.5 * wide, -0.5, 511.5});
+    const ui::OverlayContent& content = scene.content();
+    const ui::DeviceFromImage device{content.viewRect, size.width(), size.height()};
+    QImage picture(size, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    const double ownMs = medianMsOf([&] {
+        ui::fillStrokes(ui::overlayStrokes(content, device), size.height(),
+                        {reinterpret_cast<std::uint32_t*>(picture.bits()), size.width(), size.height()});
+    });
+    const double qtMs = medianMsOf([&] { drawByQt(content, device, picture); });
+    std::printf("lines alone, %dx%d, %s: ours %.1f ms, QPainter %.1f ms\n", size.width(), size.height(),
+                mode == ui::OverlayMode::Tube ? "tubes" : "centrelines", ownMs, qtMs);
+}
+
 }   // namespace
 
 int main(int argc, char** argv)
@@ -118,6 +195,9 @@ int main(int argc, char** argv)
         for (const ui::OverlayMode mode : {ui::OverlayMode::Centerline, ui::OverlayMode::Tube}) {
             isMeasured = isMeasured && measure(simulated, size, mode);
         }
+    }
+    for (const ui::OverlayMode mode : {ui::OverlayMode::Centerline, ui::OverlayMode::Tube}) {
+        measureLines(simulated, QSize(1920, 1080), mode);
     }
     return isMeasured ? 0 : 1;
 }

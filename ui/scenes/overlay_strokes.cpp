@@ -10,7 +10,6 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double strokeThinningPx = 0.75;   // finer detail does not show
 constexpr double clipMarginPx = 64.0;
 constexpr double farPx = 4e4;   // dashes are laid out this far beyond the picture, so that neighbouring tiles agree
 
@@ -60,14 +59,14 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, LinePattern pattern
 {
     const Box near = boxAround(device, clipMarginPx);
     if (pattern == LinePattern::Solid) {
-        return clipped(thinned(line, strokeThinningPx), near.lower, near.upper);
+        return clipped(line, near.lower, near.upper);
     }
     const Box far = boxAround(device, farPx);
     const DashPattern dashes{branchDashes[0] * lineWidthPx, branchDashes[1] * lineWidthPx};
     std::vector<StrokeLine> parts;
     for (const StrokeLine& part : clipped(line, far.lower, far.upper)) {
         for (const StrokeLine& dash : dashed(part, dashes)) {
-            append(parts, clipped(thinned(dash, strokeThinningPx), near.lower, near.upper));
+            append(parts, clipped(dash, near.lower, near.upper));
         }
     }
     return parts;
