@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t longestSegmentName = 80;
 constexpr std::size_t longestHeader = std::size_t{1} << 20;
+constexpr std::size_t longestField = 400;   // the library quotes what it cannot read into a buffer of fixed size
 
 struct FreeNrrd {
     void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
@@ -81,7 +82,8 @@ HeaderText splitHeader(std::string_view content)
             if (line.starts_with("space directions") || line.starts_with("space origin")) {
                 std::erase(line, '|');
             }
-            header.text += line + "\n";
+            const bool isField = line.find(":=") == std::string::npos;
+            header.text += (isField ? line.substr(0, longestField) : line) + "\n";
         }
     }
     std::string& text = header.text;

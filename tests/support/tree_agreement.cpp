@@ -102,7 +102,7 @@ std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const
     return *middle;
 }
 
-double distanceToTree(const core::VesselTree& tree, const Eigen::Vector3d& point)
+double distanceTo(const core::VesselTree& tree, const Eigen::Vector3d& point)
 {
     return nearestOnTree(tree, point).distanceMm;
 }
@@ -112,7 +112,7 @@ double shareNear(const core::VesselTree& tree, const core::VesselTree& other, do
     double near = 0.0;
     for (const core::VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            near += distanceToTree(other, point) <= reachMm ? 1.0 : 0.0;
+            near += distanceTo(other, point) <= reachMm ? 1.0 : 0.0;
         }
     }
     return near / static_cast<double>(tree.pointCount());

@@ -87,7 +87,7 @@ StoredField<Owner> storedPose(core::RigidTransform Owner::*member)
             [member](const Owner& owner, const fs::path&) { return Json(rowsOf(owner.*member)); }};
 }
 
-StoredFields<DistanceMetrics> metricsFields()
+StoredFields<DistanceMetrics> distanceMetricsFields()
 {
     return {storedMeasure("meanProjectionDistancePx", &DistanceMetrics::meanPx),
             storedMeasure("medianProjectionDistancePx", &DistanceMetrics::medianPx),
@@ -216,7 +216,7 @@ const StoredFields<RegistrationResult>& resultFields()
             storedValue("method", textSchema(), &RegistrationResult::method),
             storedGroup<RegistrationResult>("pose", Json::object(),
                                             {storedPose(&RegistrationResult::cameraFromPatient)}),
-            storedPart("metrics", Json::object(), &RegistrationResult::metrics, metricsFields()),
+            storedPart("metrics", Json::object(), &RegistrationResult::metrics, distanceMetricsFields()),
             storedPart("uncertainty", Json::object(), &RegistrationResult::uncertainty, uncertaintyFields()),
             storedList("perBranch", Json::object(), &RegistrationResult::branches, Json::object(), branchFields()),
             storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),

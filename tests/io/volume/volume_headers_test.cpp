@@ -156,6 +156,30 @@ TEST(Nrrd, SpacesBecomeLps)
     EXPECT_NE(unknown.value().warnings.front().text().find("left and right"), std::string::npos);
 }
 
+/// The library quotes what it cannot read into a buffer of fixed size.
+TEST(Nrrd, RefusesAFieldOfAMegabyte)
+{
+    const TemporaryFolder folder;
+    std::string longField = "space directions: (1,0,0) (0,1,0e ";
+    while (longField.size() < 900000) {
+        longField += longField;
+    }
+    const std::string header = "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n";
+    expectRefused(
+        folder.write("a.nrrd", header + longField + "\nendian: little\nencoding: raw\n\n" + std::string(16, '\0')),
+        "space directions");
+}
+
+/// Free text may be as long as it likes.
+TEST(Nrrd, ReadsALongComment)
+{
+    const TemporaryFolder folder;
+    const std::string text(5000, 'x');
+    const std::string header = "NRRD0004\n# " + text + "\ntype: short\ndimension: 3\nsizes: 2 2 2\ncontent: " + text +
+                               "\nendian: little\nencoding: raw\nkey:=" + text + "\n\n";
+    EXPECT_TRUE(io::readVolume(folder.write("a.nrrd", header + std::string(16, '\0'))));
+}
+
 TEST(MetaImage, NamesHeaderAndVoxelsWhenTheseAreMissing)
 {
     const TemporaryFolder folder;
