@@ -105,6 +105,9 @@ TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
     input = good;
     input.initialCameraFromPatient(3, 0) = 1.0;
     EXPECT_EQ("library.no-pose", idOfErrorIn([&] { registerVessels(input); }));
+    Pose scaled = good.initialCameraFromPatient;
+    scaled.topLeftCorner<3, 3>() *= 2.0;
+    EXPECT_EQ("library.no-pose", idOfErrorIn([&] { writePose(scaled, "never-written.json"); }));
     input = good;
     input.image.pixels.pop_back();
     EXPECT_EQ("library.image-size", idOfErrorIn([&] { registerVessels(input); }));

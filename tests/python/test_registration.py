@@ -106,7 +106,7 @@ def test_other_threads_run_meanwhile(arrays):
 
 
 def test_errors_say_what_is_wrong(arrays):
-    with pytest.raises(angiopose.Error, match="maxIteration'") as caught:
+    with pytest.raises(angiopose.Error, match="maxIteration'. Did you mean 'maxIterations'") as caught:
         angiopose.registerVessels(arrays, angiopose.RegistrationOptions(maxIteration=5))
     assert caught.value.id == "library.no-option"
     with pytest.raises(angiopose.Error, match="no-such-method"):
