@@ -64,6 +64,9 @@ int runSimulate(const SimulateArguments& arguments)
     tree.branchCount = arguments.branches;
     core::DsaOptions dsa;
     dsa.nonRigidStdMm = arguments.nonRigidMm;
+    if (const auto problem = core::findProblem(tree, dsa)) {
+        return failInput(*problem);
+    }
     const core::SimulatedCase simulated = core::simulateCase(arguments.seed, tree, dsa);
     const fs::path folder(arguments.outputFolder);
     if (const auto status = writeSimulatedCase(simulated, folder, arguments.seed); !status) {

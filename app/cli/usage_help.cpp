@@ -1,6 +1,6 @@
 #include "app/cli/usage_help.h"
 
-#include "app/cli/nearest_word.h"
+#include "core/support/nearest_word.h"
 
 #include <algorithm>
 
@@ -42,12 +42,12 @@ std::string unknownWord(const CLI::App& app, const CLI::App& command)
             for (const std::string& name : names) {
                 all += (all.empty() ? "" : ", ") + name;
             }
-            return "There is no command '" + word + "'." + perhaps(nearestWord(word, names)) + " Commands: " + all +
-                   ".";
+            return "There is no command '" + word + "'." + perhaps(core::nearestWord(word, names)) +
+                   " Commands: " + all + ".";
         }
         if (word.starts_with("--")) {
             const std::string name = word.substr(0, word.find('='));
-            return "There is no option " + name + "." + perhaps(nearestWord(name, optionNames(command)));
+            return "There is no option " + name + "." + perhaps(core::nearestWord(name, optionNames(command)));
         }
     }
     return {};

@@ -38,6 +38,12 @@ core::TraceOptions toCore(const TraceOptions& options)
     return {minRadius, maxRadius, minBranch, minComponent, sensitivity};
 }
 
+TraceOptions toPublic(const core::TraceOptions& options)
+{
+    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity] = options;
+    return {minRadius, maxRadius, minBranch, minComponent, sensitivity};
+}
+
 namespace {
 
 AngiogramTrace publicTrace(core::AngiogramTrace trace)
@@ -49,6 +55,9 @@ AngiogramTrace publicTrace(core::AngiogramTrace trace)
 core::Angiogram runOf(const std::vector<Image>& frames, Polarity polarity, const CArm& cArm)
 {
     core::Angiogram run;
+    if (frames.empty()) {
+        throw Error("library.no-frames", "A run needs at least one frame.");
+    }
     for (const Image& frame : frames) {
         if (frame.isEmpty() || frame.width != frames.front().width || frame.height != frames.front().height) {
             throw Error("library.frame-size", "The frames of a run must have pixels, and all the same size.");

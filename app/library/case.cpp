@@ -3,6 +3,23 @@
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
+#include "core/messages/says.h"
+
+namespace angiopose::library {
+namespace {
+
+/// A case file that names branches its tree does not have would not open again.
+void checkBranches(const core::VesselTree& tree, const std::vector<int>& ids)
+{
+    for (const int id : ids) {
+        if (tree.find(id) == nullptr) {
+            raise(core::says::noSuchBranch(id));
+        }
+    }
+}
+
+}   // namespace
+}   // namespace angiopose::library
 
 namespace angiopose {
 
@@ -10,6 +27,9 @@ Case::Case(const VesselTree& tree, const Angiogram& angiogram) : content_(std::m
 {
     core::Case& values = content_->values;
     values.vessels.tree = std::make_shared<const core::VesselTree>(library::toCore(tree));
+    if (const auto problem = core::findProblem(*values.vessels.tree)) {
+        library::raise(*problem);
+    }
     library::putAngiogram(values, angiogram.content());
 }
 
@@ -72,7 +92,27 @@ ProjectionCamera Case::camera() const
 
 void Case::setCamera(const ProjectionCamera& camera)
 {
-    content_->values.shown().geometry.cameraOverride = library::toCore(camera);
+    core::View view = content_->values.shown();
+    view.geometry.cameraOverride = library::toCore(camera);
+    library::valueOf(core::cameraOf(view));   // throws where it is none for this image
+    view.result.reset();
+    content_->values.shown() = std::move(view);
+}
+
+CArm Case::cArm() const
+{
+    return library::toPublic(content_->values.shown().geometry.cArm);
+}
+
+void Case::setCArm(const CArm& cArm)
+{
+    core::View& view = content_->values.shown();
+    view.geometry = {library::toCore(cArm), {}};
+    view.initialCameraFromPatient.reset();
+    view.result.reset();
+    if (const auto start = core::startPoseOf(content_->values)) {
+        view.cameraFromPatient = start.value();
+    }
 }
 
 Pose Case::startPose() const
@@ -111,6 +151,38 @@ void Case::setTarget(const Centerline2d& target)
 {
     core::View& view = content_->values.shown();
     view.target = {{}, std::make_shared<const core::Centerline2d>(library::toCore(target)), view.frame, {}};
+}
+
+TraceOptions Case::traceOptions() const
+{
+    return library::toPublic(content_->values.shown().traceOptions);
+}
+
+void Case::setTraceOptions(const TraceOptions& options)
+{
+    content_->values.shown().traceOptions = library::toCore(options);
+}
+
+std::vector<int> Case::excludedBranchIds() const
+{
+    return content_->values.vessels.excludedBranchIds;
+}
+
+void Case::setExcludedBranchIds(const std::vector<int>& ids)
+{
+    library::checkBranches(*content_->values.vessels.tree, ids);
+    content_->values.vessels.excludedBranchIds = ids;
+}
+
+std::vector<int> Case::auxiliaryBranchIds() const
+{
+    return content_->values.vessels.auxiliaryBranchIds;
+}
+
+void Case::setAuxiliaryBranchIds(const std::vector<int>& ids)
+{
+    library::checkBranches(*content_->values.vessels.tree, ids);
+    content_->values.vessels.auxiliaryBranchIds = ids;
 }
 
 std::vector<Message> Case::warnings() const

@@ -62,7 +62,7 @@ RegistrationResult registerCase(Case& theCase, const Observer& observe)
     library::requireStarts(values);
     library::Relay relay(observe);
     values = library::registered(values, relay).theCase;
-    return library::toPublic(*values.shown().result);
+    return library::toPublic(*values.shown().result, *values.vessels.tree);
 }
 
 MultiViewResult registerViews(Case& theCase, const Observer& observe)
@@ -75,7 +75,7 @@ MultiViewResult registerViews(Case& theCase, const Observer& observe)
     library::Relay relay(observe);
     core::RegisteredCase run = library::registered(values, relay);
     values = std::move(run.theCase);
-    return library::toPublic(*run.joint);
+    return library::toPublic(*run.joint, *values.vessels.tree);
 }
 
 }   // namespace angiopose

@@ -44,6 +44,7 @@ CArm toPublic(const core::CArm& cArm);
 VesselTree toPublic(const core::VesselTree& tree);
 Centerline2d toPublic(const core::Centerline2d& centerline);
 Polarity toPublic(core::Polarity polarity);
+TraceOptions toPublic(const core::TraceOptions& options);
 VolumeGeometry toPublic(const core::VolumeGeometry& geometry);
 RegistrationOptions toPublic(const core::RegistrationOptions& options);
 RegistrationInput toPublic(const core::RegistrationInput& input);
@@ -51,9 +52,11 @@ StopReason toPublic(core::StopReason reason);
 DistanceMetrics toPublic(const core::DistanceMetrics& metrics);
 BranchResidual toPublic(const core::BranchResidual& branch);
 Hypothesis toPublic(const core::Hypothesis& hypothesis);
-PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty);
-RegistrationResult toPublic(const core::RegistrationResult& result);
-MultiViewResult toPublic(const core::MultiViewResult& result);
+
+// A result is of a tree, whose centroid its covariance is about.
+PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree);
+RegistrationResult toPublic(const core::RegistrationResult& result, const core::VesselTree& tree);
+MultiViewResult toPublic(const core::MultiViewResult& result, const core::VesselTree& tree);
 
 template <class T>
 Image2d<T> toPublic(core::Image2d<T> image)

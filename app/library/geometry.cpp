@@ -16,12 +16,14 @@ core::Sourced<T> givenBy(const std::optional<T>& value)
 
 core::RigidTransform toCore(const Pose& pose)
 {
-    if (pose.row(3) != Pose::Identity().row(3)) {
-        throw Error("library.no-pose",
-                    "The last row of a pose must be 0, 0, 0, 1. Give the 4 x 4 matrix that takes "
-                    "patient points to camera points.");
+    const core::RigidTransform converted{pose.topLeftCorner<3, 3>(), pose.topRightCorner<3, 1>()};
+    if (pose.row(3) != Pose::Identity().row(3) || !core::isRigid(converted)) {
+        throw Error(
+            "library.no-pose",
+            "A pose must be a rigid motion: the 4 x 4 matrix that takes patient points to camera points, of finite "
+            "numbers, with an orthonormal rotation of determinant +1 and the last row 0, 0, 0, 1.");
     }
-    return {pose.topLeftCorner<3, 3>(), pose.topRightCorner<3, 1>()};
+    return converted;
 }
 
 core::ProjectionCamera toCore(const ProjectionCamera& camera)

@@ -5,6 +5,7 @@
 #include "core/geometry/pose_axis.h"
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
+#include "core/support/nearest_word.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -21,10 +22,17 @@ std::string textOf(const core::OptionField& field, const core::OptionValue& valu
 
 void checkKey(const std::string& key)
 {
-    if (core::findOption(key) == nullptr) {
-        throw Error("library.no-option",
-                    "There is no option '" + key + "'. `methods()` lists the options of every method.");
+    if (core::findOption(key) != nullptr) {
+        return;
     }
+    std::vector<std::string> keys;
+    for (const core::OptionField& field : core::optionFields()) {
+        keys.emplace_back(field.key);
+    }
+    const std::string nearest = core::nearestWord(key, keys);
+    throw Error("library.no-option", "There is no option '" + key + "'. " +
+                                         (nearest.empty() ? "" : "Did you mean '" + nearest + "'? ") +
+                                         "`methods()` lists the options of every method.");
 }
 
 OptionInfo infoOf(const core::OptionField& field)

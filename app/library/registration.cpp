@@ -42,13 +42,13 @@ Hypothesis toPublic(const core::Hypothesis& hypothesis)
 
 namespace {
 
-template <class Core>
-auto eachPublic(const std::vector<Core>& all)
+template <class Core, class... Context>
+auto eachPublic(const std::vector<Core>& all, const Context&... context)
 {
-    std::vector<decltype(toPublic(all.front()))> converted;
+    std::vector<decltype(toPublic(all.front(), context...))> converted;
     converted.reserve(all.size());
     for (const Core& each : all) {
-        converted.push_back(toPublic(each));
+        converted.push_back(toPublic(each, context...));
     }
     return converted;
 }
@@ -102,13 +102,13 @@ RegistrationInput toPublic(const core::RegistrationInput& input)
     return converted;
 }
 
-PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty)
+PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree)
 {
     const auto& [covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection] = uncertainty;
-    return {covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection};
+    return {core::centroidInPatient(tree), covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection};
 }
 
-RegistrationResult toPublic(const core::RegistrationResult& result)
+RegistrationResult toPublic(const core::RegistrationResult& result, const core::VesselTree& tree)
 {
     RegistrationResult converted;
     converted.method = result.method;
@@ -116,7 +116,7 @@ RegistrationResult toPublic(const core::RegistrationResult& result)
     converted.stopReason = toPublic(result.stopReason);
     converted.iterations = result.iterations;
     converted.metrics = toPublic(result.metrics);
-    converted.uncertainty = toPublic(result.uncertainty);
+    converted.uncertainty = toPublic(result.uncertainty, tree);
     converted.branches = eachPublic(result.branches);
     converted.alternatives = eachPublic(result.alternatives);
     converted.trustworthy = result.trustworthy;
@@ -125,11 +125,11 @@ RegistrationResult toPublic(const core::RegistrationResult& result)
     return converted;
 }
 
-MultiViewResult toPublic(const core::MultiViewResult& result)
+MultiViewResult toPublic(const core::MultiViewResult& result, const core::VesselTree& tree)
 {
-    return {eachPublic(result.views),
+    return {eachPublic(result.views, tree),
             {result.corrections.begin(), result.corrections.end()},
-            toPublic(result.uncertainty),
+            toPublic(result.uncertainty, tree),
             result.trustworthy,
             toPublic(result.warnings)};
 }
@@ -141,15 +141,17 @@ namespace angiopose {
 RegistrationResult registerVessels(const RegistrationInput& input, const RegistrationOptions& options,
                                    const Observer& observe)
 {
+    const core::RegistrationInput problem = library::toCore(input);
     library::Relay relay(observe);
-    return library::toPublic(
-        relay.take(core::registerVessels(library::toCore(input), library::toCore(options), relay.iterations())));
+    return library::toPublic(relay.take(core::registerVessels(problem, library::toCore(options), relay.iterations())),
+                             problem.tree);
 }
 
 RegistrationResult evaluatePose(const RegistrationInput& input, const Pose& cameraFromPatient)
 {
-    return library::toPublic(
-        library::valueOf(core::evaluatePose(library::toCore(input), library::toCore(cameraFromPatient))));
+    const core::RegistrationInput problem = library::toCore(input);
+    return library::toPublic(library::valueOf(core::evaluatePose(problem, library::toCore(cameraFromPatient))),
+                             problem.tree);
 }
 
 MultiViewResult registerViews(const std::vector<RegistrationInput>& views, const RegistrationOptions& options,
@@ -161,7 +163,24 @@ MultiViewResult registerViews(const std::vector<RegistrationInput>& views, const
         inputs.push_back(library::toCore(view));
     }
     library::Relay relay(observe);
-    return library::toPublic(relay.take(core::registerViews(inputs, library::toCore(options), {}, relay.iterations())));
+    core::MultiViewResult joint =
+        relay.take(core::registerViews(inputs, library::toCore(options), {}, relay.iterations()));
+    return library::toPublic(joint, inputs.front().tree);   // it refuses fewer than two views
+}
+
+std::string toText(StopReason reason)
+{
+    switch (reason) {
+        case StopReason::Converged:
+            return "converged";
+        case StopReason::IterationLimit:
+            return "iteration limit";
+        case StopReason::NoImprovement:
+            return "no improvement";
+        case StopReason::StoppedByUser:
+            return "stopped by the user";
+    }
+    return "";
 }
 
 Pose readPose(const std::string& path)

@@ -1,5 +1,6 @@
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
+#include "app/library/relay.h"
 #include "core/simulation/simulated_case.h"
 
 namespace angiopose {
@@ -13,6 +14,9 @@ SimulatedCase simulateCase(std::uint64_t seed, const SimulationOptions& options)
     dsa.missingBranchShare = options.missingBranchShare;
     dsa.extraBranchShare = options.extraBranchShare;
     dsa.frameCount = options.frameCount;
+    if (const auto problem = core::findProblem(tree, dsa)) {
+        library::raise(*problem);
+    }
     core::SimulatedCase simulated = core::simulateCase(seed, tree, dsa);
 
     auto content = std::make_unique<Case::Content>();

@@ -1,6 +1,6 @@
 #include "angiopose/angiogram.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -9,6 +9,11 @@ namespace {
 Angiogram angiogramOf(const Array<float>& frames, Polarity polarity, const CArm& cArm)
 {
     checkShape(frames.ndim() == 3 || frames.ndim() == 2, "frames", "(frames, height, width)");
+    if (frames.ndim() == 3 && (frames.shape(2) == 3 || frames.shape(2) == 4)) {
+        throw py::value_error(
+            "frames must be grey values of shape (frames, height, width); these look like colours, "
+            "(height, width, 3 or 4)");
+    }
     const bool isOne = frames.ndim() == 2;
     const int height = static_cast<int>(frames.shape(isOne ? 0 : 1));
     const int width = static_cast<int>(frames.shape(isOne ? 1 : 2));
@@ -29,7 +34,7 @@ void bindRun(py::module_& module)
              "frames: (frames, height, width), or (height, width); copied as float32.")
         .def_property_readonly("width", &Angiogram::width, "columns, px")
         .def_property_readonly("height", &Angiogram::height, "rows, px")
-        .def_property_readonly("frameCount", &Angiogram::frameCount)
+        .def_property_readonly("frameCount", &Angiogram::frameCount, "how many frames the run has")
         .def(
             "frame",
             [](const py::object& self, int frame) {
@@ -37,11 +42,13 @@ void bindRun(py::module_& module)
                 return viewOf(run.pixels(frame).data(), {run.height(), run.width()}, self);
             },
             py::arg("frame"), "(height, width) float32: a read-only view of the stored values.")
-        .def_property_readonly("polarity", &Angiogram::polarity)
-        .def_property_readonly("cArm", &Angiogram::cArm)
-        .def_property_readonly("frameTimeMs", &Angiogram::frameTimeMs, "0: not known")
+        .def_property_readonly("polarity", &Angiogram::polarity, "whether vessels are dark or bright")
+        .def_property_readonly(
+            "cArm", [](const Angiogram& run) { return Fixed<CArm>(run.cArm()); }, "as the header tells; a copy")
+        .def_property_readonly("frameTimeMs", &Angiogram::frameTimeMs, "from frame to frame; 0: not known")
         .def_property_readonly("suggestedFrame", &Angiogram::suggestedFrame, "the fullest frame")
-        .def_property_readonly("warnings", &Angiogram::warnings, "of reading");
+        .def_property_readonly(
+            "warnings", [](const Angiogram& run) { return fixedList(run.warnings()); }, "of reading");
 }
 
 void bindTrace(py::module_& module)
@@ -58,16 +65,18 @@ void bindTrace(py::module_& module)
              py::arg("maxVesselRadiusPx") = usual.maxVesselRadiusPx,
              py::arg("minBranchLengthPx") = usual.minBranchLengthPx,
              py::arg("minComponentLengthPx") = usual.minComponentLengthPx, py::arg("sensitivity") = usual.sensitivity)
+        .def("__copy__", [](const TraceOptions& options) { return options; })
         .def_readwrite("minVesselRadiusPx", &TraceOptions::minVesselRadiusPx, "thinnest vessel looked for")
         .def_readwrite("maxVesselRadiusPx", &TraceOptions::maxVesselRadiusPx, "widest vessel looked for")
         .def_readwrite("minBranchLengthPx", &TraceOptions::minBranchLengthPx, "shorter spurs are removed")
         .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter pieces are removed")
         .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: fainter vessels too");
+    bindFixed<TraceOptions>(module, "_FixedTraceOptions");
 
     py::class_<AngiogramTrace>(module, "AngiogramTrace", "What tracing found in one frame. Arrays are read-only views.")
-        .def_readonly("centerline", &AngiogramTrace::centerline)
-        .def_readonly("suspectCurves", &AngiogramTrace::suspectCurves,
-                      "ids of curves that may be catheters, wires or edges of bones")
+        .def_readonly("centerline", &AngiogramTrace::centerline, "the vessels as curves, px")
+        .def_property_readonly("suspectCurves", asTuple<&AngiogramTrace::suspectCurves>(),
+                               "ids of curves that may be catheters, wires or edges of bones")
         .def_property_readonly(
             "vesselness",
             [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().vesselness, self); },
@@ -92,10 +101,14 @@ void bindAngiograms(py::module_& module)
     bindRun(module);
     bindTrace(module);
     const py::call_guard<py::gil_scoped_release> unlocked;
-    module.def("readAngiogram", &readAngiogram, py::arg("path"), unlocked,
-               "From DICOM XA (single and multi-frame), PNG, TIFF or JPEG.");
-    module.def("writeAngiogram", &writeAngiogram, py::arg("angiogram"), py::arg("path"), unlocked,
-               "To uncompressed multi-frame 16-bit DICOM XA with the geometry of its C-arm.");
+    module.def(
+        "readAngiogram", [](const Path& path) { return readAngiogram(path.string()); }, py::arg("path"), unlocked,
+        "From DICOM XA (single and multi-frame), PNG, TIFF or JPEG.");
+    module.def(
+        "writeAngiogram",
+        [](const Angiogram& angiogram, const Path& path) { writeAngiogram(angiogram, path.string()); },
+        py::arg("angiogram"), py::arg("path"), unlocked,
+        "To uncompressed multi-frame 16-bit DICOM XA with the geometry of its C-arm.");
     module.def(
         "traceAngiogram",
         [](const Array<float>& frame, Polarity polarity, const TraceOptions& options) {

@@ -6,8 +6,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -17,6 +19,9 @@
 namespace angiopose::python {
 
 namespace py = pybind11;
+
+/// A path as Python gives it: str, bytes or os.PathLike.
+using Path = std::filesystem::path;
 
 /// Arrays as C has them, of the asked type; others are converted.
 template <class T>
@@ -61,6 +66,9 @@ inline void checkShape(bool isRight, const char* name, const char* shape)
 template <int Columns>
 std::vector<Eigen::Matrix<double, Columns, 1>> pointsOf(const Array<double>& rows, const char* name)
 {
+    if (rows.size() == 0) {
+        return {};
+    }
     checkShape(rows.ndim() == 2 && rows.shape(1) == Columns, name, Columns == 3 ? "(N, 3)" : "(M, 2)");
     std::vector<Eigen::Matrix<double, Columns, 1>> points;
     points.reserve(static_cast<std::size_t>(rows.shape(0)));
@@ -89,6 +97,23 @@ Array<T> wholeNumbers(const py::object& given, const char* name)
         }
     }
     return Array<T>::ensure(any);
+}
+
+/// One row per point.
+inline void checkRows(std::size_t rows, std::size_t points, const char* name)
+{
+    if (rows != points) {
+        throw py::value_error(std::string(name) + " has " + std::to_string(rows) + " rows, but there are " +
+                              std::to_string(points) + " points");
+    }
+}
+
+/// … or none at all.
+inline void checkOptionalRows(std::size_t rows, std::size_t points, const char* name)
+{
+    if (rows != 0) {
+        checkRows(rows, points, name);
+    }
 }
 
 /// One number per row.

@@ -1,6 +1,6 @@
 #include "angiopose/case.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -14,19 +14,43 @@ void bindCase(py::module_& module)
         "speak of the first view.")
         .def(py::init<const VesselTree&, const Angiogram&>(), py::arg("tree"), py::arg("angiogram"),
              "The start pose is that of the C-arm where the angiogram knows it; else set startPose.")
-        .def_property("title", &Case::title, &Case::setTitle)
-        .def_property_readonly("tree", &Case::tree)
-        .def_property_readonly("angiogram", &Case::angiogram)
-        .def_property_readonly("viewCount", &Case::viewCount)
+        .def_property("title", &Case::title, &Case::setTitle, "what the case is called")
+        .def_property_readonly("tree", &Case::tree, "the vessels; patient LPS mm")
+        .def_property_readonly("angiogram", &Case::angiogram, "of the first view")
+        .def_property_readonly("viewCount", &Case::viewCount, "how many angiograms of the vessels it has")
         .def_property("frame", &Case::frame, &Case::setFrame, "from 0; poses turn along where the gantry did")
-        .def_property("camera", &Case::camera, &Case::setCamera)
-        .def_property("startPose", &Case::startPose, &Case::setStartPose,
-                      "(4, 4); setting it moves the current pose there too")
-        .def_property("cameraFromPatient", &Case::cameraFromPatient, &Case::setCameraFromPatient,
-                      "(4, 4), where the vessels are now; registrations begin here")
-        .def_property("options", &Case::options, &Case::setOptions, "a copy; assign to change them")
+        .def_property(
+            "camera", [](const Case& theCase) { return Fixed<ProjectionCamera>(theCase.camera()); }, &Case::setCamera,
+            "of the angiogram's size; assign to change it")
+        .def_property(
+            "cArm", [](const Case& theCase) { return Fixed<CArm>(theCase.cArm()); }, &Case::setCArm,
+            "assign to change it: camera and start pose follow from it, whatever was set before")
+        .def_property(
+            "startPose", [](const Case& theCase) { return fixedArray(theCase.startPose()); }, &Case::setStartPose,
+            "(4, 4); setting it moves the current pose there too")
+        .def_property(
+            "cameraFromPatient", [](const Case& theCase) { return fixedArray(theCase.cameraFromPatient()); },
+            &Case::setCameraFromPatient, "(4, 4), where the vessels are now; registrations begin here")
+        .def_property(
+            "options", [](const Case& theCase) { return Fixed<RegistrationOptions>(theCase.options()); },
+            &Case::setOptions, "method, settings, locks; assign to change them")
+        .def_property(
+            "traceOptions", [](const Case& theCase) { return Fixed<TraceOptions>(theCase.traceOptions()); },
+            &Case::setTraceOptions, "how frames are traced that have no target; assign to change them")
+        .def_property(
+            "excludedBranchIds", [](const Case& theCase) { return fixedList(theCase.excludedBranchIds()); },
+            &Case::setExcludedBranchIds, "branches that are not used at all")
+        .def_property(
+            "auxiliaryBranchIds", [](const Case& theCase) { return fixedList(theCase.auxiliaryBranchIds()); },
+            &Case::setAuxiliaryBranchIds, "branches that are solved first by methods that alternate")
         .def("setTarget", &Case::setTarget, py::arg("target"), "Image points of this frame, in place of tracing it.")
-        .def_property_readonly("warnings", &Case::warnings, "of reading the case and its files")
+        .def_property_readonly(
+            "warnings", [](const Case& theCase) { return fixedList(theCase.warnings()); },
+            "of reading the case and its files")
+        .def("__repr__",
+             [](const Case& theCase) {
+                 return py::str("<Case {!r}: {} views>").format(theCase.title(), theCase.viewCount());
+             })
         .def("__copy__", [](const Case& theCase) { return Case(theCase); })
         .def(
             "__deepcopy__", [](const Case& theCase, const py::dict&) { return Case(theCase); }, py::arg("memo"));
@@ -37,27 +61,30 @@ void bindReading(py::module_& module)
     // Asked in this order: a second text is a path, no observer.
     module.def(
         "readCase",
-        [](const std::string& vesselPath, const std::string& imagePath, const VesselReadOptions& options,
-           const py::object& observe) {
+        [](const Path& vesselPath, const Path& imagePath, const VesselReadOptions& options, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readCase(vesselPath, imagePath, options, observer); });
+            return withoutLock([&] { return readCase(vesselPath.string(), imagePath.string(), options, observer); });
         },
         py::arg("vesselPath"), py::arg("imagePath"), py::arg_v("options", VesselReadOptions(), "VesselReadOptions()"),
         py::arg("observe") = py::none(),
         "A case of two files: vessels (centrelines, or what they are traced from) and an angiogram.");
     module.def(
         "readCase",
-        [](const std::string& path, const py::object& observe) {
+        [](const Path& path, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readCase(path, observer); });
+            return withoutLock([&] { return readCase(path.string(), observer); });
         },
         py::arg("path"), py::arg("observe") = py::none(),
         "Reads a case file and the files it names; vessels given as a scan, a label image or a surface are traced.");
     const py::call_guard<py::gil_scoped_release> unlocked;
-    module.def("writeCase", &writeCase, py::arg("theCase"), py::arg("path"), unlocked,
-               "Writes a case file; vessels, angiogram and target that come from no file are written beside it.");
-    module.def("writeResult", &writeResult, py::arg("theCase"), py::arg("path"), unlocked,
-               "Writes result.json of the last registration of the case.");
+    module.def(
+        "writeCase", [](Case& theCase, const Path& path) { writeCase(theCase, path.string()); }, py::arg("theCase"),
+        py::arg("path"), unlocked,
+        "Writes a case file. What comes from no file is written beside it: of a.angiopose the vessels are\n"
+        "a.tree.vtp, the angiogram a.angiogram.dcm, a target that was set a.curves.csv.");
+    module.def(
+        "writeResult", [](const Case& theCase, const Path& path) { writeResult(theCase, path.string()); },
+        py::arg("theCase"), py::arg("path"), unlocked, "Writes result.json of the last registration of the case.");
 }
 
 void bindWork(py::module_& module)
@@ -65,8 +92,11 @@ void bindWork(py::module_& module)
     const py::call_guard<py::gil_scoped_release> unlocked;
     module.def("targetOf", &targetOf, py::arg("theCase"), unlocked,
                "The image points of the case: given with it, else traced in its frame.");
-    module.def("inputOf", &inputOf, py::arg("theCase"), unlocked,
-               "What registerVessels needs, as arrays; traces the angiogram where no target is given.");
+    module.def(
+        "inputOf", &inputOf, py::arg("theCase"), unlocked,
+        "What registerVessels needs, as arrays; traces the angiogram where no target is given. Method, settings and\n"
+        "locks of the case are not among it: registerVessels(inputOf(c), c.options) does what registerCase(c)\n"
+        "does.");
     module.def(
         "registerCase",
         [](Case& theCase, const py::object& observe) {
@@ -96,18 +126,20 @@ void bindSimulation(py::module_& module)
              py::kw_only(), py::arg("branchCount") = usual.branchCount, py::arg("nonRigidStdMm") = usual.nonRigidStdMm,
              py::arg("missingBranchShare") = usual.missingBranchShare,
              py::arg("extraBranchShare") = usual.extraBranchShare, py::arg("frameCount") = usual.frameCount)
-        .def_readwrite("branchCount", &SimulationOptions::branchCount)
-        .def_readwrite("nonRigidStdMm", &SimulationOptions::nonRigidStdMm, "smooth deformation in the image")
-        .def_readwrite("missingBranchShare", &SimulationOptions::missingBranchShare, "not filled in the image")
-        .def_readwrite("extraBranchShare", &SimulationOptions::extraBranchShare, "vessels the tree does not have")
-        .def_readwrite("frameCount", &SimulationOptions::frameCount);
+        .def_readwrite("branchCount", &SimulationOptions::branchCount, "1 to 200")
+        .def_readwrite("nonRigidStdMm", &SimulationOptions::nonRigidStdMm, "smooth deformation in the image, mm")
+        .def_readwrite("missingBranchShare", &SimulationOptions::missingBranchShare,
+                       "of the branches, not filled in the image, 0...1")
+        .def_readwrite("extraBranchShare", &SimulationOptions::extraBranchShare,
+                       "vessels of the image that the tree does not have, per branch, 0...1")
+        .def_readwrite("frameCount", &SimulationOptions::frameCount, "of the run");
     py::class_<SimulatedCase>(module, "SimulatedCase", "A case with known answer.")
         .def_readonly("theCase", &SimulatedCase::theCase, "with a start pose as a header gives it")
-        .def_property_readonly(
-            "trueCameraFromPatient", [](const SimulatedCase& simulated) { return simulated.trueCameraFromPatient; },
-            "(4, 4), patient LPS mm to camera mm")
+        .def_property_readonly("trueCameraFromPatient", asArray<&SimulatedCase::trueCameraFromPatient>(),
+                               "(4, 4), patient LPS mm to camera mm")
         .def_readonly("trueTarget", &SimulatedCase::trueTarget, "exact projections of what is filled")
-        .def_readonly("missingBranchIds", &SimulatedCase::missingBranchIds, "not filled in the image");
+        .def_property_readonly("missingBranchIds", asTuple<&SimulatedCase::missingBranchIds>(),
+                               "not filled in the image");
     module.def("simulateCase", &simulateCase, py::arg("seed"),
                py::arg_v("options", SimulationOptions(), "SimulationOptions()"),
                py::call_guard<py::gil_scoped_release>(),

@@ -1,6 +1,6 @@
 #include "angiopose/geometry.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -13,13 +13,23 @@ void bindCamera(py::module_& module)
         .def(py::init([](double fx, double fy, double cx, double cy, int width, int height) {
                  return ProjectionCamera{fx, fy, cx, cy, width, height};
              }),
-             py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"), py::arg("width"), py::arg("height"))
+             py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"), py::arg("width"), py::arg("height"),
+             "All px. fx is below 0 in a standard image, which is seen from the detector: with the wrong sign the "
+             "image\n"
+             "is mirrored, and a tree of few branches may still fit it. cameraFromCArm gets it right.")
+        .def("__copy__", [](const ProjectionCamera& camera) { return camera; })
+        .def("__repr__",
+             [](const ProjectionCamera& camera) {
+                 return py::str("ProjectionCamera(fx={}, fy={}, cx={}, cy={}, width={}, height={})")
+                     .format(camera.fx, camera.fy, camera.cx, camera.cy, camera.width, camera.height);
+             })
         .def_readwrite("fx", &ProjectionCamera::fx, "px; below 0 in a standard image, which is seen from the detector")
         .def_readwrite("fy", &ProjectionCamera::fy, "px")
         .def_readwrite("cx", &ProjectionCamera::cx, "px")
         .def_readwrite("cy", &ProjectionCamera::cy, "px")
         .def_readwrite("width", &ProjectionCamera::width, "columns of the image")
         .def_readwrite("height", &ProjectionCamera::height, "rows of the image");
+    bindFixed<ProjectionCamera>(module, "_FixedCamera");
 }
 
 using Length = std::optional<double>;
@@ -29,24 +39,21 @@ void bindCArm(py::module_& module)
     py::class_<CArm>(module, "CArm", "C-arm as DICOM describes it; lengths mm, angles degrees, None: not known.")
         .def(py::init([](Length sourceToDetectorMm, Length sourceToPatientMm, Length columnSpacingMm,
                          Length rowSpacingMm, Length primaryAngleDeg, Length secondaryAngleDeg, Length rollDeg,
-                         bool mirrored, const std::optional<Eigen::Vector3d>& isocentreInPatientMm) {
-                 return CArm{sourceToDetectorMm,
-                             sourceToPatientMm,
-                             columnSpacingMm,
-                             rowSpacingMm,
-                             primaryAngleDeg,
-                             secondaryAngleDeg,
-                             rollDeg,
-                             {},
-                             {},
-                             mirrored,
-                             isocentreInPatientMm};
+                         Length principalPointUPx, Length principalPointVPx, bool mirrored,
+                         const std::optional<Eigen::Vector3d>& isocentreInPatientMm) {
+                 return CArm{
+                     sourceToDetectorMm,  sourceToPatientMm, columnSpacingMm,   rowSpacingMm,      primaryAngleDeg,
+                     secondaryAngleDeg,   rollDeg,           principalPointUPx, principalPointVPx, mirrored,
+                     isocentreInPatientMm};
              }),
              py::kw_only(), py::arg("sourceToDetectorMm") = py::none(), py::arg("sourceToPatientMm") = py::none(),
              py::arg("columnSpacingMm") = py::none(), py::arg("rowSpacingMm") = py::none(),
              py::arg("primaryAngleDeg") = py::none(), py::arg("secondaryAngleDeg") = py::none(),
-             py::arg("rollDeg") = py::none(), py::arg("mirrored") = false, py::arg("isocentreInPatientMm") = py::none())
-        .def_readwrite("sourceToDetectorMm", &CArm::sourceToDetectorMm)
+             py::arg("rollDeg") = py::none(), py::arg("principalPointUPx") = py::none(),
+             py::arg("principalPointVPx") = py::none(), py::arg("mirrored") = false,
+             py::arg("isocentreInPatientMm") = py::none())
+        .def("__copy__", [](const CArm& cArm) { return cArm; })
+        .def_readwrite("sourceToDetectorMm", &CArm::sourceToDetectorMm, "mm, source to detector (SID)")
         .def_readwrite("sourceToPatientMm", &CArm::sourceToPatientMm, "source to isocentre")
         .def_readwrite("columnSpacingMm", &CArm::columnSpacingMm, "pixel pitch on the detector along u")
         .def_readwrite("rowSpacingMm", &CArm::rowSpacingMm, "pixel pitch on the detector along v")
@@ -56,7 +63,9 @@ void bindCArm(py::module_& module)
         .def_readwrite("principalPointUPx", &CArm::principalPointUPx, "None: image centre")
         .def_readwrite("principalPointVPx", &CArm::principalPointVPx, "None: image centre")
         .def_readwrite("mirrored", &CArm::mirrored, "True: shown as seen from the source")
-        .def_readwrite("isocentreInPatientMm", &CArm::isocentreInPatientMm, "(3,), patient LPS; None: not known");
+        .def_property("isocentreInPatientMm", asArray<&CArm::isocentreInPatientMm>(),
+                      assign<&CArm::isocentreInPatientMm>(), "(3,), patient LPS; None: not known");
+    bindFixed<CArm>(module, "_FixedCArm");
 }
 
 py::object projected(const ProjectionCamera& camera, const Pose& cameraFromPatient, const Array<double>& points)
@@ -83,14 +92,14 @@ void bindGeometry(py::module_& module)
         .value("Continue", Verdict::Continue)
         .value("Stop", Verdict::Stop);
     py::class_<Progress>(module, "Progress", "How far long work is. The last three are told while a registration runs.")
-        .def_readonly("stage", &Progress::stage)
+        .def_readonly("stage", &Progress::stage,
+                      "\"reading\"; of a registration \"search\", \"refine\", \"settle\", ...; of tracing its steps")
         .def_readonly("fraction", &Progress::fraction, "0...1, never decreasing")
         .def_readonly("view", &Progress::view, "which view of the case it is about, counted from 0")
-        .def_readonly("iteration", &Progress::iteration)
+        .def_readonly("iteration", &Progress::iteration, "of the solver, from its begin")
         .def_readonly("medianDistancePx", &Progress::medianDistancePx, "tree points to their nearest image point")
-        .def_property_readonly(
-            "cameraFromPatient", [](const Progress& progress) { return progress.cameraFromPatient; },
-            "(4, 4), best pose so far, patient LPS mm to camera mm; or None");
+        .def_property_readonly("cameraFromPatient", asArray<&Progress::cameraFromPatient>(),
+                               "(4, 4), best pose so far, patient LPS mm to camera mm; or None");
     bindCamera(module);
     bindCArm(module);
     module.def("cameraFromCArm", &cameraFromCArm, py::arg("cArm"), py::arg("width"), py::arg("height"),

@@ -1,6 +1,6 @@
 #include "angiopose/error.h"
 #include "angiopose/version.h"
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -20,7 +20,8 @@ void bindErrors(py::module_& module)
     py::class_<Message>(module, "Message", "Something to tell the user: `id` stays when words change.")
         .def_readonly("id", &Message::id, "For programs; \"text.plain\" where a sentence has no id of its own.")
         .def_readonly("text", &Message::text, "The English sentence.")
-        .def_readonly("arguments", &Message::arguments, "What fills the sentence: names, numbers with their unit.")
+        .def_property_readonly("arguments", asTuple<&Message::arguments>(),
+                               "What fills the sentence: names, numbers with their unit.")
         .def("__str__", [](const Message& message) { return message.text; })
         .def("__repr__", [](const Message& message) { return "<Message " + message.id + ": " + message.text + ">"; });
 

@@ -1,6 +1,6 @@
 #include "angiopose/options.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -28,6 +28,18 @@ RegistrationOptions optionsOf(const std::string& method, const std::vector<std::
     return options;
 }
 
+/// A dict that cannot be changed: settings are set by `set`.
+py::object fixedDict(const std::map<std::string, std::string>& values)
+{
+    return py::module_::import("types").attr("MappingProxyType")(py::cast(values));
+}
+
+py::str textOf(const RegistrationOptions& options)
+{
+    return py::str("RegistrationOptions({!r}, locks={!r}, **{!r})")
+        .format(options.method, fixedList(options.locks), py::cast(options.values));
+}
+
 }   // namespace
 
 void bindOptions(py::module_& module)
@@ -39,24 +51,39 @@ void bindOptions(py::module_& module)
         .def(py::init(&optionsOf), py::arg("method") = "angiopose", py::arg("locks") = std::vector<std::string>(),
              "locks: degrees of freedom kept: right, up, along-ray, roll, lao-rao, cra-cau. Settings by name:\n"
              "RegistrationOptions(\"angiopose\", maxIterations=40, search=True).")
-        .def_readwrite("method", &RegistrationOptions::method)
-        .def_readwrite("values", &RegistrationOptions::values, "settings as texts, by key")
-        .def_readwrite("locks", &RegistrationOptions::locks)
-        .def("set", &setOption, py::arg("key"), py::arg("value"), "A number, True or False, or a choice by name.");
+        .def_readwrite("method", &RegistrationOptions::method, "the id of one of methods()")
+        .def_property(
+            "values", [](const RegistrationOptions& options) { return fixedDict(options.values); },
+            assign<&RegistrationOptions::values>(), "settings as texts, by key; read-only: see set")
+        .def_property("locks", asTuple<&RegistrationOptions::locks>(), assign<&RegistrationOptions::locks>(),
+                      "degrees of freedom that are kept")
+        .def(
+            "set",
+            [](const py::object& self, const std::string& key, const py::object& value) {
+                setOption(self.cast<RegistrationOptions&>(), key, value);
+                return self;
+            },
+            py::arg("key"), py::arg("value"),
+            "A number, True or False, or a choice by name; returns the options, so that calls can follow one another.")
+        .def("__copy__", [](const RegistrationOptions& options) { return options; })
+        .def("__repr__", &textOf);
+    bindFixed<RegistrationOptions>(module, "_FixedOptions")
+        .def("set",
+             [](const Fixed<RegistrationOptions>&, const std::string& key, const py::object&) { refuseToSet(key); });
 
     py::class_<OptionInfo>(module, "OptionInfo", "One setting of a method.")
-        .def_readonly("key", &OptionInfo::key)
+        .def_readonly("key", &OptionInfo::key, "as on the command line")
         .def_readonly("unit", &OptionInfo::unit, "\"px\", \"mm\", a degree sign or empty")
-        .def_readonly("help", &OptionInfo::help)
-        .def_readonly("min", &OptionInfo::min)
-        .def_readonly("max", &OptionInfo::max)
-        .def_readonly("choices", &OptionInfo::choices, "not empty: the value is one of these")
-        .def_readonly("defaultValue", &OptionInfo::defaultValue);
+        .def_readonly("help", &OptionInfo::help, "the effect, one sentence")
+        .def_readonly("min", &OptionInfo::min, "least number")
+        .def_readonly("max", &OptionInfo::max, "largest number")
+        .def_property_readonly("choices", asTuple<&OptionInfo::choices>(), "not empty: the value is one of these")
+        .def_readonly("defaultValue", &OptionInfo::defaultValue, "as a text");
     py::class_<MethodInfo>(module, "MethodInfo", "One method of registration.")
-        .def_readonly("id", &MethodInfo::id)
-        .def_readonly("label", &MethodInfo::label)
+        .def_readonly("id", &MethodInfo::id, "for RegistrationOptions")
+        .def_readonly("label", &MethodInfo::label, "what it is called")
         .def_readonly("summary", &MethodInfo::summary, "what it minimises, its source")
-        .def_readonly("options", &MethodInfo::options);
+        .def_property_readonly("options", asTuple<&MethodInfo::options>(), "what can be set");
     module.def("methods", &methods, "Every method, the default first.");
 }
 

@@ -1,6 +1,6 @@
 #include "angiopose/registration.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -46,38 +46,36 @@ void bindInput(py::module_& module)
              py::arg("lockReference") = py::none(), py::arg("lockPivotInPatient") = py::none(),
              "initialCameraFromPatient: (4, 4), where the search begins. image: (height, width), the frame that shows\n"
              "the target, for methods that look at it.")
-        .def_property("tree", copied<&Input::tree>(), [](Input& input, const VesselTree& tree) { input.tree = tree; })
-        .def_property("target", copied<&Input::target>(),
-                      [](Input& input, const Centerline2d& target) { input.target = target; })
-        .def_readwrite("camera", &Input::camera)
-        .def_property(
-            "initialCameraFromPatient", copied<&Input::initialCameraFromPatient>(),
-            [](Input& input, const Pose& pose) { input.initialCameraFromPatient = pose; },
-            "(4, 4), patient LPS mm to camera mm: where the search begins")
-        .def_readwrite("excludedBranchIds", &Input::excludedBranchIds, "not used at all")
-        .def_readwrite("auxiliaryBranchIds", &Input::auxiliaryBranchIds, "solved first by methods that alternate")
+        .def_property("tree", copied<&Input::tree>(), assign<&Input::tree>(), "the vessels; patient LPS mm")
+        .def_property("target", copied<&Input::target>(), assign<&Input::target>(), "the vessels of the image, px")
+        .def_readwrite("camera", &Input::camera, "its attributes can be set")
+        .def_property("initialCameraFromPatient", asArray<&Input::initialCameraFromPatient>(),
+                      assign<&Input::initialCameraFromPatient>(),
+                      "(4, 4), patient LPS mm to camera mm: where the search begins")
+        .def_property("excludedBranchIds", asTuple<&Input::excludedBranchIds>(), assign<&Input::excludedBranchIds>(),
+                      "not used at all")
+        .def_property("auxiliaryBranchIds", asTuple<&Input::auxiliaryBranchIds>(), assign<&Input::auxiliaryBranchIds>(),
+                      "solved first by methods that alternate")
         .def_property(
             "image",
             [](const Input& input) {
-                return py::array_t<float>({input.image.height, input.image.width}, input.image.pixels.data());
+                py::array_t<float> image({input.image.height, input.image.width}, input.image.pixels.data());
+                image.attr("flags").attr("writeable") = false;
+                return image;
             },
             [](Input& input, const OptionalImage& image) { input.image = image ? imageOf(*image, "image") : Image(); },
-            "(height, width) float32, a copy; (0, 0): none")
+            "(height, width) float32, a read-only copy; (0, 0): none")
         .def_readwrite("polarity", &Input::polarity, "of `image`")
         .def_readwrite("volume", &Input::volume, "the CTA that shows the tree, or None")
-        .def_property(
-            "lockReference", copied<&Input::lockReference>(),
-            [](Input& input, const std::optional<Pose>& pose) { input.lockReference = pose; },
-            "(4, 4), what locked angles are counted from; None: the start")
-        .def_property(
-            "lockPivotInPatient", copied<&Input::lockPivotInPatient>(),
-            [](Input& input, const std::optional<Eigen::Vector3d>& pivot) { input.lockPivotInPatient = pivot; },
-            "(3,), whose place locked shifts keep; None: the centroid");
+        .def_property("lockReference", asArray<&Input::lockReference>(), assign<&Input::lockReference>(),
+                      "(4, 4), what locked angles are counted from; None: the start")
+        .def_property("lockPivotInPatient", asArray<&Input::lockPivotInPatient>(), assign<&Input::lockPivotInPatient>(),
+                      "(3,), whose place locked shifts keep; None: the centroid");
 }
 
 void bindMetrics(py::module_& module)
 {
-    py::enum_<StopReason>(module, "StopReason")
+    py::enum_<StopReason>(module, "StopReason", "Why a registration ended.")
         .value("Converged", StopReason::Converged)
         .value("IterationLimit", StopReason::IterationLimit)
         .value("NoImprovement", StopReason::NoImprovement)
@@ -85,44 +83,53 @@ void bindMetrics(py::module_& module)
 
     py::class_<DistanceMetrics>(module, "DistanceMetrics",
                                 "Closest-point distances over all used tree points; mm at the depth of the centroid.")
-        .def_readonly("meanPx", &DistanceMetrics::meanPx)
-        .def_readonly("medianPx", &DistanceMetrics::medianPx)
-        .def_readonly("p75Px", &DistanceMetrics::p75Px)
-        .def_readonly("p95Px", &DistanceMetrics::p95Px)
-        .def_readonly("meanMm", &DistanceMetrics::meanMm)
-        .def_readonly("medianMm", &DistanceMetrics::medianMm)
-        .def_readonly("p75Mm", &DistanceMetrics::p75Mm)
-        .def_readonly("p95Mm", &DistanceMetrics::p95Mm)
+        .def_readonly("meanPx", &DistanceMetrics::meanPx, "mean, px")
+        .def_readonly("medianPx", &DistanceMetrics::medianPx, "median, px")
+        .def_readonly("p75Px", &DistanceMetrics::p75Px, "75 % are nearer, px")
+        .def_readonly("p95Px", &DistanceMetrics::p95Px, "95 % are nearer, px")
+        .def_readonly("meanMm", &DistanceMetrics::meanMm, "mean, mm")
+        .def_readonly("medianMm", &DistanceMetrics::medianMm, "median, mm")
+        .def_readonly("p75Mm", &DistanceMetrics::p75Mm, "75 % are nearer, mm")
+        .def_readonly("p95Mm", &DistanceMetrics::p95Mm, "95 % are nearer, mm")
         .def_readonly("coverage", &DistanceMetrics::coverage, "share of image points within 3 px of the tree, 0...1")
         .def_readonly("reverseMeanPx", &DistanceMetrics::reverseMeanPx, "image points to the tree")
-        .def_readonly("reverseMeanMm", &DistanceMetrics::reverseMeanMm);
+        .def_readonly("reverseMeanMm", &DistanceMetrics::reverseMeanMm, "image points to the tree, mm")
+        .def("__repr__", [](const DistanceMetrics& metrics) {
+            return py::str("<DistanceMetrics: median {:.3g} px, p95 {:.3g} px, coverage {:.0%}>")
+                .format(metrics.medianPx, metrics.p95Px, metrics.coverage);
+        });
 
     py::class_<PoseUncertainty>(
         module, "PoseUncertainty",
-        "Covariance of a pose about the tree's centroid in camera axes. Order: rotation x, y, z\n"
-        "(rad), shift x, y, z (mm).")
-        .def_property_readonly(
-            "covariance", [](const PoseUncertainty& uncertainty) { return uncertainty.covariance; }, "(6, 6)")
-        .def_property_readonly(
-            "rotationDeg", [](const PoseUncertainty& uncertainty) { return uncertainty.rotationDeg; },
-            "(3,), 1-sigma about camera x, y, z")
+        "Covariance of a pose about centroidInPatient in camera axes. Order: rotation x, y, z (rad), shift x, y, z\n"
+        "(mm). With c = cameraFromPatient @ centroid, (r, t) takes a camera point p to c + R(r) (p - c) + t.")
+        .def_property_readonly("centroidInPatient", asArray<&PoseUncertainty::centroidInPatient>(),
+                               "(3,), LPS mm, of the whole tree by length")
+        .def_property_readonly("covariance", asArray<&PoseUncertainty::covariance>(), "(6, 6)")
+        .def_property_readonly("rotationDeg", asArray<&PoseUncertainty::rotationDeg>(),
+                               "(3,), 1-sigma about camera x, y, z")
         .def_readonly("inPlaneMm", &PoseUncertainty::inPlaneMm, "1-sigma, the larger lateral direction")
         .def_readonly("depthMm", &PoseUncertainty::depthMm, "1-sigma along the ray")
-        .def_readonly("observed", &PoseUncertainty::observed, "6 flags; False: the image cannot tell")
         .def_property_readonly(
-            "weakestDirection", [](const PoseUncertainty& uncertainty) { return uncertainty.weakestDirection; },
-            "(6,), unit; rotations times the tree's spread in mm");
+            "observed", [](const PoseUncertainty& uncertainty) { return py::tuple(py::cast(uncertainty.observed)); },
+            "6 flags; False: the image cannot tell")
+        .def_property_readonly("weakestDirection", asArray<&PoseUncertainty::weakestDirection>(),
+                               "(6,), unit; rotations times the tree's spread in mm")
+        .def("__repr__", [](const PoseUncertainty& uncertainty) {
+            return py::str("<PoseUncertainty: in plane {:.3g} mm, depth {:.3g} mm>")
+                .format(uncertainty.inPlaneMm, uncertainty.depthMm);
+        });
 
     py::class_<BranchResidual>(module, "BranchResidual", "How one branch agrees with the image.")
-        .def_readonly("branchId", &BranchResidual::branchId)
-        .def_readonly("pointCount", &BranchResidual::pointCount)
-        .def_readonly("medianPx", &BranchResidual::medianPx)
-        .def_readonly("p95Px", &BranchResidual::p95Px)
+        .def_readonly("branchId", &BranchResidual::branchId, "which branch of the tree")
+        .def_readonly("pointCount", &BranchResidual::pointCount, "how many points it has")
+        .def_readonly("medianPx", &BranchResidual::medianPx, "median distance to the image points")
+        .def_readonly("p95Px", &BranchResidual::p95Px, "95 % of its points are nearer")
         .def_readonly("agreement", &BranchResidual::agreement, "share of its points within 3 px, 0...1");
 
     py::class_<Hypothesis>(module, "Hypothesis", "Another pose that explains the image nearly as well.")
-        .def_property_readonly(
-            "cameraFromPatient", [](const Hypothesis& hypothesis) { return hypothesis.cameraFromPatient; }, "(4, 4)")
+        .def_property_readonly("cameraFromPatient", asArray<&Hypothesis::cameraFromPatient>(),
+                               "(4, 4), patient LPS mm to camera mm")
         .def_readonly("score", &Hypothesis::score, "0...1, higher is better");
 }
 
@@ -130,32 +137,41 @@ void bindResults(py::module_& module)
 {
     using Result = RegistrationResult;
     py::class_<Result>(module, "RegistrationResult", "A pose, and how far it can be trusted.")
-        .def_readonly("method", &Result::method)
-        .def_property_readonly(
-            "cameraFromPatient", [](const Result& result) { return result.cameraFromPatient; },
-            "(4, 4), patient LPS mm to camera mm")
-        .def_readonly("stopReason", &Result::stopReason)
-        .def_readonly("iterations", &Result::iterations)
-        .def_readonly("metrics", &Result::metrics)
-        .def_readonly("uncertainty", &Result::uncertainty)
-        .def_readonly("branches", &Result::branches, "used branches, in the tree's order")
-        .def_readonly("alternatives", &Result::alternatives, "best first, without the result itself")
+        .def_readonly("method", &Result::method, "empty where a pose was only judged")
+        .def_property_readonly("cameraFromPatient", asArray<&Result::cameraFromPatient>(),
+                               "(4, 4), patient LPS mm to camera mm")
+        .def_readonly("stopReason", &Result::stopReason, "Converged where a pose was only judged")
+        .def_readonly("iterations", &Result::iterations, "of the solver")
+        .def_readonly("metrics", &Result::metrics, "distances in px and mm")
+        .def_readonly("uncertainty", &Result::uncertainty, "covariance of the pose")
+        .def_property_readonly("branches", asTuple<&Result::branches>(), "used branches, in the tree's order")
+        .def_property_readonly("alternatives", asTuple<&Result::alternatives>(),
+                               "best first, without the result itself")
         .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
-        .def_readonly("warnings", &Result::warnings)
-        .def_readonly("totalMs", &Result::totalMs)
+        .def_property_readonly("warnings", asTuple<&Result::warnings>(),
+                               "why it is not trustworthy, then what one view cannot tell")
+        .def_readonly("totalMs", &Result::totalMs, "how long it took")
         .def("__repr__", [](const Result& result) {
             return "<RegistrationResult " + result.method + ": median " + std::to_string(result.metrics.medianPx) +
                    " px, " + (result.trustworthy ? "trustworthy>" : "not trustworthy>");
         });
 
     py::class_<MultiViewResult>(module, "MultiViewResult", "One tree in several views.")
-        .def_readonly("views", &MultiViewResult::views, "each judged at its joint pose, in the order given")
+        .def_property_readonly("views", asTuple<&MultiViewResult::views>(),
+                               "each judged at its joint pose, in the order given")
         .def_property_readonly(
-            "corrections", [](const MultiViewResult& result) { return result.corrections; },
+            "corrections",
+            [](const MultiViewResult& result) {
+                py::list corrections;
+                for (const Vector6d& correction : result.corrections) {
+                    corrections.append(fixedArray(correction));
+                }
+                return py::tuple(corrections);
+            },
             "(6,) each: turn (rad) and shift (mm) of a view's geometry to the first, camera axes")
         .def_readonly("uncertainty", &MultiViewResult::uncertainty, "of the first view's pose, from all views")
-        .def_readonly("trustworthy", &MultiViewResult::trustworthy)
-        .def_readonly("warnings", &MultiViewResult::warnings);
+        .def_readonly("trustworthy", &MultiViewResult::trustworthy, "False: look before you use the poses")
+        .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why not");
 }
 
 }   // namespace
@@ -187,10 +203,15 @@ void bindRegistration(py::module_& module)
         py::arg("views"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
         py::arg("observe") = py::none(),
         "Registers one tree to two or more views of the same moment, which tells the depth. The start poses tell how\n"
-        "the cameras stand to each other.");
-    module.def("readPose", &readPose, py::arg("path"), "(4, 4) from .json, or an ITK .tfm or .mat.");
-    module.def("writePose", &writePose, py::arg("cameraFromPatient"), py::arg("path"),
-               "To .json or .tfm, by the extension; every number restores to the last bit.");
+        "the cameras stand to each other; each view but the first may leave that by about 0.5 degrees and 1.5 mm\n"
+        "(1-sigma per axis), as headers are off by as much: `corrections` says by how much it did.");
+    module.def(
+        "readPose", [](const Path& path) { return readPose(path.string()); }, py::arg("path"),
+        "(4, 4) from .json, or an ITK .tfm or .mat.");
+    module.def(
+        "writePose", [](const Pose& pose, const Path& path) { writePose(pose, path.string()); },
+        py::arg("cameraFromPatient"), py::arg("path"),
+        "To .json or .tfm, by the extension; every number restores to the last bit.");
 }
 
 }   // namespace angiopose::python

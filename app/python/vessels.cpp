@@ -1,12 +1,32 @@
 #include "angiopose/vessel_tree.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
+
+#include <set>
 
 namespace angiopose::python {
 namespace {
 
 using OptionalRadii = std::optional<Array<double>>;
+
+VesselTree treeOf(const Array<double>& points, const py::object& branchIds, const OptionalRadii& radiusMm,
+                  const std::vector<BranchLabel>& labels)
+{
+    VesselTree tree{pointsOf<3>(points, "points"), idsOf(branchIds, "branchIds"), valuesOf(radiusMm, "radiusMm"),
+                    labels};
+    checkRows(tree.branchIds.size(), tree.points.size(), "branchIds");
+    checkOptionalRows(tree.radiusMm.size(), tree.points.size(), "radiusMm");
+    return tree;
+}
+
+Centerline2d centerlineOf(const Array<double>& points, const py::object& curveIds, const OptionalRadii& radiusPx)
+{
+    Centerline2d centerline{pointsOf<2>(points, "points"), idsOf(curveIds, "curveIds"), valuesOf(radiusPx, "radiusPx")};
+    checkOptionalRows(centerline.curveIds.size(), centerline.points.size(), "curveIds");
+    checkOptionalRows(centerline.radiusPx.size(), centerline.points.size(), "radiusPx");
+    return centerline;
+}
 
 void bindTree(py::module_& module)
 {
@@ -15,22 +35,23 @@ void bindTree(py::module_& module)
                  return BranchLabel{id, name, generation};
              }),
              py::arg("id"), py::arg("name") = "", py::arg("generation") = -1)
-        .def_readonly("id", &BranchLabel::id)
-        .def_readonly("name", &BranchLabel::name)
+        .def_readonly("id", &BranchLabel::id, "the branch it is of")
+        .def_readonly("name", &BranchLabel::name, "what the vessel is called; may be empty")
         .def_readonly("generation", &BranchLabel::generation, "0 begins at the root; -1: not known");
 
     py::class_<VesselTree>(
         module, "VesselTree",
         "Centrelines of a vessel tree: row i of each array tells of point i. The points of a branch\n"
         "stand together, in order along the vessel. Arrays are read-only views.")
-        .def(py::init([](const Array<double>& points, const py::object& branchIds, const OptionalRadii& radiusMm,
-                         const std::vector<BranchLabel>& labels) {
-                 return VesselTree{pointsOf<3>(points, "points"), idsOf(branchIds, "branchIds"),
-                                   valuesOf(radiusMm, "radiusMm"), labels};
-             }),
-             py::arg("points"), py::arg("branchIds"), py::arg("radiusMm") = py::none(),
+        .def(py::init(&treeOf), py::arg("points"), py::arg("branchIds"), py::arg("radiusMm") = py::none(),
              py::arg("labels") = std::vector<BranchLabel>(),
-             "points: (N, 3), patient LPS mm. branchIds: (N,). radiusMm: (N,), or None; NaN along branches without.")
+             "points: (N, 3), patient LPS mm. branchIds: (N,). radiusMm: (N,), or None; NaN along whole branches "
+             "without.")
+        .def("__repr__",
+             [](const VesselTree& tree) {
+                 const std::set<int> branches(tree.branchIds.begin(), tree.branchIds.end());
+                 return py::str("<VesselTree: {} points in {} branches>").format(tree.points.size(), branches.size());
+             })
         .def_property_readonly(
             "points", [](const py::object& self) { return viewOf(self.cast<const VesselTree&>().points, self); },
             "(N, 3) float64, patient LPS, mm")
@@ -40,7 +61,7 @@ void bindTree(py::module_& module)
         .def_property_readonly(
             "radiusMm", [](const py::object& self) { return viewOf(self.cast<const VesselTree&>().radiusMm, self); },
             "(N,) float64, or (0,); NaN where not known")
-        .def_readonly("labels", &VesselTree::labels)
+        .def_property_readonly("labels", asTuple<&VesselTree::labels>(), "of branches that have one")
         .def("__len__", [](const VesselTree& tree) { return tree.points.size(); });
 }
 
@@ -49,14 +70,15 @@ void bindCenterline(py::module_& module)
     py::class_<Centerline2d>(module, "Centerline2d",
                              "Vessels of an angiogram as points: row i of each array tells of point i. Arrays are\n"
                              "read-only views.")
-        .def(py::init([](const Array<double>& points, const py::object& curveIds, const OptionalRadii& radiusPx) {
-                 return Centerline2d{pointsOf<2>(points, "points"), idsOf(curveIds, "curveIds"),
-                                     valuesOf(radiusPx, "radiusPx")};
-             }),
-             py::arg("points"), py::arg("curveIds") = py::none(), py::arg("radiusPx") = py::none(),
-             "points: (M, 2), px, u right and v down, (0, 0) the centre of the first pixel. curveIds: (M,), points of "
-             "a\n"
-             "curve together and in order; None: the points are in no order. radiusPx: (M,) or None.")
+        .def(py::init(&centerlineOf), py::arg("points"), py::arg("curveIds") = py::none(),
+             py::arg("radiusPx") = py::none(),
+             "points: (M, 2), px, u right and v down, (0, 0) the centre of the first pixel. curveIds: (M,), points of\n"
+             "a curve together and in order; None: the points are in no order, neighbours in the image are joined to\n"
+             "curves. radiusPx: (M,), with curveIds; or None.")
+        .def("__repr__",
+             [](const Centerline2d& centerline) {
+                 return py::str("<Centerline2d: {} points>").format(centerline.points.size());
+             })
         .def_property_readonly(
             "points", [](const py::object& self) { return viewOf(self.cast<const Centerline2d&>().points, self); },
             "(M, 2) float64, px")
@@ -75,14 +97,20 @@ void bindVessels(py::module_& module)
 {
     bindTree(module);
     bindCenterline(module);
-    module.def("readVesselTree", &readVesselTree, py::arg("path"), py::arg("unitMm") = 1.0,
-               "From VTP/VTU, legacy VTK, CSV, SWC or Slicer curves; `unitMm` is the length of one unit of the file.");
-    module.def("writeVesselTree", &writeVesselTree, py::arg("tree"), py::arg("path"),
-               "To .vtp, .csv, .swc or .mrk.json (without radii), by the extension.");
-    module.def("readCenterline2d", &readCenterline2d, py::arg("path"),
-               "From CSV (x,y,branch,radius) or a PNG mask, which is traced.");
-    module.def("writeCenterline2d", &writeCenterline2d, py::arg("centerline"), py::arg("path"),
-               "To CSV x,y,branch,radius, px.");
+    module.def(
+        "readVesselTree", [](const Path& path, double unitMm) { return readVesselTree(path.string(), unitMm); },
+        py::arg("path"), py::arg("unitMm") = 1.0,
+        "From VTP/VTU, legacy VTK, CSV, SWC or Slicer curves; `unitMm` is the length of one unit of the file.");
+    module.def(
+        "writeVesselTree", [](const VesselTree& tree, const Path& path) { writeVesselTree(tree, path.string()); },
+        py::arg("tree"), py::arg("path"), "To .vtp, .csv, .swc or .mrk.json (without radii), by the extension.");
+    module.def(
+        "readCenterline2d", [](const Path& path) { return readCenterline2d(path.string()); }, py::arg("path"),
+        "From CSV (x,y,branch,radius) or a PNG mask, which is traced.");
+    module.def(
+        "writeCenterline2d",
+        [](const Centerline2d& centerline, const Path& path) { writeCenterline2d(centerline, path.string()); },
+        py::arg("centerline"), py::arg("path"), "To CSV x,y,branch,radius, px.");
 }
 
 }   // namespace angiopose::python

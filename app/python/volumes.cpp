@@ -1,6 +1,6 @@
 #include "angiopose/volume.h"
 
-#include "app/python/arrays.h"
+#include "app/python/fixed.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -33,14 +33,14 @@ void bindGeometryOfVolumes(py::module_& module)
              "size: voxels along i, j, k. spacingMm: (3,). originInPatient: (3,), LPS mm. direction: (3, 3), columns "
              "are\n"
              "the patient directions of i, j, k.")
-        .def_readonly("size", &VolumeGeometry::size, "voxels along i, j, k")
-        .def_property_readonly("spacingMm", [](const VolumeGeometry& geometry) { return geometry.spacingMm; })
         .def_property_readonly(
-            "originInPatient", [](const VolumeGeometry& geometry) { return geometry.originInPatient; },
-            "(3,), centre of voxel (0, 0, 0), LPS mm")
-        .def_property_readonly(
-            "direction", [](const VolumeGeometry& geometry) { return geometry.direction; },
-            "(3, 3), columns: patient directions of i, j, k");
+            "size", [](const VolumeGeometry& geometry) { return py::tuple(py::cast(geometry.size)); },
+            "voxels along i, j, k")
+        .def_property_readonly("spacingMm", asArray<&VolumeGeometry::spacingMm>(), "(3,), from voxel to voxel")
+        .def_property_readonly("originInPatient", asArray<&VolumeGeometry::originInPatient>(),
+                               "(3,), centre of voxel (0, 0, 0), LPS mm")
+        .def_property_readonly("direction", asArray<&VolumeGeometry::direction>(),
+                               "(3, 3), columns: patient directions of i, j, k");
 }
 
 void bindVolume(py::module_& module)
@@ -54,7 +54,7 @@ void bindVolume(py::module_& module)
              }),
              py::arg("voxels"), py::arg("geometry"), py::arg("slope") = 1.0, py::arg("intercept") = 0.0,
              "voxels: (k, j, i) int16, copied once.")
-        .def_property_readonly("geometry", &Volume::geometry)
+        .def_property_readonly("geometry", &Volume::geometry, "where the voxels lie")
         .def_property_readonly(
             "voxels",
             [](const py::object& self) {
@@ -62,22 +62,44 @@ void bindVolume(py::module_& module)
                 return viewOf(volume.voxels().data(), shapeOf(volume.geometry()), self);
             },
             "(k, j, i) int16: a read-only view")
-        .def_property_readonly("slope", &Volume::slope)
-        .def_property_readonly("intercept", &Volume::intercept);
+        .def_property_readonly("slope", &Volume::slope, "value (HU) per voxel unit")
+        .def_property_readonly("intercept", &Volume::intercept, "value (HU) of voxel 0");
+}
+
+using Places = std::optional<Array<double>>;
+
+std::vector<Eigen::Vector3d> placesOf(const Places& places, const char* name)
+{
+    return places ? pointsOf<3>(*places, name) : std::vector<Eigen::Vector3d>();
+}
+
+/// A list of places, given away as a read-only copy (n, 3).
+template <auto Field>
+auto asPlaces()
+{
+    return [](const VesselTracingOptions& options) {
+        const std::vector<Eigen::Vector3d>& places = options.*Field;
+        const double* first = places.empty() ? nullptr : places.front().data();
+        py::array_t<double> rows({static_cast<py::ssize_t>(places.size()), py::ssize_t(3)}, first);
+        rows.attr("flags").attr("writeable") = false;
+        return rows;
+    };
+}
+
+template <auto Field>
+auto assignPlaces(const char* name)
+{
+    return [name](VesselTracingOptions& options, const Places& places) { options.*Field = placesOf(places, name); };
 }
 
 void bindOptionsOfTracing(py::module_& module)
 {
-    using Places = std::optional<Array<double>>;
-    const auto placesOf = [](const Places& places, const char* name) {
-        return places ? pointsOf<3>(*places, name) : std::vector<Eigen::Vector3d>();
-    };
+    using Options = VesselTracingOptions;
     py::class_<VesselTracingOptions>(module, "VesselTracingOptions",
                                      "One set of defaults for every scan; places LPS mm.")
-        .def(py::init([placesOf](std::optional<double> threshold, const Places& seedsInPatient,
-                                 const Places& avoidInPatient, const std::optional<Eigen::Vector3d>& rootInPatient,
-                                 double minBranchLengthMm, double minBranchRadiusMm, double pointSpacingMm,
-                                 int threads) {
+        .def(py::init([](std::optional<double> threshold, const Places& seedsInPatient, const Places& avoidInPatient,
+                         const std::optional<Eigen::Vector3d>& rootInPatient, double minBranchLengthMm,
+                         double minBranchRadiusMm, double pointSpacingMm, int threads) {
                  return VesselTracingOptions{threshold,
                                              placesOf(seedsInPatient, "seedsInPatient"),
                                              placesOf(avoidInPatient, "avoidInPatient"),
@@ -94,11 +116,20 @@ void bindOptionsOfTracing(py::module_& module)
              "threshold: HU where the lumen begins; None: found from the blood. seedsInPatient: (n, 3), only vessels\n"
              "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
              "vessel. rootInPatient: (3,); None: the thickest end. threads: 0: all; the result is the same for any.")
-        .def_readwrite("threshold", &VesselTracingOptions::threshold)
-        .def_readwrite("minBranchLengthMm", &VesselTracingOptions::minBranchLengthMm)
-        .def_readwrite("minBranchRadiusMm", &VesselTracingOptions::minBranchRadiusMm)
-        .def_readwrite("pointSpacingMm", &VesselTracingOptions::pointSpacingMm)
-        .def_readwrite("threads", &VesselTracingOptions::threads);
+        .def_readwrite("threshold", &Options::threshold, "HU where the lumen begins; None: found from the blood")
+        .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
+                      assignPlaces<&Options::seedsInPatient>("seedsInPatient"),
+                      "(n, 3): only vessels connected to one; none: the great vessel that is found")
+        .def_property("avoidInPatient", asPlaces<&Options::avoidInPatient>(),
+                      assignPlaces<&Options::avoidInPatient>("avoidInPatient"), "(n, 3): places in what is no vessel")
+        .def_property("rootInPatient", asArray<&Options::rootInPatient>(), assign<&Options::rootInPatient>(),
+                      "(3,): the end nearest to it is the root; None: the thickest")
+        .def_readwrite("minBranchLengthMm", &Options::minBranchLengthMm,
+                       "branches that leave their parent's wall by less are removed")
+        .def_readwrite("minBranchRadiusMm", &Options::minBranchRadiusMm,
+                       "branches that are thinner on average are removed")
+        .def_readwrite("pointSpacingMm", &Options::pointSpacingMm, "along the branches")
+        .def_readwrite("threads", &Options::threads, "0: as many as the processor has; the result is the same");
 
     py::class_<VesselReadOptions>(module, "VesselReadOptions", "How the vessels of a file are read.")
         .def(py::init([](const std::vector<int>& labels, const std::string& seriesId, double unitMm,
@@ -107,17 +138,18 @@ void bindOptionsOfTracing(py::module_& module)
              }),
              py::kw_only(), py::arg("labels") = std::vector<int>(), py::arg("seriesId") = "", py::arg("unitMm") = 1.0,
              py::arg_v("tracing", VesselTracingOptions(), "VesselTracingOptions()"))
-        .def_readwrite("labels", &VesselReadOptions::labels, "of a label image: those that are vessels; none: all")
+        .def_property("labels", asTuple<&VesselReadOptions::labels>(), assign<&VesselReadOptions::labels>(),
+                      "of a label image: those that are vessels; none: all")
         .def_readwrite("seriesId", &VesselReadOptions::seriesId, "of a DICOM folder with several series")
         .def_readwrite("unitMm", &VesselReadOptions::unitMm, "of a surface or centrelines: the length of one unit")
-        .def_readwrite("tracing", &VesselReadOptions::tracing);
+        .def_readwrite("tracing", &VesselReadOptions::tracing, "its attributes can be set");
 }
 
 void bindTraced(py::module_& module)
 {
     py::class_<TracedVessels>(module, "TracedVessels", "A vessel tree with what was seen on the way to it.")
         .def_readonly("tree", &TracedVessels::tree, "root first, then by generation")
-        .def_readonly("lumenGeometry", &TracedVessels::lumenGeometry)
+        .def_readonly("lumenGeometry", &TracedVessels::lumenGeometry, "where the voxels of the lumen lie")
         .def_property_readonly(
             "lumen",
             [](const py::object& self) {
@@ -126,7 +158,8 @@ void bindTraced(py::module_& module)
             },
             "(k, j, i) uint8, not 0: what was traced; a read-only view, (0, 0, 0) where nothing was traced")
         .def_readonly("threshold", &TracedVessels::threshold, "the value at which the lumen begins; 0.5 for masks")
-        .def_readonly("warnings", &TracedVessels::warnings);
+        .def_property_readonly("warnings", asTuple<&TracedVessels::warnings>(),
+                               "pieces that were left out, loops that were opened, ...");
 }
 
 TracedVessels traced(const Volume& volume, const VesselTracingOptions& options, const py::object& observe)
@@ -155,14 +188,16 @@ void bindVolumes(py::module_& module)
     bindTraced(module);
     module.def(
         "readVolume",
-        [](const std::string& path, const std::string& seriesId, const py::object& observe) {
+        [](const Path& path, const std::string& seriesId, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readVolume(path, seriesId, observer); });
+            return withoutLock([&] { return readVolume(path.string(), seriesId, observer); });
         },
         py::arg("path"), py::arg("seriesId") = "", py::arg("observe") = py::none(),
         "From NIfTI, NRRD, MetaImage or DICOM (a slice, an enhanced file, a folder).");
-    module.def("writeVolume", &writeVolume, py::arg("volume"), py::arg("path"),
-               py::call_guard<py::gil_scoped_release>(), "To .nii, .nii.gz, .nrrd or .mha, by the extension.");
+    module.def(
+        "writeVolume", [](const Volume& volume, const Path& path) { writeVolume(volume, path.string()); },
+        py::arg("volume"), py::arg("path"), py::call_guard<py::gil_scoped_release>(),
+        "To .nii, .nii.gz, .nrrd or .mha, by the extension.");
     module.def("traceVessels", &traced, py::arg("volume"),
                py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
                "Contrast-filled vessels of a CT angiogram.");
@@ -173,9 +208,9 @@ void bindVolumes(py::module_& module)
         "seeds.");
     module.def(
         "readVessels",
-        [](const std::string& path, const VesselReadOptions& options, const py::object& observe) {
+        [](const Path& path, const VesselReadOptions& options, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readVessels(path, options, observer); });
+            return withoutLock([&] { return readVessels(path.string(), options, observer); });
         },
         py::arg("path"), py::arg_v("options", VesselReadOptions(), "VesselReadOptions()"),
         py::arg("observe") = py::none(),

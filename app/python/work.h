@@ -4,6 +4,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 namespace angiopose::python {
 
 /// Calls `observe(progress)`, which may be None, from work that runs without Python's lock; Ctrl+C ends the work too.
@@ -22,7 +24,14 @@ inline Observer observerOf(pybind11::handle observe)
             return Verdict::Continue;
         }
         const pybind11::object answer = observe(progress);
-        return answer.is_none() ? Verdict::Continue : answer.cast<Verdict>();
+        if (answer.is_none()) {
+            return Verdict::Continue;
+        }
+        if (!pybind11::isinstance<Verdict>(answer)) {
+            throw pybind11::type_error("observe must return a Verdict or None, not " +
+                                       pybind11::repr(answer).cast<std::string>());
+        }
+        return answer.cast<Verdict>();
     };
 }
 

@@ -11,6 +11,10 @@ Result<ProjectionCamera> cameraOf(const View& view)
         if (const auto problem = findProblem(*camera)) {
             return Error(*problem);
         }
+        const auto& run = view.angiogram;
+        if (run && (run->width() != camera->width || run->height() != camera->height)) {
+            return Error(says::cameraOfOtherImage(camera->width, camera->height, run->width(), run->height()));
+        }
         return *camera;
     }
     if (!view.angiogram) {

@@ -57,7 +57,7 @@ struct View {
     std::string extraKeys;   ///< JSON object with the keys of the file about this view that this version does not know
 };
 
-/// The camera of a view: the override, or what follows from the C-arm and the image size.
+/// The camera of a view: the override, which must be of the image size, or what follows from the C-arm and that size.
 Result<ProjectionCamera> cameraOf(const View& view);
 
 /// The C-arm when the chosen frame was taken: the gantry may turn during a run (ALGORITHMS §5.5).

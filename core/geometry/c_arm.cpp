@@ -14,6 +14,11 @@ bool isPositive(const Sourced<double>& sourced)
     return sourced.value && std::isfinite(*sourced.value) && *sourced.value > 0.0;
 }
 
+bool isKnown(const Sourced<double>& sourced)
+{
+    return sourced.value && std::isfinite(*sourced.value);
+}
+
 Error missing(const Message& what)
 {
     return says::valueMissing(what);
@@ -65,8 +70,11 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
     if (!isPositive(cArm.sourceToPatientMm)) {
         return missing(says::theSod());
     }
-    if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
+    if (!isKnown(cArm.primaryAngleDeg) || !isKnown(cArm.secondaryAngleDeg)) {
         return Error(says::anglesMissing());
+    }
+    if (!isocentreInPatient.allFinite()) {
+        return Error(says::isocentreNotFinite());
     }
     const double alpha = *cArm.primaryAngleDeg.value * radiansPerDegree;
     const double beta = *cArm.secondaryAngleDeg.value * radiansPerDegree;

@@ -1,5 +1,6 @@
 #include "core/simulation/simulated_case.h"
 
+#include "core/messages/says.h"
 #include "core/simulation/deform_tree.h"
 #include "core/simulation/fill_vessels.h"
 #include "core/simulation/fit_known_pose.h"
@@ -128,6 +129,25 @@ Angiogram asAngiogram(DsaRun run, const CArm& header, std::uint64_t seed)
 }
 
 }   // namespace
+
+std::optional<Message> findProblem(const TreeOptions& tree, const DsaOptions& dsa)
+{
+    const struct {
+        const char* name;
+        double value, min, max;
+    } limits[] = {{"branchCount", static_cast<double>(tree.branchCount), 1.0, 200.0},
+                  {"nonRigidStdMm", dsa.nonRigidStdMm, 0.0, 50.0},
+                  {"missingBranchShare", dsa.missingBranchShare, 0.0, 1.0},
+                  {"extraBranchShare", dsa.extraBranchShare, 0.0, 1.0},
+                  {"frameCount", static_cast<double>(dsa.frameCount), 1.0, 1000.0}};
+    for (const auto& [name, value, min, max] : limits) {
+        if (!(value >= min && value <= max)) {
+            const auto number = [](double given) { return Quantity{given, Quantity::asNeeded}; };
+            return says::simulationOutOfRange(name, number(min), number(max), number(value));
+        }
+    }
+    return {};
+}
 
 SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree, const DsaOptions& dsa)
 {

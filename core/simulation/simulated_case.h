@@ -2,11 +2,13 @@
 
 #include "core/geometry/c_arm.h"
 #include "core/imaging/angiogram.h"
+#include "core/support/message.h"
 #include "core/support/random.h"
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace angiopose::core {
 
@@ -34,6 +36,9 @@ struct DsaOptions {
     double maskMotionPx = 1.0;   ///< up to this shift between mask and contrast frames
     double shutterProbability = 0.5;   ///< black, octagonal or round border, as exported with the display shutter
 };
+
+/// What cannot be simulated, in words for the user; empty when all can.
+std::optional<Message> findProblem(const TreeOptions& tree, const DsaOptions& dsa);
 
 /// A case with known answer.
 struct SimulatedCase {

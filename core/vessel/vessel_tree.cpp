@@ -213,6 +213,9 @@ std::optional<Message> findProblem(const VesselTree& tree)
         if (!branch.radiusMm.empty() && branch.radiusMm.size() != branch.pointsInPatient.size()) {
             return says::branchRadiiMissing(branch.id);
         }
+        if (!std::ranges::all_of(branch.radiusMm, [](double r) { return std::isfinite(r) && r >= 0.0; })) {
+            return says::branchRadiusUnusable(branch.id);
+        }
     }
     return {};
 }

@@ -2712,6 +2712,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>fehlt</translation>
     </message>
     <message>
+        <source>The simulation&apos;s %1 must lie between %2 and %3, not %4.</source>
+        <comment>simulation.out-of-range</comment>
+        <translation>%1 der Simulation muss zwischen %2 und %3 liegen, nicht %4.</translation>
+    </message>
+    <message>
         <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Write it as option=value.</source>
         <comment>contest.no-such-choice</comment>
         <translation>Das Verfahren „%1“ hat keine Option mit der Wahl „%2“. Als option=wert schreiben.</translation>
@@ -2767,14 +2772,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Kamera braucht die Bildgröße: Breite und Höhe müssen positiv sein.</translation>
     </message>
     <message>
+        <source>The camera is for images of %1 x %2 pixels, the angiogram has %3 x %4. Use the camera that belongs to the angiogram.</source>
+        <comment>camera.other-image</comment>
+        <translation>Die Kamera gilt für Bilder mit %1 x %2 Pixeln, das Angiogramm hat %3 x %4. Die zum Angiogramm gehörende Kamera verwenden.</translation>
+    </message>
+    <message>
         <source>The picture must be 1 to %1 px wide and high; choose another size.</source>
         <comment>picture.size</comment>
         <translation>Das Bild muss 1 bis %1 px breit und hoch sein; eine andere Größe wählen.</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
+        <source>%1 is missing or not positive. Add it to the geometry of the C-arm (the image header does not tell).</source>
         <comment>geometry.value-missing</comment>
-        <translation>%1 fehlt oder ist nicht positiv. In der Geometrie des Falls eintragen (der Bildheader nennt ihn nicht).</translation>
+        <translation>%1 fehlt oder ist nicht positiv. In der Geometrie des C-Bogens ergänzen (der Bildheader nennt ihn nicht).</translation>
     </message>
     <message>
         <source>The distance source to detector (SID)</source>
@@ -2792,9 +2802,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Pixelgröße des Detektors</translation>
     </message>
     <message>
-        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
+        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing or not finite. Add them to the geometry of the C-arm.</source>
         <comment>geometry.angles-missing</comment>
-        <translation>Die Durchleuchtungswinkel (LAO/RAO, CRA/CAU) fehlen. In der Geometrie des Falls eintragen.</translation>
+        <translation>Die Durchleuchtungswinkel (LAO/RAO, CRA/CAU) fehlen oder sind nicht endlich. In der Geometrie des C-Bogens ergänzen.</translation>
+    </message>
+    <message>
+        <source>The isocentre has a coordinate that is not a number (NaN or infinite). Give its place in the patient in mm.</source>
+        <comment>geometry.isocentre-not-finite</comment>
+        <translation>Das Isozentrum hat eine Koordinate, die keine Zahl ist (NaN oder unendlich). Seinen Ort im Patienten in mm angeben.</translation>
     </message>
     <message>
         <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
@@ -2952,14 +2967,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>rechts</translation>
     </message>
     <message>
-        <source>There is no angiogram yet. Open an image first.</source>
+        <source>There is no angiogram yet. Give an image first.</source>
         <comment>case.no-angiogram</comment>
-        <translation>Noch kein Angiogramm. Zuerst ein Bild öffnen.</translation>
+        <translation>Noch kein Angiogramm. Zuerst ein Bild angeben.</translation>
     </message>
     <message>
-        <source>There is no vessel tree yet. Open a centreline first.</source>
+        <source>There is no vessel tree yet. Give a centreline first.</source>
         <comment>case.no-vessel-tree</comment>
-        <translation>Noch kein Gefäßbaum. Zuerst eine Mittellinie öffnen.</translation>
+        <translation>Noch kein Gefäßbaum. Zuerst eine Mittellinie angeben.</translation>
     </message>
     <message>
         <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
@@ -2985,6 +3000,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
         <comment>options.needs-value</comment>
         <translation>Die Option „%1“ braucht einen Wert, nicht „%2“.</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; must be one of %2, not &apos;%3&apos;.</source>
+        <comment>options.needs-choice</comment>
+        <translation>Die Option „%1“ muss eines von %2 sein, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; must be a whole number, not %2.</source>
+        <comment>options.needs-whole-number</comment>
+        <translation>Die Option „%1“ muss eine ganze Zahl sein, nicht %2.</translation>
     </message>
     <message>
         <source>Option &apos;%1&apos; must lie between %2 and %3, not %4.</source>
@@ -3027,9 +3052,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Startlage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. cameraFromPatient berichtigen oder die Startlage aus den Winkeln ableiten.</translation>
     </message>
     <message>
-        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
+        <source>The start pose puts vessels at or behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
         <comment>input.start-pose-behind-source</comment>
-        <translation>Die Startlage setzt den ganzen Gefäßbaum hinter den Röntgenfokus, wo nichts projiziert. Abstand Fokus–Patient und Richtung der Startlage prüfen.</translation>
+        <translation>Die Startlage setzt Gefäße an oder hinter den Röntgenfokus, wo nichts projiziert. Abstand Fokus–Patient und Richtung der Startlage prüfen.</translation>
     </message>
     <message>
         <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
@@ -3122,6 +3147,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Gefäßbaums liegen auf einem erkannten Gefäß, und er erklärt %2 der erkannten Gefäße.</translation>
     </message>
     <message>
+        <source>The vessel tree explains only %1 of the traced vessels. Check that it belongs to the image and that its lengths are mm.</source>
+        <comment>trust.little-explained</comment>
+        <translation>Der Gefäßbaum erklärt nur %1 der erkannten Gefäße. Prüfen, ob er zum Bild gehört und seine Längen mm sind.</translation>
+    </message>
+    <message>
         <source>The vessels fit better %1 aside.</source>
         <comment>trust.better-aside</comment>
         <translation>Die Gefäße passen %1 daneben besser.</translation>
@@ -3180,6 +3210,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
         <translation>Im Angiogrammbild wurde nichts Gefäßartiges gefunden. Ein Bild mit mehr Kontrast wählen, die Empfindlichkeit erhöhen, oder prüfen, ob Gefäße dunkel oder hell sind.</translation>
+    </message>
+    <message>
+        <source>The thinnest vessel looked for (radius %1) must be positive and no wider than the widest (radius %2).</source>
+        <comment>trace.radii-unusable</comment>
+        <translation>Das dünnste gesuchte Gefäß (Radius %1) muss positiv und darf nicht weiter sein als das weiteste (Radius %2).</translation>
+    </message>
+    <message>
+        <source>The sensitivity of tracing must be above 0, not %1.</source>
+        <comment>trace.sensitivity-unusable</comment>
+        <translation>Die Empfindlichkeit der Erkennung muss über 0 liegen, nicht %1.</translation>
     </message>
     <message>
         <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
@@ -3332,9 +3372,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
     </message>
     <message>
-        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
+        <source>The vessel tree has no branches. Give a centreline with at least one branch.</source>
         <comment>tree.no-branches</comment>
-        <translation>Der Gefäßbaum hat keine Äste. Eine Mittellinie mit mindestens einem Ast laden.</translation>
+        <translation>Der Gefäßbaum hat keine Äste. Eine Mittellinie mit mindestens einem Ast angeben.</translation>
     </message>
     <message>
         <source>Branch %1 occurs twice in the vessel tree. Branch ids must be unique.</source>
@@ -3360,6 +3400,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Branch %1 of the vessel tree does not have one radius per point.</source>
         <comment>tree.branch-radii-missing</comment>
         <translation>Ast %1 des Gefäßbaums hat nicht je Punkt einen Radius.</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or give no radii along this branch.</source>
+        <comment>tree.branch-radius-unusable</comment>
+        <translation>Ast %1 des Gefäßbaums hat einen Radius, der negativ oder keine Zahl ist. Ihn berichtigen oder diesem Ast keine Radien geben.</translation>
     </message>
     <message>
         <source>The vessel tree has no branch %1.</source>

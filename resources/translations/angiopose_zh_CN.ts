@@ -2712,6 +2712,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>缺失</translation>
     </message>
     <message>
+        <source>The simulation&apos;s %1 must lie between %2 and %3, not %4.</source>
+        <comment>simulation.out-of-range</comment>
+        <translation>模拟的 %1 须在 %2 至 %3 之间，不能是 %4。</translation>
+    </message>
+    <message>
         <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Write it as option=value.</source>
         <comment>contest.no-such-choice</comment>
         <translation>方法“%1”没有可取“%2”的选项。请写成 option=value。</translation>
@@ -2767,14 +2772,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>相机需要图像尺寸：宽和高必须为正。</translation>
     </message>
     <message>
+        <source>The camera is for images of %1 x %2 pixels, the angiogram has %3 x %4. Use the camera that belongs to the angiogram.</source>
+        <comment>camera.other-image</comment>
+        <translation>相机对应 %1 x %2 像素的图像，而造影图像为 %3 x %4。请使用该造影图像对应的相机。</translation>
+    </message>
+    <message>
         <source>The picture must be 1 to %1 px wide and high; choose another size.</source>
         <comment>picture.size</comment>
         <translation>图片的宽和高须为 1 至 %1 px；请选择其他尺寸。</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Enter it in the geometry of the case (the image header does not tell).</source>
+        <source>%1 is missing or not positive. Add it to the geometry of the C-arm (the image header does not tell).</source>
         <comment>geometry.value-missing</comment>
-        <translation>%1缺失或非正。请在病例几何中输入（图像文件头未提供）。</translation>
+        <translation>%1 缺失或不为正。请补入 C 形臂几何（图像头未给出）。</translation>
     </message>
     <message>
         <source>The distance source to detector (SID)</source>
@@ -2792,9 +2802,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>探测器像素间距</translation>
     </message>
     <message>
-        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing. Enter them in the geometry of the case.</source>
+        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing or not finite. Add them to the geometry of the C-arm.</source>
         <comment>geometry.angles-missing</comment>
-        <translation>缺少投照角度（LAO/RAO、CRA/CAU）。请在病例几何中输入。</translation>
+        <translation>投照角度（LAO/RAO、CRA/CAU）缺失或非有限数。请补入 C 形臂几何。</translation>
+    </message>
+    <message>
+        <source>The isocentre has a coordinate that is not a number (NaN or infinite). Give its place in the patient in mm.</source>
+        <comment>geometry.isocentre-not-finite</comment>
+        <translation>等中心有非数值坐标（NaN 或无穷大）。请以 mm 给出其在患者中的位置。</translation>
     </message>
     <message>
         <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
@@ -2952,14 +2967,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>右</translation>
     </message>
     <message>
-        <source>There is no angiogram yet. Open an image first.</source>
+        <source>There is no angiogram yet. Give an image first.</source>
         <comment>case.no-angiogram</comment>
-        <translation>尚无造影图像。请先打开图像。</translation>
+        <translation>尚无造影图像。请先给出图像。</translation>
     </message>
     <message>
-        <source>There is no vessel tree yet. Open a centreline first.</source>
+        <source>There is no vessel tree yet. Give a centreline first.</source>
         <comment>case.no-vessel-tree</comment>
-        <translation>尚无血管树。请先打开中心线。</translation>
+        <translation>尚无血管树。请先给出中心线。</translation>
     </message>
     <message>
         <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
@@ -2985,6 +3000,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
         <comment>options.needs-value</comment>
         <translation>选项“%1”需要一个值，而不是“%2”。</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; must be one of %2, not &apos;%3&apos;.</source>
+        <comment>options.needs-choice</comment>
+        <translation>选项“%1”须为 %2 之一，不能是“%3”。</translation>
+    </message>
+    <message>
+        <source>Option &apos;%1&apos; must be a whole number, not %2.</source>
+        <comment>options.needs-whole-number</comment>
+        <translation>选项“%1”须为整数，不能是 %2。</translation>
     </message>
     <message>
         <source>Option &apos;%1&apos; must lie between %2 and %3, not %4.</source>
@@ -3027,9 +3052,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。请更正 cameraFromPatient 或由角度推导初始位姿。</translation>
     </message>
     <message>
-        <source>The start pose puts the whole vessel tree behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
+        <source>The start pose puts vessels at or behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
         <comment>input.start-pose-behind-source</comment>
-        <translation>初始位姿将整个血管树置于 X 射线源之后，无法投影。请检查源到患者距离和初始位姿方向。</translation>
+        <translation>起始位姿使血管位于 X 射线源处或其后方，无法投影。请检查源到患者距离和起始位姿的方向。</translation>
     </message>
     <message>
         <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
@@ -3122,6 +3147,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树仅 %1 落在提取血管上，解释了提取血管的 %2。</translation>
     </message>
     <message>
+        <source>The vessel tree explains only %1 of the traced vessels. Check that it belongs to the image and that its lengths are mm.</source>
+        <comment>trust.little-explained</comment>
+        <translation>血管树仅能解释 %1 的已识别血管。请检查它是否属于该图像，且长度单位为 mm。</translation>
+    </message>
+    <message>
         <source>The vessels fit better %1 aside.</source>
         <comment>trust.better-aside</comment>
         <translation>血管偏移 %1 处吻合更好。</translation>
@@ -3180,6 +3210,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
         <translation>此帧造影图像中未发现血管。请选对比度更高的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
+    </message>
+    <message>
+        <source>The thinnest vessel looked for (radius %1) must be positive and no wider than the widest (radius %2).</source>
+        <comment>trace.radii-unusable</comment>
+        <translation>所找最细血管（半径 %1）须为正，且不得粗于最粗血管（半径 %2）。</translation>
+    </message>
+    <message>
+        <source>The sensitivity of tracing must be above 0, not %1.</source>
+        <comment>trace.sensitivity-unusable</comment>
+        <translation>识别灵敏度须大于 0，不能是 %1。</translation>
     </message>
     <message>
         <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
@@ -3332,9 +3372,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>扫描中没有像亨氏单位下的空气那样暗的部分：如果其数值不是亨氏单位，就无法可靠地区分骨骼和血液。请检查血管中是否混入骨骼，或以亨氏单位重新导出扫描。</translation>
     </message>
     <message>
-        <source>The vessel tree has no branches. Load a centreline with at least one branch.</source>
+        <source>The vessel tree has no branches. Give a centreline with at least one branch.</source>
         <comment>tree.no-branches</comment>
-        <translation>血管树没有分支。请载入至少含一个分支的中心线。</translation>
+        <translation>血管树没有分支。请给出至少含一个分支的中心线。</translation>
     </message>
     <message>
         <source>Branch %1 occurs twice in the vessel tree. Branch ids must be unique.</source>
@@ -3360,6 +3400,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Branch %1 of the vessel tree does not have one radius per point.</source>
         <comment>tree.branch-radii-missing</comment>
         <translation>血管树的 分支 %1 并非每点都有半径。</translation>
+    </message>
+    <message>
+        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or give no radii along this branch.</source>
+        <comment>tree.branch-radius-unusable</comment>
+        <translation>血管树的分支 %1 有为负或非数值的半径。请更正，或不给出该分支的半径。</translation>
     </message>
     <message>
         <source>The vessel tree has no branch %1.</source>

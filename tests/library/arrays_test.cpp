@@ -97,6 +97,9 @@ TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
     input = good;
     input.initialCameraFromPatient(3, 0) = 1.0;
     EXPECT_EQ("library.no-pose", idOfErrorIn([&] { registerVessels(input); }));
+    Pose scaled = good.initialCameraFromPatient;
+    scaled.topLeftCorner<3, 3>() *= 2.0;
+    EXPECT_EQ("library.no-pose", idOfErrorIn([&] { writePose(scaled, "never-written.json"); }));
     input = good;
     input.image.pixels.pop_back();
     EXPECT_EQ("library.image-size", idOfErrorIn([&] { registerVessels(input); }));
@@ -104,6 +107,40 @@ TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
               idOfErrorIn([&] { registerVessels(good, RegistrationOptions().set("maxIteration", 5)); }));
     EXPECT_NE("no error", idOfErrorIn([&] { registerVessels(good, RegistrationOptions().set("maxIterations", -5)); }));
     EXPECT_NE("no error", idOfErrorIn([] { readCase("no-such-file.angiopose"); }));
+}
+
+TEST(Arrays, TheCovarianceIsAboutThePlaceItNames)
+{
+    const RegistrationInput input = inputOf(smallCase().theCase);
+    const RegistrationResult result = evaluatePose(input, input.initialCameraFromPatient);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();   // by length
+    double length = 0.0;
+    for (std::size_t i = 1; i < input.tree.points.size(); ++i) {
+        if (input.tree.branchIds[i] == input.tree.branchIds[i - 1]) {
+            const double step = (input.tree.points[i] - input.tree.points[i - 1]).norm();
+            sum += 0.5 * step * (input.tree.points[i] + input.tree.points[i - 1]);
+            length += step;
+        }
+    }
+    EXPECT_LT((result.uncertainty.centroidInPatient - sum / length).norm(), 1e-9);
+    EXPECT_EQ("converged", toText(result.stopReason));
+}
+
+TEST(Arrays, WhatMakesNoSenseIsRefused)
+{
+    const RegistrationInput good = inputOf(smallCase().theCase);
+    RegistrationInput input = good;
+    input.tree.radiusMm[2] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ("tree.branch-radius-unusable", idOfErrorIn([&] { registerVessels(input); }));
+    input = good;
+    input.initialCameraFromPatient = Pose::Identity();
+    EXPECT_EQ("input.start-pose-behind-source", idOfErrorIn([&] { registerVessels(input); }));
+    EXPECT_EQ("options.needs-whole-number",
+              idOfErrorIn([&] { registerVessels(good, RegistrationOptions().set("maxIterations", 40.5)); }));
+    EXPECT_EQ("library.no-frames", idOfErrorIn([] { Angiogram({}, Polarity::VesselsDark); }));
+    SimulationOptions options;
+    options.branchCount = 0;
+    EXPECT_EQ("simulation.out-of-range", idOfErrorIn([&] { simulateCase(1, options); }));
 }
 
 TEST(Arrays, EveryMethodIsListedWithOptionsThatCanBeSet)

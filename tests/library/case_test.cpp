@@ -71,6 +71,31 @@ TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
     EXPECT_LT(registerCase(bare).metrics.medianPx, 5.0);
 }
 
+TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
+{
+    const Case known = smallCase().theCase;
+    const Angiogram run = known.angiogram();
+    Case plain(known.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
+    EXPECT_THROW(plain.camera(), Error);
+    plain.setCArm(known.cArm());
+    EXPECT_EQ(known.camera().fx, plain.camera().fx);
+    EXPECT_EQ(plain.startPose(), plain.cameraFromPatient());
+    EXPECT_LT((plain.startPose() - known.startPose()).norm(), 100.0);
+}
+
+TEST_F(CaseOfLibrary, RefusesTheCameraOfAnotherImageAndBranchesItDoesNotHave)
+{
+    Case theCase = smallCase().theCase;
+    const int width = theCase.camera().width;
+    EXPECT_THROW(theCase.setCamera({-3000.0, 3000.0, 150.0, 150.0, 300, 300}), Error);
+    EXPECT_EQ(width, theCase.camera().width);
+    EXPECT_THROW(theCase.setExcludedBranchIds({987}), Error);
+    const int first = theCase.tree().branchIds.front();
+    theCase.setExcludedBranchIds({first});
+    EXPECT_EQ(std::vector<int>{first}, inputOf(theCase).excludedBranchIds);
+    EXPECT_THROW(Case(VesselTree(), theCase.angiogram()), Error);
+}
+
 TEST_F(CaseOfLibrary, CopiesGoTheirOwnWays)
 {
     const Case first = test::smallCase().theCase;

@@ -47,6 +47,27 @@ foreach(component library development)
   run(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component ${component})
 endforeach()
 
+# What installed documents link to is installed with them, but for the source.
+run(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/documents --component doc)
+file(GLOB_RECURSE documents ${WORK}/documents/*.md)
+list(LENGTH documents document_count)
+if(document_count LESS 10)
+  message(SEND_ERROR "only ${document_count} documents are installed")
+endif()
+foreach(document ${documents})
+  file(READ ${document} text)
+  string(REPLACE "](" "\nlink " text "${text}")
+  string(REGEX REPLACE "[][;]" "" text "${text}")   # they would join or split what is listed
+  string(REGEX MATCHALL "\nlink [^)# \n]+" links "${text}")
+  cmake_path(GET document PARENT_PATH folder)
+  foreach(link ${links})
+    string(SUBSTRING "${link}" 6 -1 target)
+    if(NOT target MATCHES "^[a-z]+:|^(\\.\\./)*(core|io|ui|app|tests|packaging|CMake[A-Za-z]+\\.[a-z]+)(/|$)" AND NOT EXISTS ${folder}/${target})
+      message(SEND_ERROR "${document} links to ${target}, which is not installed")
+    endif()
+  endforeach()
+endforeach()
+
 # Every public header compiles alone, as strictly as anyone may wish, and sees Eigen and the standard library only.
 file(GLOB headers RELATIVE ${prefix}/include ${prefix}/include/angiopose/*.h)
 list(LENGTH headers header_count)

@@ -17,6 +17,18 @@ def test_tracing_an_image_gives_what_the_command_line_gives(demo, cli, tmp_path)
     assert trace.vesselMask.shape == trace.vesselness.shape == (run.height, run.width)
 
 
+def test_a_path_may_be_a_path(demo, tmp_path):
+    theCase = angiopose.readCase(demo / "case.angiopose")
+    assert theCase.title == angiopose.readCase(str(demo / "case.angiopose")).title
+    angiopose.readCase(demo / "tree.vtp", demo / "angiogram.dcm")
+    angiopose.writePose(theCase.startPose, tmp_path / "pose.json")
+    assert np.array_equal(angiopose.readPose(tmp_path / "pose.json"), theCase.startPose)
+    angiopose.writeVesselTree(angiopose.readVesselTree(demo / "tree.vtp"), tmp_path / "tree.csv")
+    assert len(angiopose.readVessels(tmp_path / "tree.csv").tree) == len(theCase.tree)
+    angiopose.writeAngiogram(angiopose.readAngiogram(demo / "angiogram.dcm"), tmp_path / "run.dcm")
+    assert (tmp_path / "run.dcm").exists()
+
+
 def tube():
     """A mask (k, j, i) with a tube along k, spacing 1 mm, and its geometry."""
     mask = np.zeros((60, 30, 30), np.uint8)

@@ -78,8 +78,9 @@ def test_what_the_observer_raises_comes_out(arrays):
 
     with pytest.raises(Mine):
         angiopose.registerVessels(arrays, observe=observe)
-    with pytest.raises(RuntimeError):   # an answer that is no Verdict
-        angiopose.registerVessels(arrays, observe=lambda progress: "stop")
+    for answer in ("stop", False, 1):
+        with pytest.raises(TypeError, match=f"Verdict or None, not {answer!r}"):
+            angiopose.registerVessels(arrays, observe=lambda progress: answer)
 
 
 def test_other_threads_run_meanwhile(arrays):
@@ -105,16 +106,22 @@ def test_other_threads_run_meanwhile(arrays):
 
 
 def test_errors_say_what_is_wrong(arrays):
-    with pytest.raises(angiopose.Error, match="maxIteration'") as caught:
+    with pytest.raises(angiopose.Error, match="maxIteration'. Did you mean 'maxIterations'") as caught:
         angiopose.registerVessels(arrays, angiopose.RegistrationOptions(maxIteration=5))
     assert caught.value.id == "library.no-option"
     with pytest.raises(angiopose.Error, match="no-such-method"):
         angiopose.registerVessels(arrays, angiopose.RegistrationOptions("no-such-method"))
     with pytest.raises(ValueError, match=r"\(N, 3\)"):
         angiopose.VesselTree(np.zeros((4, 2)), [1, 1, 1, 1])
-    with pytest.raises(angiopose.Error, match="branchIds has 3 rows"):
-        tree = angiopose.VesselTree(np.zeros((4, 3)), [1, 1, 1])
-        angiopose.writeVesselTree(tree, "never-written.csv")
+    with pytest.raises(ValueError, match="branchIds has 3 rows, but there are 4 points"):
+        angiopose.VesselTree(np.zeros((4, 3)), [1, 1, 1])
+    with pytest.raises(ValueError, match="radiusMm has 5 rows"):
+        angiopose.VesselTree(np.zeros((4, 3)), [1, 1, 1, 1], np.ones(5))
+    with pytest.raises(ValueError, match="curveIds has 3 rows"):
+        angiopose.Centerline2d(np.zeros((4, 2)), [1, 1, 1])
+    nothing = angiopose.RegistrationInput(angiopose.VesselTree([], []), arrays.target, arrays.camera, np.eye(4))
+    with pytest.raises(angiopose.Error, match="no branches"):
+        angiopose.registerVessels(nothing)
     assert issubclass(angiopose.Stopped, angiopose.Error) and issubclass(angiopose.Error, RuntimeError)
 
 

@@ -94,6 +94,12 @@ def test_everything_public_is_documented():
         name for name, value in vars(angiopose).items()
         if not name.startswith("_") and not inspect.ismodule(value) and not (value.__doc__ or "").strip()
     ]
+    for name, kind in vars(angiopose).items():
+        if inspect.isclass(kind) and not name.startswith("_") and not hasattr(kind, "__members__"):
+            undocumented += [
+                f"{name}.{member}" for member, value in vars(kind).items()
+                if isinstance(value, property) and not (value.__doc__ or "").strip()
+            ]
     assert undocumented == []
 
 

@@ -18,6 +18,7 @@ constexpr double minInView = 0.4;   // of the tree's points
 // Wrong poses follow up to 0.3 of the tree inside the image, right ones of trees that the image cuts off 0.47 and more.
 constexpr double convincingShare = 0.4;
 constexpr int convincingBranches = 4;
+constexpr double wellFollowedShare = 0.8;   // of the tree: little agreement then comes from the vessels of the image
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 
@@ -39,6 +40,13 @@ double agreeingShare(const ProjectedTree& projected)
     return static_cast<double>(agreeing) / static_cast<double>(projected.distancePx.size());
 }
 
+/// A tree that lies on vessels, but is a speck among them, is another tree or in another unit.
+Message littleAgreement(double shareOfTree, double shareOfVessels)
+{
+    return shareOfTree >= wellFollowedShare ? says::trustLittleExplained(percent(shareOfVessels))
+                                            : says::trustLittleAgreement(percent(shareOfTree), percent(shareOfVessels));
+}
+
 /// What the image shows of the tree runs along traced vessels, however much lies outside.
 bool followsVessels(const Evidence& evidence)
 {
@@ -56,8 +64,7 @@ void judgeFit(const Evidence& evidence, Messages& reasons)
             reasons.push_back(says::trustOutsideImage(percent(inView)));
         }
         if (evidence.agreement < minAgreement) {
-            reasons.push_back(says::trustLittleAgreement(percent(agreeingShare(evidence.projected)),
-                                                         percent(evidence.result.metrics.coverage)));
+            reasons.push_back(littleAgreement(agreeingShare(evidence.projected), evidence.result.metrics.coverage));
         }
     }
     if (evidence.settlingMm > maxSettlingMm) {

@@ -5,6 +5,26 @@
 #include <charconv>
 
 namespace angiopose::core {
+namespace {
+
+/// Whether the number stays what it is in this option: counts would round it.
+bool holdsNumber(const OptionField& field, const OptionValue& number)
+{
+    RegistrationOptions kept;
+    field.write(kept, number);
+    return field.read(kept) == number;
+}
+
+Message misfit(const OptionField& field, const std::string& text)
+{
+    const auto names = namesOf(field);
+    if (!names.empty()) {
+        return says::optionNeedsChoice(field.key, std::vector<std::string>(names.begin(), names.end()), text);
+    }
+    return says::optionNeedsValue(field.key, text);
+}
+
+}   // namespace
 
 Result<OptionValue> optionValue(const OptionField& field, const std::string& text)
 {
@@ -14,10 +34,11 @@ Result<OptionValue> optionValue(const OptionField& field, const std::string& tex
     double number = 0.0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
     if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size()) {
-        return Error(says::optionNeedsValue(field.key, text));
+        return Error(misfit(field, text));
     }
     if (const auto value = valueFrom(field, number)) {
-        return *value;
+        return holdsNumber(field, *value) ? Result<OptionValue>(*value)
+                                          : Error(says::optionNeedsWholeNumber(field.key, text));
     }
     const OptionRange range = rangeOf(field);
     return Error(says::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},

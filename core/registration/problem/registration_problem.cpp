@@ -94,16 +94,17 @@ std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vect
     return {};
 }
 
-bool isWhollyBehindSource(const VesselTree& tree, const RigidTransform& cameraFromPatient)
+/// A start that nobody gave is the identity, which puts the source amid the vessels.
+bool reachesBehindSource(const VesselTree& tree, const RigidTransform& cameraFromPatient)
 {
     for (const VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            if ((cameraFromPatient * point).z() >= minProjectableDepthMm) {
-                return false;
+            if (!((cameraFromPatient * point).z() >= minProjectableDepthMm)) {
+                return true;
             }
         }
     }
-    return true;
+    return false;
 }
 
 std::optional<Message> findProblem(const RegistrationInput& input, const VesselTree& usedTree)
@@ -133,7 +134,7 @@ std::optional<Message> findProblem(const RegistrationInput& input, const VesselT
     if (!isRigid(input.initialCameraFromPatient)) {
         return says::startPoseNotRigid();
     }
-    if (isWhollyBehindSource(usedTree, input.initialCameraFromPatient)) {
+    if (reachesBehindSource(usedTree, input.initialCameraFromPatient)) {
         return says::startPoseBehindSource();
     }
     return {};

@@ -65,6 +65,19 @@ std::optional<Message> problemWith(const ImageF& frame)
     return {};
 }
 
+std::optional<Message> problemWith(const TraceOptions& options)
+{
+    const auto& [thinnest, widest, branchLength, componentLength, sensitivity] = options;
+    if (!(thinnest > 0.0 && thinnest <= widest && std::isfinite(widest))) {
+        return says::traceRadiiUnusable(Quantity{thinnest, Quantity::asNeeded, "px"},
+                                        Quantity{widest, Quantity::asNeeded, "px"});
+    }
+    if (!(sensitivity > 0.0 && std::isfinite(sensitivity))) {
+        return says::traceSensitivityUnusable(Quantity{sensitivity, Quantity::asNeeded});
+    }
+    return {};
+}
+
 ImageF withVesselsDark(const ImageF& frame, Polarity polarity)
 {
     ImageF dark = frame;
@@ -177,6 +190,9 @@ Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
 {
+    if (const auto problem = problemWith(options)) {
+        return Error(*problem);
+    }
     if (const auto problem = problemWith(frame)) {
         return Error(*problem);
     }

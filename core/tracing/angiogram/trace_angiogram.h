@@ -21,8 +21,8 @@ struct AngiogramTrace {
 };
 
 /// Vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed curves with width (ALGORITHMS
-/// §8). A mask of two levels (see `drawnMask`) is taken as it is drawn. Fails when the frame is empty, flat, not
-/// finite, or shows nothing vessel-like.
+/// §8). A mask of two levels (see `drawnMask`) is taken as it is drawn. Fails when the options are of no vessel
+/// (radii the wrong way round, …), or the frame is empty, flat, not finite, or shows nothing vessel-like.
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
 
 /// The same for one frame of a run, with less noise where the run stands still (see `steadyFrame`).

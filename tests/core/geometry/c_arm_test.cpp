@@ -1,6 +1,7 @@
 #include "core/geometry/c_arm.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <tuple>
 
 using namespace angiopose;
@@ -106,6 +107,10 @@ TEST(CArm, MissingValuesAreNamed)
     const auto camera = cameraFromCArm(cArm, 512, 512);
     ASSERT_FALSE(camera);
     EXPECT_NE(camera.error().message.text().find("pixel spacing"), std::string::npos);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ("geometry.isocentre-not-finite", cameraFromPatient(cArm, {nan, 0, 0}).error().message.id());
+    cArm.secondaryAngleDeg.value = nan;
+    EXPECT_EQ("geometry.angles-missing", cameraFromPatient(cArm, {0, 0, 0}).error().message.id());
     cArm.secondaryAngleDeg = {};
     EXPECT_FALSE(cameraFromPatient(cArm, {0, 0, 0}));
 }

@@ -71,6 +71,14 @@ TEST(RegisterVessels, NamesWhatMakesAnInputUnusable)
     input.tree.branches.clear();
     EXPECT_NE(reasonFor(input).find("no branches"), std::string::npos);
     input = good;
+    input.tree.branches.front().radiusMm.assign(input.tree.branches.front().pointsInPatient.size(), 1.0);
+    input.tree.branches.front().radiusMm.back() = -1.0;
+    EXPECT_NE(reasonFor(input).find("a radius that is negative"), std::string::npos);
+    input = good;
+    input.initialCameraFromPatient.translation -=
+        input.initialCameraFromPatient * centroidInPatient(input.tree);   // the source amid the vessels
+    EXPECT_NE(reasonFor(input).find("at or behind the X-ray source"), std::string::npos);
+    input = good;
     input.target.curves.clear();
     EXPECT_NE(reasonFor(input).find("2-D centreline is empty"), std::string::npos);
     input = good;

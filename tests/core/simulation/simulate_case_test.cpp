@@ -194,6 +194,16 @@ TEST(SimulateCase, OneBranchOneFrameStillMakesACase)
     EXPECT_GE(simulated.trueTarget.curves.size(), 1u);
 }
 
+TEST(SimulateCase, NamesWhatCannotBeSimulated)
+{
+    EXPECT_FALSE(findProblem(TreeOptions{}, DsaOptions{}));
+    EXPECT_EQ(findProblem({.branchCount = 0}, {})->text(),
+              "The simulation's branchCount must lie between 1 and 200, not 0.");
+    EXPECT_TRUE(findProblem({}, {.frameCount = 0}));
+    EXPECT_TRUE(findProblem({}, {.missingBranchShare = 2.0}));
+    EXPECT_TRUE(findProblem({}, {.nonRigidStdMm = std::numeric_limits<double>::quiet_NaN()}));
+}
+
 TEST(SimulateCase, NoiseFollowsThePhotonCount)
 {
     const auto noiseOf = [](double photons) {

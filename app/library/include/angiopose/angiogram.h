@@ -36,7 +36,7 @@ using Mask = Image2d<std::uint8_t>;   ///< 0 outside, anything else inside
 /// One X-ray run: frames of equal size with the geometry of its header. Copies share the frames, which never change.
 class ANGIOPOSE_EXPORT Angiogram {
 public:
-    /// Copies the frames. Fails where they differ in size.
+    /// Copies the frames. Fails where there is none, or they differ in size.
     Angiogram(const std::vector<Image>& frames, Polarity polarity, const CArm& cArm = {});
     explicit Angiogram(std::shared_ptr<const core::Angiogram> content);
 

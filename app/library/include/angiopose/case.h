@@ -34,7 +34,9 @@ public:
     int frame() const;
     void setFrame(int frame);   ///< poses turn along where the gantry did
     ProjectionCamera camera() const;
-    void setCamera(const ProjectionCamera& camera);   ///< in place of what the C-arm tells
+    void setCamera(const ProjectionCamera& camera);   ///< of the angiogram's size; in place of what the C-arm tells
+    CArm cArm() const;
+    void setCArm(const CArm& cArm);   ///< camera and start pose follow from it, whatever was set before
     Pose startPose() const;
     void setStartPose(const Pose& cameraFromPatient);   ///< moves the current pose there too
     Pose cameraFromPatient() const;   ///< where the vessels are now; registrations begin here
@@ -42,6 +44,12 @@ public:
     RegistrationOptions options() const;
     void setOptions(const RegistrationOptions& options);
     void setTarget(const Centerline2d& target);   ///< of this frame, in place of tracing it; see targetOf
+    TraceOptions traceOptions() const;   ///< how frames are traced that have no target
+    void setTraceOptions(const TraceOptions& options);
+    std::vector<int> excludedBranchIds() const;   ///< see RegistrationInput
+    void setExcludedBranchIds(const std::vector<int>& ids);
+    std::vector<int> auxiliaryBranchIds() const;
+    void setAuxiliaryBranchIds(const std::vector<int>& ids);
     std::vector<Message> warnings() const;   ///< of reading the case and its files
 
     struct Content;
@@ -60,14 +68,16 @@ ANGIOPOSE_EXPORT Case readCase(const std::string& path, const Observer& observe 
 ANGIOPOSE_EXPORT Case readCase(const std::string& vesselPath, const std::string& imagePath,
                                const VesselReadOptions& options = {}, const Observer& observe = {});
 
-/// Writes a case file, with paths relative to it. What comes from no file is written beside it first: the vessels as
-/// tree.vtp, the angiogram as angiogram.dcm, a given target as centreline.csv. The case names them from then on.
+/// Writes a case file, with paths relative to it. What comes from no file is written beside it first, called after it:
+/// of a.angiopose the vessels are a.tree.vtp, the angiogram a.angiogram.dcm, a target that was set a.curves.csv (the
+/// case file calls it edited, as it holds for one frame). The case names them from then on.
 ANGIOPOSE_EXPORT void writeCase(Case& theCase, const std::string& path);
 
 /// The image points of the case: given with it, else traced in its frame.
 ANGIOPOSE_EXPORT Centerline2d targetOf(const Case& theCase);
 
-/// What `registerVessels` needs, as arrays; traces the angiogram where no target is given.
+/// What `registerVessels` needs, as arrays; traces the angiogram where no target is given. Method, settings and locks
+/// of the case are not among it: `registerVessels(inputOf(theCase), theCase.options())` does what `registerCase` does.
 ANGIOPOSE_EXPORT RegistrationInput inputOf(const Case& theCase);
 
 /// Registers the case with its options and takes over the pose. Throws for a case of several views, see registerViews.

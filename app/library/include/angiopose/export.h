@@ -1,5 +1,10 @@
 #pragma once
 
+#if __cplusplus < 202002L
+#error \
+    "AngioPose needs C++20: compile with -std=c++20, or link the CMake target AngioPose::AngioPose, which asks for it."
+#endif
+
 /// Marks what the library shows; everything else stays inside it.
 #if defined(ANGIOPOSE_BUILDS_LIBRARY)
 #define ANGIOPOSE_EXPORT __attribute__((visibility("default")))

@@ -3,6 +3,7 @@
 #include "angiopose/export.h"
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 
 // Frames. Patient: LPS, mm. Camera: mm, origin in the X-ray source, Z > 0 towards the detector. Image: px, u right
@@ -16,7 +17,8 @@ using Pose = Eigen::Matrix<double, 4, 4, Eigen::RowMajor | Eigen::DontAlign>;
 using Matrix6d = Eigen::Matrix<double, 6, 6, Eigen::RowMajor | Eigen::DontAlign>;
 using Vector6d = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
-/// Pin-hole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy.
+/// Pin-hole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy. Mind the sign of fx: with the wrong
+/// one the image is mirrored, and a tree of few branches may still fit it.
 struct ProjectionCamera {
     double fx = 0.0;   ///< px; below 0 in a standard image, which is seen from the detector
     double fy = 0.0;   ///< px

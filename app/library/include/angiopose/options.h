@@ -10,6 +10,7 @@
 namespace angiopose {
 
 /// Which method solves a registration, and its settings: those of `methods()`, by key. What is not set has its default.
+/// A key that no method knows is refused; a setting of another method is kept, and does nothing.
 struct RegistrationOptions {
     std::string method = "angiopose";
     std::map<std::string, std::string> values;   ///< a number, or one of the choices by name

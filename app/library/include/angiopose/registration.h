@@ -33,6 +33,9 @@ struct RegistrationInput {
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };
 
+/// In words: "converged", "iteration limit", …
+ANGIOPOSE_EXPORT std::string toText(StopReason reason);
+
 /// Closest-point distances over all used tree points, and the reverse direction.
 struct DistanceMetrics {
     double meanPx = 0.0, medianPx = 0.0, p75Px = 0.0, p95Px = 0.0;
@@ -41,8 +44,10 @@ struct DistanceMetrics {
     double reverseMeanPx = 0.0, reverseMeanMm = 0.0;
 };
 
-/// Covariance of a pose about the tree's centroid in camera axes. Order: rotation x, y, z (rad), shift x, y, z (mm).
+/// Covariance of a pose about `centroidInPatient` in camera axes. Order: rotation x, y, z (rad), shift x, y, z (mm).
+/// With c = cameraFromPatient · centroid, (r, t) is the error that takes a camera point p to c + R(r) (p − c) + t.
 struct PoseUncertainty {
+    Eigen::Vector3d centroidInPatient = Eigen::Vector3d::Zero();   ///< LPS mm, of the whole tree by length
     Matrix6d covariance = Matrix6d::Zero();
     Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< 1-σ about camera x, y, z
     double inPlaneMm = 0.0;   ///< 1-σ, the larger lateral direction
@@ -67,9 +72,9 @@ struct Hypothesis {
 };
 
 struct RegistrationResult {
-    std::string method;
+    std::string method;   ///< empty where a pose was only judged
     Pose cameraFromPatient = Pose::Identity();
-    StopReason stopReason = StopReason::IterationLimit;
+    StopReason stopReason = StopReason::IterationLimit;   ///< Converged where a pose was only judged
     int iterations = 0;
     DistanceMetrics metrics;
     PoseUncertainty uncertainty;
@@ -99,7 +104,8 @@ struct MultiViewResult {
 };
 
 /// Registers one tree to two or more views of the same moment, which tells the depth. The start poses tell how the
-/// cameras stand to each other.
+/// cameras stand to each other; each view but the first may leave that by about 0.5° and 1.5 mm (1-σ per axis), as
+/// headers are off by as much. `corrections` says by how much it did.
 ANGIOPOSE_EXPORT MultiViewResult registerViews(const std::vector<RegistrationInput>& views,
                                                const RegistrationOptions& options = {}, const Observer& observe = {});
 

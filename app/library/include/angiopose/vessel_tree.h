@@ -21,7 +21,7 @@ struct BranchLabel {
 struct VesselTree {
     std::vector<Eigen::Vector3d> points;   ///< N, patient LPS, mm
     std::vector<int> branchIds;   ///< N, the branch of each point; any numbers, one per branch
-    std::vector<double> radiusMm;   ///< N, or empty; NaN along a branch whose radii are not known
+    std::vector<double> radiusMm;   ///< N, or empty; 0 and more, or NaN along a whole branch whose radii are not known
     std::vector<BranchLabel> labels;   ///< of branches that have one, in any order; may be empty
 };
 
@@ -29,7 +29,8 @@ struct VesselTree {
 struct Centerline2d {
     std::vector<Eigen::Vector2d> points;   ///< M, px
     /// M: the curve of each point; those of a curve stand together, in order along it. Empty: the points are in no
-    /// order, such as the pixels of a skeleton; neighbours are joined to curves then.
+    /// order, such as the pixels of a skeleton; neighbours in the image are joined to curves then. (Files are taken in
+    /// the order of their rows.)
     std::vector<int> curveIds;
     std::vector<double> radiusPx;   ///< M, or empty; NaN along a curve whose radii are not known
 };

@@ -1,5 +1,6 @@
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_fields.h"
+#include "core/registration/options/option_text.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -60,6 +61,17 @@ TEST(RegistrationOptions, SwitchesAndChoicesAreKnownByNameAndByNumber)
     RegistrationOptions options;
     preset.write(options, *valueFrom(preset, "seed_metric"));
     EXPECT_EQ(options.seed.preset, PriorPreset::SeedMetric);
+}
+
+TEST(RegistrationOptions, ATextThatIsNoValueSaysWhatWouldBe)
+{
+    RegistrationOptions options;
+    EXPECT_EQ("options.needs-whole-number", setOption(options, "maxIterations=40.5").error().message.id());
+    EXPECT_EQ("Option 'search' must be one of off, on, not 'perhaps'.",
+              setOption(options, "search=perhaps").error().message.text());
+    EXPECT_EQ("options.needs-value", setOption(options, "maxIterations=many").error().message.id());
+    EXPECT_TRUE(setOption(options, "finalScalePx=1.25"));
+    EXPECT_EQ(1.25, options.finalScalePx);
 }
 
 TEST(RegistrationOptions, NamesTheFieldThatIsOutOfRange)

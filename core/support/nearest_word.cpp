@@ -1,12 +1,12 @@
-#include "app/cli/nearest_word.h"
+#include "core/support/nearest_word.h"
 
 #include <Eigen/Core>
 #include <algorithm>
 
-namespace angiopose::app {
+namespace angiopose::core {
 namespace {
 
-int distanceBetween(const std::string& a, const std::string& b)
+int lettersBetween(const std::string& a, const std::string& b)
 {
     const auto rows = static_cast<Eigen::Index>(a.size());
     const auto columns = static_cast<Eigen::Index>(b.size());
@@ -35,7 +35,7 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     std::string nearest;
     int least = static_cast<int>(word.size()) / 3 + 1;
     for (const std::string& each : words) {
-        if (const int distance = distanceBetween(word, each); distance < least) {
+        if (const int distance = lettersBetween(word, each); distance < least) {
             least = distance;
             nearest = each;
         }
@@ -43,4 +43,4 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     return nearest;
 }
 
-}   // namespace angiopose::app
+}   // namespace angiopose::core
