@@ -111,7 +111,7 @@ TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
 
 TEST(Arrays, TheCovarianceIsAboutThePlaceItNames)
 {
-    const RegistrationInput input = inputOf(smallCase().theCase);
+    const RegistrationInput input = inputOf(test::smallCase().theCase);
     const RegistrationResult result = evaluatePose(input, input.initialCameraFromPatient);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();   // by length
     double length = 0.0;
@@ -128,7 +128,7 @@ TEST(Arrays, TheCovarianceIsAboutThePlaceItNames)
 
 TEST(Arrays, WhatMakesNoSenseIsRefused)
 {
-    const RegistrationInput good = inputOf(smallCase().theCase);
+    const RegistrationInput good = inputOf(test::smallCase().theCase);
     RegistrationInput input = good;
     input.tree.radiusMm[2] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ("tree.branch-radius-unusable", idOfErrorIn([&] { registerVessels(input); }));

@@ -73,7 +73,7 @@ TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
 
 TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
 {
-    const Case known = smallCase().theCase;
+    const Case known = test::smallCase().theCase;
     const Angiogram run = known.angiogram();
     Case plain(known.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
     EXPECT_THROW(plain.camera(), Error);
@@ -85,7 +85,7 @@ TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
 
 TEST_F(CaseOfLibrary, RefusesTheCameraOfAnotherImageAndBranchesItDoesNotHave)
 {
-    Case theCase = smallCase().theCase;
+    Case theCase = test::smallCase().theCase;
     const int width = theCase.camera().width;
     EXPECT_THROW(theCase.setCamera({-3000.0, 3000.0, 150.0, 150.0, 300, 300}), Error);
     EXPECT_EQ(width, theCase.camera().width);

@@ -111,7 +111,9 @@ TEST(RegisterCase, UsesTheKnownTargetOfTheShownView)
     Case values = test::twoViewCase();
     const Centerline2d known = *values.shown().target.centerline;
     values.shown().target = {};
-    values.shown().angiogram = std::make_shared<const Angiogram>();   // cannot be traced
+    Angiogram blank;   // cannot be traced
+    blank.frames = {ImageF(values.shown().angiogram->width(), values.shown().angiogram->height(), 1.0F)};
+    values.shown().angiogram = std::make_shared<const Angiogram>(std::move(blank));
     EXPECT_FALSE(registerCase(values, {Views::Shown}));
     EXPECT_TRUE(registerCase(values, {Views::Shown, known}));
 }

@@ -45,7 +45,7 @@ TEST(MessageText, TranslatesMessagesInsideAndBehindFileNames)
 
     EXPECT_EQ(messageText(core::cameraFromCArm({}, 512, 512).error().message),
               QStringLiteral("Der Abstand Fokus–Detektor (SID) fehlt oder ist nicht positiv. In der Geometrie des "
-                             "Falls eintragen (der Bildheader nennt ihn nicht)."));
+                             "C-Bogens ergänzen (der Bildheader nennt ihn nicht)."));
     EXPECT_EQ(messageText(says::noSuchBranch(3).about("a.vtp")),
               QStringLiteral("a.vtp: Der Gefäßbaum hat keinen Ast 3."));
     EXPECT_EQ(messagesText({says::noSuchBranch(3), says::noSuchBranch(4)}),
