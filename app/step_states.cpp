@@ -1,6 +1,6 @@
 #include "app/step_states.h"
 
-#include "core/imaging/patient_match.h"
+#include "core/case/case_patients.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
@@ -45,8 +45,7 @@ StepState angiogram(const core::Case& current, const StepFacts& facts)
     if (facts.isTracing) {
         return {StepMark::Open, StepWords::tr("tracing …"), {}};
     }
-    if (const auto mismatch = core::findMismatch(current.vessels.scanIdentity, current.shown().angiogram->identity);
-        !mismatch.empty()) {
+    if (const auto mismatch = core::findMismatch(current); !mismatch.empty()) {
         return {StepMark::Look, StepWords::tr("another patient?"), ui::messagesText(mismatch)};
     }
     if (core::givenTargetOf(current.shown())) {

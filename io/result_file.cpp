@@ -1,5 +1,6 @@
 #include "io/result_file.h"
 
+#include "core/case/case_patients.h"
 #include "io/case/fields/result_fields.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -63,6 +64,9 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     nameBranches(root["perBranch"], theCase);
     root["warnings"] = sentencesOf(result.warnings);
     root["inputs"] = inputsJson(theCase);
+    if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
+        root["inputs"]["mismatch"] = sentencesOf(mismatch);
+    }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

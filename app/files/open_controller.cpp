@@ -6,6 +6,7 @@
 #include "app/files/recent_cases.h"
 #include "app/files/view_from_inputs.h"
 #include "app/preferences/settings.h"
+#include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "ui/words/message_text.h"
 
@@ -114,15 +115,30 @@ void OpenController::openWithoutOptional()
 
 void OpenController::addWaitingView()
 {
-    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
-        addView(*inputs, askedPaths_);
+    if (auto opening = std::exchange(waiting_, std::nullopt)) {
+        opening->way = Way::AddView;
+        admit(*opening);
     }
 }
 
 void OpenController::replaceImage()
 {
-    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
-        join(*inputs, askedPaths_);
+    if (const auto opening = std::exchange(waiting_, std::nullopt)) {
+        admit(*opening);
+    }
+}
+
+void OpenController::replaceOpenCase()
+{
+    if (const auto opening = std::exchange(waiting_, std::nullopt)) {
+        admit(*opening);
+    }
+}
+
+void OpenController::openMismatched()
+{
+    if (const auto opening = std::exchange(waiting_, std::nullopt)) {
+        carryOut(*opening);
     }
 }
 
@@ -216,41 +232,76 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
     if (asksFirst(inputs, paths)) {
         return;
     }
-    if (std::exchange(asView_, false)) {
-        addView(inputs, paths);
-        return;
-    }
     const bool replaces = inputs.wholeCase || makesNewCase(inputs);
-    if (isAnotherView(inputs)) {
-        waiting_ = inputs;
-        askedPaths_ = paths;
+    Opening opening{inputs, paths, replaces ? Way::Replace : Way::Join};
+    if (std::exchange(asView_, false)) {
+        opening.way = Way::AddView;
+    } else if (isAnotherView(inputs)) {
+        waiting_ = std::move(opening);
         emit viewChoiceNeeded(namesOf(paths));
         return;
     }
-    if (!replaces) {
-        join(inputs, paths);
-        return;
-    }
-    const QString path = inputs.wholeCase ? original_.value_or(paths.front()) : QString();
-    if (document_.isModified()) {
-        waiting_ = inputs;
-        waitingPath_ = path;
+    if (opening.way == Way::Replace && document_.isModified()) {
+        waiting_ = std::move(opening);
         emit replacementNeedsConsent();
         return;
     }
-    replaceWith(inputs, path);
+    admit(opening);
 }
 
-void OpenController::replaceOpenCase()
+/// Nothing of another patient comes in unasked.
+void OpenController::admit(const Opening& opening)
 {
-    if (const auto inputs = std::exchange(waiting_, std::nullopt)) {
-        replaceWith(*inputs, waitingPath_);
+    const auto wanted = caseWith(opening);
+    const LoadedInputs& inputs = opening.inputs;
+    const bool saysWhose = inputs.angiogram || inputs.volume || inputs.wholeCase;
+    const core::Messages mismatch = wanted && saysWhose ? core::findMismatch(wanted.value()) : core::Messages();
+    if (mismatch.empty()) {
+        carryOut(opening);
+        return;
+    }
+    waiting_ = opening;
+    emit mismatchNeedsConsent(namesOf(opening.paths), mismatch);
+}
+
+/// The open case as it would be.
+core::Result<core::Case> OpenController::caseWith(const Opening& opening) const
+{
+    const LoadedInputs& inputs = opening.inputs;
+    if (opening.way == Way::Replace) {
+        return inputs.wholeCase ? *inputs.wholeCase : withInputs({}, inputs);
+    }
+    if (opening.way == Way::Join) {
+        return withInputs(document_.current(), inputs);
+    }
+    auto added = viewFrom(document_.current(), inputs, opening.paths.front().toStdString());
+    if (!added) {
+        return added.error();
+    }
+    core::Case wanted = document_.current();
+    wanted.views.push_back(std::move(added).value());
+    return wanted;
+}
+
+void OpenController::carryOut(const Opening& opening)
+{
+    const auto wanted = caseWith(opening);
+    if (!wanted) {
+        emit failed(ui::messageText(wanted.error().message), opening.paths);
+    } else if (opening.way == Way::Replace) {
+        replaceBy(wanted.value(), opening);
+    } else if (opening.way == Way::Join) {
+        join(wanted.value(), opening);
+    } else {
+        addView(wanted.value(), opening);
     }
 }
 
-void OpenController::replaceWith(const LoadedInputs& inputs, const QString& path)
+void OpenController::replaceBy(const core::Case& wanted, const Opening& opening)
 {
-    document_.replace(inputs.wholeCase ? *inputs.wholeCase : withInputs({}, inputs), path);
+    const LoadedInputs& inputs = opening.inputs;
+    const QString path = inputs.wholeCase ? original_.value_or(opening.paths.front()) : QString();
+    document_.replace(wanted, path);
     if (!path.isEmpty()) {
         rememberCase(path);
     }
@@ -268,30 +319,24 @@ bool OpenController::isAnotherView(const LoadedInputs& inputs) const
            isNew;
 }
 
-void OpenController::addView(const LoadedInputs& inputs, const QStringList& paths)
+void OpenController::addView(const core::Case& wanted, const Opening& opening)
 {
-    auto added = viewFrom(document_.current(), inputs, paths.front().toStdString());
-    if (!added) {
-        emit failed(ui::messageText(added.error().message), paths);
-        return;
-    }
-    core::Case wanted = document_.current();
-    wanted.views.push_back(std::move(added).value());
-    const QStringList notes = notesOf(inputs, core::showingView(wanted, wanted.views.size() - 1));
-    document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::valuesOf(wanted),
-                                                 [names = namesOf(paths)] { return tr("Add view %1").arg(names); }));
+    const QStringList notes = notesOf(opening.inputs, core::showingView(wanted, wanted.views.size() - 1));
+    document_.push(
+        std::make_unique<ChangeViews>(document_, ChangeViews::valuesOf(wanted),
+                                      [names = namesOf(opening.paths)] { return tr("Add view %1").arg(names); }));
     emit opened(notes + QStringList{tr("View added: a click in the strip above the image shows it.")});
 }
 
-void OpenController::join(const LoadedInputs& inputs, const QStringList& paths)
+void OpenController::join(const core::Case& wanted, const Opening& opening)
 {
     if (document_.isEmpty()) {
-        document_.replace(withInputs(document_.current(), inputs), {});
+        document_.replace(wanted, {});
     } else {
-        document_.push(joinInputs(document_, withInputs(document_.current(), inputs),
-                                  [names = namesOf(paths)] { return tr("Open %1").arg(names); }));
+        document_.push(
+            joinInputs(document_, wanted, [names = namesOf(opening.paths)] { return tr("Open %1").arg(names); }));
     }
-    emit opened(notesOf(inputs, document_.current()) + notesOnScan(inputs, document_.current()));
+    emit opened(notesOf(opening.inputs, document_.current()) + notesOnScan(opening.inputs, document_.current()));
 }
 
 }   // namespace angiopose::app

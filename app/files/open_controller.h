@@ -28,6 +28,8 @@ public:
     /// Answers `viewChoiceNeeded`.
     void addWaitingView();
     void replaceImage();
+    /// Answers `mismatchNeedsConsent`.
+    void openMismatched();
     /// Answers `inputsMissing`: opens without those that can be done without.
     void openWithoutOptional();
     /// Answers `inputsMissing`: where some of them lie, or another folder to search.
@@ -53,6 +55,8 @@ signals:
     /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
     /// `replaceImage` or nothing.
     void viewChoiceNeeded(const QString& name);
+    /// What was opened seems to be of another patient, or of the other side; answer with `openMismatched` or nothing.
+    void mismatchNeedsConsent(const QString& names, const core::Messages& mismatch);
     void opened(const QStringList& notes);   ///< what to know about the files, in words
     void failed(const QString& reason, const QStringList& paths);
     /// Asked before the open case, with unsaved changes, is replaced; answer with `replaceOpenCase` or nothing.
@@ -62,20 +66,30 @@ public slots:
     void replaceOpenCase();
 
 private:
+    /// What becomes of files that have been read.
+    enum class Way { Replace, Join, AddView };
+    struct Opening {
+        LoadedInputs inputs;
+        QStringList paths;
+        Way way = Way::Join;
+    };
+
     void load(const QStringList& paths, const OpenHints& hints);
     bool asksFirst(const LoadedInputs& inputs, const QStringList& paths);
     void take(const LoadedInputs& inputs, const QStringList& paths);
-    void replaceWith(const LoadedInputs& inputs, const QString& path);
-    void join(const LoadedInputs& inputs, const QStringList& paths);
-    void addView(const LoadedInputs& inputs, const QStringList& paths);
+    void admit(const Opening& opening);
+    core::Result<core::Case> caseWith(const Opening& opening) const;
+    void carryOut(const Opening& opening);
+    void replaceBy(const core::Case& wanted, const Opening& opening);
+    void join(const core::Case& wanted, const Opening& opening);
+    void addView(const core::Case& wanted, const Opening& opening);
     bool isAnotherView(const LoadedInputs& inputs) const;
     ScanUse scanUse() const;
     void finish();
 
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
-    std::optional<LoadedInputs> waiting_;   ///< read, but the user still has to agree
-    QString waitingPath_;
+    std::optional<Opening> waiting_;   ///< read, but the user still has to agree
     QString askedSeries_;   ///< of the scan that is asked about
     QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
     bool asView_ = false;   ///< what is being opened becomes another view

@@ -59,6 +59,7 @@ OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenCon
     connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askWhatScan);
     connect(&open_, &OpenController::unitNeeded, this, &OpenDialogs::askUnit);
     connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
+    connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::askAboutPatient);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
     connect(&window_.welcome(), &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
     connect(&window_.welcome(), &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
@@ -129,6 +130,26 @@ void OpenDialogs::askWhichView(const QString& name)
             open_.addWaitingView();
         } else if (index == 1) {
             open_.replaceImage();
+        } else {
+            open_.abandon();
+        }
+    });
+    question->open();
+}
+
+void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mismatch)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Not the same patient?"),
+         ui::messagesText(mismatch) + QStringLiteral("\n\n") +
+             tr("If “%1” is opened all the same, every picture and report of the case will say so.").arg(names),
+         {}},
+        {tr("Do not open it"), tr("Open it all the same")}, &window_);
+    question->setObjectName(QStringLiteral("patientQuestion"));
+    question->setMeantByClosing(0);
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index == 1) {
+            open_.openMismatched();
         } else {
             open_.abandon();
         }

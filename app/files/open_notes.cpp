@@ -1,7 +1,7 @@
 #include "app/files/open_notes.h"
 
 #include "app/document/assemble_case.h"
-#include "core/imaging/patient_match.h"
+#include "core/case/case_patients.h"
 #include "ui/actions/key_hint.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -38,9 +38,8 @@ QStringList notesOf(const LoadedInputs& inputs, const core::Case& opened)
         notes << NoteWords::tr("One unit of the file is %1 mm, as you chose.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
-    if (!inputs.wholeCase && opened.shown().angiogram) {   // a case file has compared them itself
-        for (const core::Message& mismatch :
-             core::findMismatch(opened.vessels.scanIdentity, opened.shown().angiogram->identity)) {
+    if (!inputs.wholeCase) {   // a case file has compared them itself
+        for (const core::Message& mismatch : core::findMismatch(opened)) {
             notes << ui::messageText(mismatch);
         }
     }

@@ -1,6 +1,7 @@
 #include "app/texts/case_texts.h"
 
 #include "app/messages/says.h"
+#include "core/case/case_patients.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,6 +152,9 @@ CornerLines cornerLines(const core::Case& theCase, Identity identity)
         const core::StudyIdentity& study = theCase.shown().angiogram->identity;
         lines.topLeft = identity == Identity::Shown ? patientLines(study) : core::Messages{says::identityHidden()};
         lines.topRight = studyLines(study, identity);
+    }
+    if (!core::findMismatch(theCase).empty()) {
+        lines.topLeft.push_back(says::notSamePatient());
     }
     addAngles(lines.bottomRight, core::cArmOfFrame(theCase.shown()));
     addDistances(lines.bottomRight, theCase.shown().geometry.cArm);

@@ -2,6 +2,7 @@
 
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
+#include "core/case/case_patients.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/overlay_scene.h"
@@ -211,6 +212,9 @@ std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
         }
         texts["Found"] = result->provenance.time;
         texts["Found by"] = result->provenance.author;
+    }
+    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+        texts["Patient"] += mismatch.text() + "\n";
     }
     std::erase_if(texts, [](const auto& entry) { return entry.second.empty(); });
     return texts;

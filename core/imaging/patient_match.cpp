@@ -29,7 +29,7 @@ bool differs(const std::string& a, const std::string& b)
 
 }   // namespace
 
-std::optional<Message> findPatientMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+std::optional<Message> findPatientMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
 {
     Messages reasons;
     const auto add = [&reasons](bool isDifferent, const auto& what) {
@@ -37,30 +37,36 @@ std::optional<Message> findPatientMismatch(const StudyIdentity& scan, const Stud
             reasons.push_back(what());
         }
     };
-    add(differs(scan.patientId, run.patientId), says::patientNumber);
-    add(differs(scan.patientName, run.patientName), says::patientName);
-    add(differs(scan.birthDate, run.birthDate), says::patientBirthDate);
-    add(differs(scan.sex, run.sex) && bare(scan.sex) != "o" && bare(run.sex) != "o", says::patientSex);
+    add(differs(one.patientId, other.patientId), says::patientNumber);
+    add(differs(one.patientName, other.patientName), says::patientName);
+    add(differs(one.birthDate, other.birthDate), says::patientBirthDate);
+    add(differs(one.sex, other.sex) && bare(one.sex) != "o" && bare(other.sex) != "o", says::patientSex);
     if (reasons.empty()) {
         return std::nullopt;
+    }
+    if (compared == Compared::TwoRuns) {
+        return reasons.size() > 1 ? says::patientOfRunsDiffersInSeveral(reasons) : says::patientOfRunsDiffers(reasons);
     }
     return reasons.size() > 1 ? says::patientDiffersInSeveral(reasons) : says::patientDiffers(reasons);
 }
 
-std::optional<Message> findSideMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
 {
-    const std::string first = bare(scan.laterality), second = bare(run.laterality);
+    const std::string first = bare(one.laterality), second = bare(other.laterality);
     const bool areOpposite = (first == "l" && second == "r") || (first == "r" && second == "l");
     if (!areOpposite) {
         return std::nullopt;
     }
+    if (compared == Compared::TwoRuns) {
+        return says::patientSideOfRunsDiffers();
+    }
     return says::patientSideDiffers(first == "l" ? says::sideLeft() : says::sideRight());
 }
 
-Messages findMismatch(const StudyIdentity& scan, const StudyIdentity& run)
+Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
 {
     Messages found;
-    for (const auto& mismatch : {findPatientMismatch(scan, run), findSideMismatch(scan, run)}) {
+    for (const auto& mismatch : {findPatientMismatch(one, other, compared), findSideMismatch(one, other, compared)}) {
         if (mismatch) {
             found.push_back(*mismatch);
         }

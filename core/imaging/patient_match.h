@@ -7,14 +7,19 @@
 
 namespace angiopose::core {
 
+/// What the two images are that are compared.
+enum class Compared { ScanAndRun, TwoRuns };
+
 /// What speaks against two images being of the same patient, without naming anybody: differing number, name, birth
 /// date or sex, where both give one.
-std::optional<Message> findPatientMismatch(const StudyIdentity& scan, const StudyIdentity& run);
+std::optional<Message> findPatientMismatch(const StudyIdentity& one, const StudyIdentity& other,
+                                           Compared compared = Compared::ScanAndRun);
 
 /// The same for the side of a paired body part, left or right.
-std::optional<Message> findSideMismatch(const StudyIdentity& scan, const StudyIdentity& run);
+std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other,
+                                        Compared compared = Compared::ScanAndRun);
 
 /// Both.
-Messages findMismatch(const StudyIdentity& scan, const StudyIdentity& run);
+Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared = Compared::ScanAndRun);
 
 }   // namespace angiopose::core

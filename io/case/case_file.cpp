@@ -1,5 +1,6 @@
 #include "io/case/case_file.h"
 
+#include "core/case/case_patients.h"
 #include "core/geometry/geometry_checks.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_document.h"
@@ -149,6 +150,8 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
         Case values = std::move(loaded).value();
         loadOtherViews(values, std::move(notes), path, warnings);
         dropStaleResults(noted, values, warnings);
+        const core::Messages mismatch = core::findMismatch(values);
+        warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;
     } catch (const std::exception&) {   // a value the schema let through
         return fileError(path, says::caseWrongKind());

@@ -1,7 +1,6 @@
 #include "io/case/view_inputs.h"
 
 #include "core/case/start_pose.h"
-#include "core/imaging/patient_match.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/dicom/c_arm_tags.h"
@@ -116,9 +115,6 @@ core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& v
         view.geometry.cameraOverride || view.geometry.cArm.columnSpacingMm.origin == core::Origin::User;
     std::copy_if(angiogram.warnings.begin(), angiogram.warnings.end(), std::back_inserter(warnings),
                  [&](const core::Message& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
-    for (const core::Message& mismatch : core::findMismatch(vessels.scanIdentity, angiogram.identity)) {
-        warnings.push_back(mismatch);
-    }
     fillFromHeader(view.geometry.cArm, angiogram.cArm);
     if (!notes.hasCurrentPose) {
         const auto start = core::startPoseOf(view, vessels);

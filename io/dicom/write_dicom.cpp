@@ -128,7 +128,7 @@ void addIdentity(DatasetWriter& out, const core::StudyIdentity& identity, const 
     out.text(0x00200010, EVR_SH, "1");
     out.text(0x00200011, EVR_IS, "1");
     out.text(0x00200013, EVR_IS, "1");
-    out.text(0x00200060, EVR_CS, "");
+    out.text(0x00200060, EVR_CS, identity.laterality);
 }
 
 /// Row direction as seen on screen: image right is (cos α, sin α, 0) in LPS when not mirrored (ALGORITHMS §5.3).

@@ -60,10 +60,10 @@ protected:
         click(buttonCalled(w.dialogs("noticeDialog").front(), "I understand"));
     }
 
-    void closeWarning()
+    void openAllTheSame()
     {
-        ASSERT_EQ(w.dialogs("messageDialog").size(), 1);
-        click(buttonCalled(w.dialogs("messageDialog").front(), "Close"));
+        ASSERT_TRUE(QTest::qWaitFor([this] { return w.dialogs("patientQuestion").size() == 1; }, test::patienceMs));
+        click(buttonCalled(w.dialogs("patientQuestion").front(), "Open it all the same"));
     }
 
     void drop(const QString& path)
@@ -115,8 +115,8 @@ TEST_F(Newcomer, ReachesAnOverlayOfADicomFolderAndARunInTwelve)
     drop(QString::fromStdString(study.file("")));
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
     drop(QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm")));
+    openAllTheSame();   // the scan is another patient's than the sample's run
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
-    closeWarning();   // the scan is another patient's than the sample's run
     registerAndExport();
     EXPECT_LE(clicks, 12);
 }

@@ -79,6 +79,7 @@ private:
 struct CtSlice {
     std::string seriesUid = "1.2.3";
     std::string sopInstanceUid;
+    std::string patientName = "Phantom^CT", patientId, birthDate, sex, laterality;   ///< empty: not there
     std::string description = "CTA 0.75";
     std::string modality = "CT";
     int instanceNumber = 1;
@@ -109,7 +110,10 @@ inline std::string ctSlice(const CtSlice& slice)
     data.text(0x0008, 0x0020, "DA", "20260401");
     data.text(0x0008, 0x0060, "CS", slice.modality);
     data.text(0x0008, 0x103e, "LO", slice.description);
-    data.text(0x0010, 0x0010, "PN", "Phantom^CT");
+    data.text(0x0010, 0x0010, "PN", slice.patientName);
+    data.text(0x0010, 0x0020, "LO", slice.patientId);
+    data.text(0x0010, 0x0030, "DA", slice.birthDate);
+    data.text(0x0010, 0x0040, "CS", slice.sex);
     data.text(0x0020, 0x000d, "UI", "1.2");
     data.text(0x0020, 0x000e, "UI", slice.seriesUid);
     data.text(0x0020, 0x0011, "IS", "4");
@@ -117,6 +121,7 @@ inline std::string ctSlice(const CtSlice& slice)
     data.text(0x0020, 0x0013, "IS", std::to_string(slice.instanceNumber));
     data.text(0x0020, 0x0032, "DS", joined(slice.position));
     data.text(0x0020, 0x0037, "DS", joined(slice.orientation));
+    data.text(0x0020, 0x0060, "CS", slice.laterality);
     data.number(0x0028, 0x0002, 1);
     data.text(0x0028, 0x0004, "CS", "MONOCHROME2");
     data.number(0x0028, 0x0010, static_cast<std::uint16_t>(slice.rows));

@@ -1,0 +1,220 @@
+#include "core/case/case_patients.h"
+#include "core/simulation/simulated_case.h"
+#include "io/angiogram_file.h"
+#include "io/case/case_file.h"
+#include "io/result_file.h"
+#include "io/vessel_tree_file.h"
+#include "tests/app/open_window.h"
+#include "tests/io/series/ct_phantom.h"
+#include "tests/support/forked_vessel.h"
+
+#include <QImage>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+namespace angiopose::app {
+namespace {
+
+using test::OpenWindow;
+
+/// What of a patient another one differs in.
+enum class Trait { Number, Name, BirthDate, Sex, Side };
+
+/// How files come into the window.
+enum class WayIn { AddedView, ReplacedRun, ScanAsVessels, ScanBeside, ScanAndRunTogether, CaseFile };
+
+core::StudyIdentity patient()
+{
+    core::StudyIdentity identity;
+    identity.patientName = "Doe^Jane";
+    identity.patientId = "0815";
+    identity.birthDate = "1950-01-02";
+    identity.sex = "F";
+    identity.laterality = "L";
+    return identity;
+}
+
+core::StudyIdentity anotherIn(Trait trait)
+{
+    core::StudyIdentity other = patient();
+    switch (trait) {
+        case Trait::Number:
+            other.patientId = "4711";
+            break;
+        case Trait::Name:
+            other.patientName = "Roe^Jane";
+            break;
+        case Trait::BirthDate:
+            other.birthDate = "1950-02-01";
+            break;
+        case Trait::Sex:
+            other.sex = "M";
+            break;
+        case Trait::Side:
+            other.laterality = "R";
+            break;
+    }
+    return other;
+}
+
+/// Files of two patients on the disk.
+class Study {
+public:
+    explicit Study(Trait trait)
+    {
+        writeRun("run.dcm", patient());
+        writeRun("other.dcm", anotherIn(trait));
+        writeScan(scan_, patient());
+        writeScan(otherScan_, anotherIn(trait));
+        EXPECT_TRUE(io::writeVesselTree(simulated_.tree, file("tree.vtp").toStdString()));
+        saveCase("one.angiopose", {});
+        core::View second;
+        second.imageFile.path = file("other.dcm").toStdString();
+        saveCase("mixed.angiopose", second);
+    }
+
+    QString file(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
+    QString scan() const { return QString::fromStdString(scan_.file("")); }
+    QString otherScan() const { return QString::fromStdString(otherScan_.file("")); }
+
+private:
+    void writeRun(const char* name, const core::StudyIdentity& identity) const
+    {
+        core::Angiogram run = simulated_.angiogram;
+        run.identity = identity;
+        EXPECT_TRUE(io::writeAngiogram(run, file(name).toStdString()));
+    }
+
+    static void writeScan(const test::TemporaryFolder& folder, const core::StudyIdentity& identity)
+    {
+        std::vector<test::CtSlice> slices = test::allSlices(test::forkScan());
+        for (test::CtSlice& slice : slices) {
+            slice.patientName = identity.patientName;
+            slice.patientId = identity.patientId;
+            slice.birthDate = identity.birthDate;
+            std::erase(slice.birthDate, '-');
+            slice.sex = identity.sex;
+            slice.laterality = identity.laterality;
+        }
+        test::writeShuffled(folder, slices);
+    }
+
+    void saveCase(const char* name, const core::View& second) const
+    {
+        core::Case theCase;
+        theCase.vessels.file.path = file("tree.vtp").toStdString();
+        theCase.vessels.tree = std::make_shared<core::VesselTree>(simulated_.tree);
+        core::View& view = theCase.shown();
+        view.imageFile.path = file("run.dcm").toStdString();
+        view.geometry.cArm = simulated_.angiogram.cArm;
+        view.cameraFromPatient = simulated_.initialCameraFromPatient;
+        if (!second.imageFile.path.empty()) {
+            theCase.views.push_back(second);
+            theCase.views.back().geometry = view.geometry;
+            theCase.views.back().cameraFromPatient = view.cameraFromPatient;
+        }
+        EXPECT_TRUE(io::saveCase(theCase, file(name).toStdString()));
+    }
+
+    QTemporaryDir folder_;
+    test::TemporaryFolder scan_, otherScan_;
+    core::SimulatedCase simulated_ = core::simulateCase(3);
+};
+
+void answer(OpenWindow& w, const char* question, const QString& verb)
+{
+    const auto questions = w.dialogs(question);
+    ASSERT_EQ(questions.size(), 1) << question;
+    OpenWindow::clickButton(questions.front(), verb);
+    EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+}
+
+void bringIn(OpenWindow& w, const Study& study, WayIn way)
+{
+    switch (way) {
+        case WayIn::AddedView:
+            w.drop({study.file("one.angiopose")});
+            w.drop({study.file("other.dcm")});
+            answer(w, "viewQuestion", QStringLiteral("Add as a view"));
+            break;
+        case WayIn::ReplacedRun:
+            w.drop({study.scan()});
+            w.drop({study.file("run.dcm")});
+            w.drop({study.file("other.dcm")});
+            answer(w, "viewQuestion", QStringLiteral("Replace the angiogram"));
+            break;
+        case WayIn::ScanAsVessels:
+            w.drop({study.file("one.angiopose")});
+            w.drop({study.otherScan()});
+            answer(w, "scanQuestion", QStringLiteral("Trace its vessels"));
+            break;
+        case WayIn::ScanBeside:
+            w.drop({study.file("one.angiopose")});
+            w.drop({study.otherScan()});
+            answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
+            break;
+        case WayIn::ScanAndRunTogether:
+            w.drop({study.scan(), study.file("other.dcm")});
+            break;
+        case WayIn::CaseFile:
+            w.drop({study.file("mixed.angiopose")});
+            break;
+    }
+}
+
+class AnotherPatient : public ::testing::TestWithParam<Trait> {};
+
+TEST_P(AnotherPatient, IsAskedAboutHoweverTheFilesComeIn)
+{
+    const Study study(GetParam());
+    for (const WayIn way : {WayIn::AddedView, WayIn::ReplacedRun, WayIn::ScanAsVessels, WayIn::ScanBeside,
+                            WayIn::ScanAndRunTogether, WayIn::CaseFile}) {
+        SCOPED_TRACE(static_cast<int>(way));
+        OpenWindow w;
+        bringIn(w, study, way);
+        ASSERT_EQ(w.dialogs("patientQuestion").size(), 1);
+        EXPECT_TRUE(core::findMismatch(w.current()).empty());   // nothing has come in unasked
+        answer(w, "patientQuestion", QStringLiteral("Do not open it"));
+        EXPECT_TRUE(core::findMismatch(w.current()).empty());
+
+        OpenWindow agreed;
+        bringIn(agreed, study, way);
+        answer(agreed, "patientQuestion", QStringLiteral("Open it all the same"));
+        EXPECT_FALSE(core::findMismatch(agreed.current()).empty());
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Traits, AnotherPatient,
+                         ::testing::Values(Trait::Number, Trait::Name, Trait::BirthDate, Trait::Sex, Trait::Side));
+
+TEST(WindowPatient, TheSamePatientIsNotAskedAbout)
+{
+    const Study study(Trait::Number);
+    OpenWindow w;
+    w.drop({study.file("one.angiopose")});
+    w.drop({study.scan()});
+    answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
+    EXPECT_TRUE(w.dialogs("patientQuestion").empty());
+    EXPECT_TRUE(w.current().vessels.scan);
+}
+
+TEST(WindowPatient, WhatIsExportedSaysThatPatientsAreMixed)
+{
+    const Study study(Trait::Number);
+    OpenWindow w;
+    w.drop({study.file("mixed.angiopose")});
+    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
+    w.waitForJudgement();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("overlay.png"));
+    QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
+    w.controller.exporting().exportOverlay({600, ui::Choice::Off, ui::Choice::Off}, path);
+    ASSERT_TRUE(exported.wait(test::patienceMs));
+    EXPECT_TRUE(QImage(path).text(QStringLiteral("Patient")).contains(QStringLiteral("different patients")));
+
+    core::Case judged = w.current();
+    EXPECT_NE(io::resultJson(judged, {}).find("different patients"), std::string::npos);
+}
+
+}   // namespace
+}   // namespace angiopose::app
