@@ -115,6 +115,9 @@ void ViewSync::showAngiogram()
 {
     shownAngiogram_ = document_.current().shown().angiogram;
     shownFrame_ = -1;
+    if (!shownAngiogram_) {
+        clearFrame();
+    }
     if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
         isGreyNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
     } else {
@@ -126,14 +129,23 @@ void ViewSync::showCamera()
 {
     const auto camera = core::cameraOf(document_.current().shown());
     const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
-    if (known == shownCamera_ && known) {
+    if (known == shownCamera_) {
         return;
     }
     shownCamera_ = known;
-    if (known) {
-        window_.angiogramView().setCamera(*known);
-        window_.treeView().scene().setCamera(*known, sourceToDetectorMm(document_.current()));
-    }
+    window_.angiogramView().setCamera(known.value_or(core::ProjectionCamera()));
+    window_.treeView().scene().setCamera(known.value_or(core::ProjectionCamera()),
+                                         known ? sourceToDetectorMm(document_.current()) : 0.0);
+    window_.treeView().requestRender();
+}
+
+/// Nothing of an image that the case does not have any more.
+void ViewSync::clearFrame()
+{
+    window_.angiogramView().setFrame({});
+    window_.angiogramView().setFramePosition(0, 0);
+    window_.treeView().scene().setFrame({});
+    window_.treeView().requestRender();
 }
 
 void ViewSync::showFrame(int frame)
@@ -190,7 +202,8 @@ void ViewSync::showMarks(const ui::BranchMarks& marks)
     window_.treeView().requestRender();
     window_.branches().showMarks(marks);
     window_.slices().setMarks(marks);
-    window_.registration().showAuxiliary(static_cast<int>(marks.auxiliary.size()));
+    const auto isUsed = [&marks](int id) { return !marks.excluded.contains(id); };
+    window_.registration().showAuxiliary(static_cast<int>(std::ranges::count_if(marks.auxiliary, isUsed)));
 }
 
 void ViewSync::showTarget(const SharedCenterline& target)

@@ -52,6 +52,7 @@ private:
     };
     void showTree();
     void showAngiogram();
+    void clearFrame();
     void showCamera();
     void showPose(const core::RigidTransform& cameraFromPatient);
     void showResidualColors();

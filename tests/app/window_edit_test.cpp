@@ -1,14 +1,38 @@
+#include "app/files/sample_case.h"
 #include "tests/app/open_window.h"
 #include "tests/support/matchers.h"
 #include "ui/panels/branch_delegate.h"
 #include "ui/panels/lock_dot.h"
 
+#include <QDir>
 #include <QListView>
 
 namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+
+/// An image that the case does not have any more would be taken for its own.
+TEST(WindowEdit, UndoTakesAnImageFromTheScreenToo)
+{
+    const auto sample = writeSampleCase();
+    ASSERT_TRUE(sample);
+    const QDir folder = QFileInfo(sample.value()).dir();
+    OpenWindow w;
+    w.drop({folder.filePath(QStringLiteral("tree.vtp"))});
+    const auto picture = [&w] {
+        QApplication::processEvents();
+        return w.window.angiogramView().grab().toImage();
+    };
+    const QImage before = picture();
+    w.drop({folder.filePath(QStringLiteral("run.dcm"))});
+    ASSERT_TRUE(w.current().shown().angiogram);
+    EXPECT_NE(picture(), before);
+
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_FALSE(w.current().shown().angiogram);
+    EXPECT_EQ(picture(), before);
+}
 
 TEST(WindowEdit, NudgesByKeysAsOneStepOfUndo)
 {
