@@ -1,5 +1,6 @@
 #include "app/review/judgement_controller.h"
 
+#include "app/messages/says.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
 #include "ui/main_window.h"
@@ -32,6 +33,16 @@ void takeOverFromRun(core::RegistrationResult& judged, const core::RegistrationR
     judged.uncertainty = run.uncertainty;
     judged.stopReason = run.stopReason;
     judged.time = run.time;
+}
+
+/// The newest run that left exactly this pose behind, or null.
+const core::PoseSnapshot* runThatFound(const core::View& view)
+{
+    const auto isOfRun = [&view](const core::PoseSnapshot& snapshot) {
+        return !snapshot.method.empty() && snapshot.cameraFromPatient.matrix() == view.cameraFromPatient.matrix();
+    };
+    const auto found = std::ranges::find_if(view.snapshots.rbegin(), view.snapshots.rend(), isOfRun);
+    return found == view.snapshots.rend() ? nullptr : &*found;
 }
 
 }   // namespace
@@ -103,9 +114,15 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
         judged.source = ui::PoseSource::Run;
         takeOverFromRun(judged.result, *current.shown().result);
     } else {
+        const core::PoseSnapshot* const run = runThatFound(current.shown());
         judged.source = isFollowed()                  ? ui::PoseSource::Followed
+                        : run                         ? ui::PoseSource::EarlierRun
                         : on_.pose.isMovedFromStart() ? ui::PoseSource::Edited
                                                       : ui::PoseSource::Start;
+        if (run && run->metrics && !run->metrics->isTrustworthy) {   // nothing that was distrusted turns green
+            judged.result.trustworthy = false;
+            judged.result.warnings.push_back(says::runDistrusted());
+        }
     }
     judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
     judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;

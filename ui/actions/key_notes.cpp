@@ -68,7 +68,7 @@ void KeyNotes::addModes(std::vector<KeyLine>& lines)
          {tr("E"), tr("erase with a brush; [ ] its size")},
          {tr("D"), tr("draw: Enter ends, Backspace takes a point back, Shift straight")},
          {tr("C"), tr("cut a curve")},
-         {tr("B L"), tr("box or lasso around what counts; Ctrl: around what does not")},
+         {tr("B L"), tr("box or lasso around what is no vessel; Ctrl: keep the inside alone")},
          {tr("✓ ✗"), tr("dashed curves may be a catheter: keep or leave out")},
          {tr("S, then A or Del"), tr("the next of the dashed curves: keep or leave out")}});
 }

@@ -29,9 +29,9 @@ constexpr std::array editRows{
     EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Cut"), "C",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click where a curve is to fall in two")},
     EditRow{CurveEdit::Box, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Box"), "B",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Keep what lies in a box; Ctrl: leave it out")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Leave out what lies in a box; Ctrl: keep it alone")},
     EditRow{CurveEdit::Lasso, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Lasso"), "L",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Keep what lies in a lasso; Ctrl: leave it out")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Leave out what lies in a lasso; Ctrl: keep it alone")},
 };
 
 QString withKey(const QString& text, const QString& key)

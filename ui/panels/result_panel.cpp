@@ -45,6 +45,8 @@ QString sourceWords(const JudgedPose& judged)
             return ResultPanel::tr("%1 · %2").arg(median, runSummary(judged.result));
         case PoseSource::Edited:
             return ResultPanel::tr("%1 · moved by hand").arg(median);
+        case PoseSource::EarlierRun:
+            return ResultPanel::tr("%1 · of an earlier run").arg(median);
         case PoseSource::Followed:
             return ResultPanel::tr("%1 · followed").arg(median);
         case PoseSource::Start:
@@ -150,7 +152,10 @@ void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree
     }
     const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetresPerPixel);
     showIn(certain_, sentences.certain);
-    showIn(doubtful_, sentences.doubtful);
+    const bool isOld = judged.source == PoseSource::EarlierRun;
+    showIn(doubtful_, isOld ? sentences.doubtful + QStringList{tr("What this pose was fitted to has changed since the "
+                                                                  "run that found it. R registers again.")}
+                            : sentences.doubtful);
 }
 
 void ResultPanel::showNothing(const QString& why)

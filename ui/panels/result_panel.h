@@ -12,7 +12,13 @@ class ConvergencePlot;
 class HistogramPlot;
 
 /// How a pose came about.
-enum class PoseSource { Start, Edited, Run, Followed };
+enum class PoseSource {
+    Start,
+    Edited,
+    Run,
+    EarlierRun,   ///< a run found it, but what it was fitted to may have changed since
+    Followed
+};
 
 /// What the result panel shows of one judged pose.
 struct JudgedPose {

@@ -88,9 +88,9 @@ QString EditCurvesTool::caption() const
         case CurveEdit::Remove:
             return tr("Not a vessel: click a curve to leave it out, Esc ends");
         case CurveEdit::Box:
-            return tr("Box: drag around what counts, Ctrl around what does not, Esc ends");
+            return tr("Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends");
         case CurveEdit::Lasso:
-            return tr("Lasso: draw around what counts, Ctrl around what does not, Esc ends");
+            return tr("Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends");
     }
     return {};
 }
@@ -140,7 +140,7 @@ bool EditCurvesTool::startDrag(const ToolPoint& pressed)
     isDragging_ = true;
     mouse_ = pressed;
     region_ = {pressed.imagePx};
-    isKeeping_ = !pressed.modifiers.testFlag(Qt::ControlModifier);
+    isKeeping_ = pressed.modifiers.testFlag(Qt::ControlModifier);
     hovered_ = -1;
     return true;
 }
