@@ -2,6 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "ui/main_window.h"
+#include "ui/views/tree_view.h"
 #include "ui/words/number.h"
 #include "ui/words/terms.h"
 
@@ -101,6 +102,8 @@ void RunController::showProgress(const RunReport& report)
 void RunController::showFinished(const core::RegistrationResult& result)
 {
     on_.window.steps().showCurrent(ui::Step::Review);
+    on_.window.treeView().scene().frameAnew();
+    on_.window.treeView().requestRender();
     on_.notices.showNote(result.stopReason == core::StopReason::StoppedByUser
                              ? tr("Stopped: the best pose so far is kept, undo takes it back")
                              : tr("Registered: median %1 mm").arg(ui::numberText(result.metrics.medianMm, 2)));

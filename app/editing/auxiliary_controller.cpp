@@ -1,10 +1,12 @@
 #include "app/editing/auxiliary_controller.h"
+#include "app/document/edit_case.h"
 
 #include "core/registration/options/option_fields.h"
 #include "core/registration/pose/start_prior.h"
 #include "core/support/quantile.h"
 #include "ui/main_window.h"
 #include "ui/panels/result_sentences.h"
+#include "ui/panels/snapshot_panel.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/words/language.h"
@@ -31,6 +33,14 @@ QString nameOfStep(std::size_t step)
                                   QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "up–down"),
                                   QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "depth")};
     return AuxiliaryController::tr(names[step]);
+}
+
+const std::string defaultMethod = "angiopose";
+const std::string alternatingMethod = "dynaweight";
+
+bool contains(const std::vector<int>& ids, int id)
+{
+    return std::ranges::find(ids, id) != ids.end();
 }
 
 bool alternates(const std::string& methodId)
@@ -107,6 +117,7 @@ void AuxiliaryController::connectDialog()
     connect(dialog, &ui::AuxiliaryDialog::generationRequested, this, &AuxiliaryController::chooseGenerations);
     connect(dialog, &ui::AuxiliaryDialog::radiusRequested, this, &AuxiliaryController::chooseWide);
     connect(dialog, &ui::AuxiliaryDialog::suggestionRequested, this, &AuxiliaryController::chooseSuggestion);
+    connect(dialog, &ui::AuxiliaryDialog::methodRequested, this, &AuxiliaryController::takeAlternatingMethod);
     connect(dialog, &ui::AuxiliaryDialog::clearRequested, this, [this] { branches_.setAuxiliary({}); });
     connect(dialog, &ui::AuxiliaryDialog::viewRequested, window_.actions()[ui::Command::AuxiliaryInView],
             &QAction::trigger);
@@ -115,6 +126,15 @@ void AuxiliaryController::connectDialog()
         window_.activateWindow();
         window_.angiogramView().setFocus();
     });
+}
+
+void AuxiliaryController::takeAlternatingMethod()
+{
+    core::RegistrationOptions options = document_.current().options;
+    options.method = alternatingMethod;
+    document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options}, [] {
+        return tr("Change method to %1").arg(ui::methodWords(alternatingMethod));
+    }));
 }
 
 void AuxiliaryController::chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect)
@@ -246,18 +266,28 @@ QString AuxiliaryController::previewWords() const
     }
     double lengthMm = 0.0;
     double chosenMm = 0.0;
+    std::vector<int> chosenIds;   // an excluded one is not used, chosen or not
     for (const core::VesselBranch& branch : current.vessels.tree->branches) {
+        if (contains(current.vessels.excludedBranchIds, branch.id)) {
+            continue;
+        }
         lengthMm += branch.lengthMm();
-        const auto& chosenIds = current.vessels.auxiliaryBranchIds;
-        chosenMm += std::ranges::find(chosenIds, branch.id) != chosenIds.end() ? branch.lengthMm() : 0.0;
+        if (contains(current.vessels.auxiliaryBranchIds, branch.id)) {
+            chosenMm += branch.lengthMm();
+            chosenIds.push_back(branch.id);
+        }
     }
-    const QString chosen = current.vessels.auxiliaryBranchIds.empty()
-                               ? tr("Nothing is chosen: the alternation takes the %1 nodes of the tree.")
-                                     .arg(core::findNodes(*current.vessels.tree).size())
-                               : tr("Chosen: %1 (%2 mm, %3 % of the tree).")
-                                     .arg(namesOf(current.vessels.auxiliaryBranchIds))
-                                     .arg(ui::numberText(chosenMm, 0))
-                                     .arg(ui::numberText(100.0 * chosenMm / std::max(1e-9, lengthMm), 0));
+    const QString chosen = chosenIds.empty() ? tr("Nothing is chosen: the alternation takes the %1 nodes of the tree.")
+                                                   .arg(core::findNodes(*current.vessels.tree).size())
+                                             : tr("Chosen: %1 (%2 mm, %3 % of the tree).")
+                                                   .arg(namesOf(chosenIds))
+                                                   .arg(ui::numberText(chosenMm, 0))
+                                                   .arg(ui::numberText(100.0 * chosenMm / std::max(1e-9, lengthMm), 0));
+    if (current.options.method == defaultMethod) {
+        return tr("%1 AngioPose tries poses found from these alone while its fit is in doubt; a clear fit never asks "
+                  "them.")
+            .arg(chosen);
+    }
     if (!alternates(current.options.method)) {
         return tr("%1 The method chosen now does not alternate and takes all branches.").arg(chosen);
     }
@@ -274,6 +304,9 @@ void AuxiliaryController::show()
     }
     ui::AuxiliaryAdvice shown;
     shown.preview = previewWords();
+    if (!alternates(document_.current().options.method)) {
+        shown.otherMethod = ui::methodWords(alternatingMethod);
+    }
     const auto& tree = document_.current().vessels.tree;
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         shown.generations = std::max(shown.generations, branch.generation + 1);

@@ -50,6 +50,7 @@ private:
         std::vector<int> suggested;
     };
     void connectDialog();
+    void takeAlternatingMethod();
     void request();
     void start();
     void take(const Advice& advice);

@@ -2,6 +2,7 @@
 
 #include "app/messages/says.h"
 #include "app/words/geometry_state.h"
+#include "core/case/case_patients.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
@@ -76,6 +77,17 @@ double mmPerPxOf(const core::Case& theCase)
     return camera ? core::millimetresPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
 }
 
+/// That the images are not of one patient stands where nobody overlooks it.
+QString mismatchLines(const core::Case& theCase)
+{
+    QString lines;
+    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+        lines +=
+            QStringLiteral("<p><b style=\"color:#b00020\">%1</b></p>").arg(ui::messageText(mismatch).toHtmlEscaped());
+    }
+    return lines;
+}
+
 QString titleLines(const CaseReport& report)
 {
     const core::StudyIdentity& study = report.theCase.shown().angiogram->identity;
@@ -89,8 +101,10 @@ QString titleLines(const CaseReport& report)
         patient << ui::messageText(says::identityHidden());
     }
     return QStringLiteral("<h2>%1</h2><p><b style=\"color:#9a5b00\">%2</b> · %3</p>")
-        .arg(fromCore(report.theCase.title).toHtmlEscaped(), ui::messageText(says::notForClinicalUse()).toHtmlEscaped(),
-             patient.join(QStringLiteral(" · ")).toHtmlEscaped());
+               .arg(fromCore(report.theCase.title).toHtmlEscaped(),
+                    ui::messageText(says::notForClinicalUse()).toHtmlEscaped(),
+                    patient.join(QStringLiteral(" · ")).toHtmlEscaped()) +
+           mismatchLines(report.theCase);
 }
 
 QString resultPart(const CaseReport& report)
@@ -108,6 +122,14 @@ QString resultPart(const CaseReport& report)
     if (report.theCase.shown().result) {
         rows.emplace_back(ReportWords::tr("Method"), fromCore(judged.method) + QStringLiteral(" · ") +
                                                          ui::termText(core::toText(judged.stopReason)));
+        const core::Provenance& provenance = report.theCase.shown().result->provenance;
+        const QDateTime found = QDateTime::fromString(fromCore(provenance.time), Qt::ISODate).toLocalTime();
+        if (found.isValid()) {
+            rows.emplace_back(
+                ReportWords::tr("Found"),
+                ui::languageLocale().toString(found, QLocale::ShortFormat) +
+                    (provenance.author.empty() ? QString() : QStringLiteral(" · ") + fromCore(provenance.author)));
+        }
     } else {
         rows.emplace_back(ReportWords::tr("Method"), ReportWords::tr("pose set by hand"));
     }

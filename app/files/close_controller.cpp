@@ -13,23 +13,26 @@ CloseController::CloseController(ui::MainWindow& window, CaseDocument& document,
                                  RegistrationController& registration, QObject* parent)
     : QObject(parent), window_(window), document_(document), save_(save), registration_(registration)
 {
-    connect(&window_, &ui::MainWindow::closeRequested, this, &CloseController::requestClose);
+    connect(&window_, &ui::MainWindow::closeRequested, this, [this] { requestClose(Closed::Window); });
+    connect(window_.actions()[ui::Command::CloseCase], &QAction::triggered, this,
+            [this] { requestClose(Closed::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
         if (!running && closing_ != Closing::No) {
             // The solver's best pose is applied by the same event: close once that is done.
-            QMetaObject::invokeMethod(this, &CloseController::closeWindow, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(this, &CloseController::close, Qt::QueuedConnection);
         }
     });
 }
 
-void CloseController::requestClose()
+void CloseController::requestClose(Closed closed)
 {
     if (window_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
         return;
     }
+    closed_ = closed;
     emit aboutToClose();
     if (!registration_.isRunning() && !save_.holdsWork()) {
-        closeWindow();
+        close();
         return;
     }
     const Question words = question();
@@ -86,22 +89,26 @@ void CloseController::answerClose(Closing closing)
     if (registration_.isRunning()) {
         registration_.stop();   // setRunning goes on when the worker has ended
     } else {
-        closeWindow();
+        close();
     }
 }
 
-void CloseController::closeWindow()
+void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
-        const auto close = [this] { closeWindow(); };
+        const auto goOn = [this] { close(); };
         if (save_.savable() == SaveController::Savable::Vessels) {
-            save_.saveVessels(close);
+            save_.saveVessels(goOn);
         } else {
-            save_.save(close);
+            save_.save(goOn);
         }
         return;
     }
     save_.discardAutosave();
+    if (closed_ == Closed::Case) {
+        document_.replace({}, {});
+        return;
+    }
     storeWindowLayout(window_);
     window_.closeNow();
 }

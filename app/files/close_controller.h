@@ -17,7 +17,8 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// Closing loses nothing unasked: neither changes nor a running registration, whose best pose is kept before saving.
+/// Closing the window or the case alone loses nothing unasked: neither changes nor a running registration, whose best
+/// pose is kept before saving.
 class CloseController : public QObject {
     Q_OBJECT
 public:
@@ -29,22 +30,24 @@ signals:
 
 private:
     enum class Closing { No, Now, AfterSaving };
+    enum class Closed { Window, Case };
 
     struct Question {
         ui::Message message;
         std::vector<std::pair<QString, Closing>> answers;   ///< the first one stands out
     };
 
-    void requestClose();
+    void requestClose(Closed closed);
     Question question() const;
     void answerClose(Closing closing);
-    void closeWindow();
+    void close();
 
     ui::MainWindow& window_;
     CaseDocument& document_;
     SaveController& save_;
     RegistrationController& registration_;
     Closing closing_ = Closing::No;
+    Closed closed_ = Closed::Window;   ///< what is being closed
 };
 
 }   // namespace angiopose::app

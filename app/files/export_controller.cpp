@@ -14,6 +14,7 @@
 #include "io/result_file.h"
 #include "io/support/atomic_file.h"
 #include "io/vessel_tree_file.h"
+#include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
@@ -143,17 +144,38 @@ void ExportController::askReport()
         emit failed(tr("There is nothing to report yet. Open vessels and an angiogram first."));
         return;
     }
-    auto input = core::registrationInputOf(current, *target_.current());
+    auto* question = new ui::QuestionDialog(
+        {tr("Print who the patient is?"), tr("Reports are passed on. Without identity they name nobody."), {}},
+        {tr("Without identity"), tr("With identity"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("identityQuestion"));
+    connect(
+        question, &ui::QuestionDialog::answered, this,
+        [this](int index) {
+            if (index < 2) {
+                askReportFile(index == 1 ? ui::Choice::On : ui::Choice::Off);
+            }
+        },
+        Qt::QueuedConnection);   // one dialog goes, then one comes
+    question->open();
+}
+
+void ExportController::askReportFile(ui::Choice identity)
+{
+    const core::Case& current = document_.current();
+    if (!target_.current()) {
+        return;   // gone meanwhile
+    }
+    const auto input = core::registrationInputOf(current, *target_.current());
     if (!input) {
         emit failed(ui::messageText(input.error().message));
         return;
     }
     ui::ExportChoice choice;
     choice.residualColors = ui::Choice::On;
-    choice.identity = settings::identityHidden.read() ? ui::Choice::Off : ui::Choice::On;
+    choice.identity = identity;
     const CaseReport report{current, {}, *target_.current(), lookOf(choice), observerName()};
     askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
-            [report, input = std::move(input).value()](const QString& path) -> core::Status {
+            [report, input = input.value()](const QString& path) -> core::Status {
                 const auto judged = report.theCase.shown().result
                                         ? core::Result<core::RegistrationResult>(*report.theCase.shown().result)
                                         : core::evaluatePose(input, report.theCase.shown().cameraFromPatient);

@@ -47,6 +47,7 @@ signals:
     void failed(const QString& reason);
 
 private:
+    void askReportFile(ui::Choice identity);
     OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
     Write overlayWriter(const ui::ExportChoice& choice) const;
 

@@ -4,15 +4,16 @@
 #include "app/files/recent_cases.h"
 #include "app/messages/says.h"
 #include "app/preferences/settings.h"
-#include "core/imaging/patient_match.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QMenu>
+#include <QProcess>
 
 namespace angiopose::app {
 
@@ -34,17 +35,6 @@ SessionController::SessionController(ui::MainWindow& window, CaseDocument& docum
     connectExporting();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
     ui::speak(this, [this] { fillRecent(); });
-}
-
-void SessionController::warnOfMismatch()
-{
-    const core::Case& current = document_.current();
-    const core::Messages mismatch = current.shown().angiogram ? core::findMismatch(current.vessels.scanIdentity,
-                                                                                   current.shown().angiogram->identity)
-                                                              : core::Messages();
-    if (!mismatch.empty()) {
-        notices_.showProblem(tr("Not the same patient?"), ui::messagesText(mismatch));
-    }
 }
 
 void SessionController::begin(const QStringList& paths)
@@ -86,6 +76,7 @@ void SessionController::connectFiles()
     connect(&window_.welcome(), &ui::WelcomePage::clearRequested, this, &SessionController::clearRecent,
             Qt::QueuedConnection);   // the button that asks for it goes away
     connect(window_.actions()[ui::Command::Close], &QAction::triggered, &window_, &QWidget::close);
+    connect(window_.actions()[ui::Command::NewWindow], &QAction::triggered, this, &SessionController::openNewWindow);
 }
 
 void SessionController::connectOpening()
@@ -102,7 +93,6 @@ void SessionController::connectOpening()
         fillRecent();
         pictureOpened();
         notices_.showNote(notes.isEmpty() ? tr("Opened") : ui::joinedSentences(notes));
-        warnOfMismatch();
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
@@ -143,6 +133,15 @@ void SessionController::connectExporting()
     });
     connect(&export_, &ExportController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
+}
+
+/// A process of its own: what happens to one case cannot touch another.
+void SessionController::openNewWindow()
+{
+    if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {})) {
+        notices_.showProblem(tr("Could not open another window"),
+                             tr("The program could not be started again. Start it from the menu of the system."));
+    }
 }
 
 void SessionController::fillRecent()

@@ -41,12 +41,12 @@ signals:
     void aboutToClose();   ///< the user asked for it; what must not stay open ends now
 
 private:
-    void warnOfMismatch();   ///< loudly: scan and angiogram of different patients
     void connectFiles();
     void connectOpening();
     void connectSaving();
     void connectExporting();
     void showNotice();
+    void openNewWindow();
     void fillRecent();
     void clearRecent();
     void pictureOpened();   ///< the case that was opened gets its picture among the recent ones

@@ -3,6 +3,7 @@
 #include "app/help/fit_examples.h"
 #include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
+#include "ui/dialogs/message_history.h"
 #include "ui/help/help_page.h"
 #include "ui/help/tour.h"
 #include "ui/main_window.h"
@@ -22,6 +23,8 @@ HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObjec
     connect(actions[ui::Command::PanelHelp], &QAction::triggered, this, &HelpController::showPage);
     connect(actions[ui::Command::Tour], &QAction::triggered, this, &HelpController::startTour);
     connect(actions[ui::Command::GoodFit], &QAction::triggered, this, &HelpController::showGoodFit);
+    connect(actions[ui::Command::Messages], &QAction::triggered, this,
+            [this] { (new ui::MessageHistory(window_.strip().told(), &window_))->open(); });
     connect(actions[ui::Command::About], &QAction::triggered, this, &HelpController::showAbout);
 }
 

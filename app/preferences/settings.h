@@ -37,7 +37,7 @@ inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
 inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
-inline const Setting<QString> observer{"user/observer", {}};   ///< signs kept poses; empty: the login name
+inline const Setting<QString> observer{"user/observer", {}};   ///< of the last blind trial
 inline const Setting<QString> trialLog{"user/trialLog", {}};
 inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};

@@ -27,7 +27,7 @@ constexpr std::array hiddenCommands{
     ui::Command::ExportResult,     ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
     ui::Command::OpenSample,       ui::Command::BlindTrial,   ui::Command::CopyPose, ui::Command::Landmarks,
     ui::Command::PlaceByLandmarks, ui::Command::AddView,      ui::Command::NextView, ui::Command::FollowFrames,
-    ui::Command::ExportReport};
+    ui::Command::ExportReport,     ui::Command::CloseCase};
 
 std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
 {
@@ -56,7 +56,8 @@ void BlindTrialController::ask()
         return;
     }
     ui::BlindTrialSetup suggested;
-    suggested.observer = observerName();
+    const QString last = settings::observer.read();
+    suggested.observer = last.isEmpty() ? observerName() : last;
     suggested.seed = nextSeed(current.shown().snapshots);
     suggested.rangeMm = settings::trialRangeMm.read();
     suggested.rangeDeg = settings::trialRangeDeg.read();
@@ -100,6 +101,9 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
         document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}},
         [] { return tr("Blind trial"); }));
     showRunning(true);
+    if (QAction* nudge = window_.actions()[ui::Command::Nudge]; !nudge->isChecked()) {
+        nudge->trigger();   // the keys are to move the vessels
+    }
     clock_.start();
     emit started();
 }

@@ -33,6 +33,7 @@ void Notices::showNote(const QString& note)
 
 void Notices::showProblem(const QString& heading, const QString& reason, const QStringList& paths)
 {
+    window_.strip().remember(QStringLiteral("%1: %2").arg(heading, reason));
     QStringList details{tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
                         QDateTime::currentDateTime().toString(Qt::ISODate)};
     details += paths;

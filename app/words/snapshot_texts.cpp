@@ -1,6 +1,5 @@
 #include "app/words/snapshot_texts.h"
 
-#include "app/preferences/settings.h"
 #include "core/support/utc_time.h"
 #include "ui/panels/snapshot_panel.h"
 
@@ -8,8 +7,7 @@ namespace angiopose::app {
 
 QString observerName()
 {
-    const QString set = settings::observer.read();
-    return set.isEmpty() ? qEnvironmentVariable("USER") : set;
+    return qEnvironmentVariable("USER");
 }
 
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame)

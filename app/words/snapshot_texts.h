@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Who sits here: as set for observer studies, or the login name.
+/// Who sits here: the login name.
 QString observerName();
 
 /// What a run leaves behind, named after its method and the time.

@@ -4,6 +4,14 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
+        <source>%1 AngioPose tries poses found from these alone while its fit is in doubt; a clear fit never asks them.</source>
+        <translation>%1 AngioPose versucht Lagen aus diesen allein, solange die Anpassung fraglich ist; eine klare braucht sie nicht.</translation>
+    </message>
+    <message>
+        <source>Change method to %1</source>
+        <translation>Methode %1 wählen</translation>
+    </message>
+    <message>
         <source>tilt</source>
         <translation>Kippung</translation>
     </message>
@@ -134,6 +142,10 @@
 </context>
 <context>
     <name>angiopose::app::CaseReport</name>
+    <message>
+        <source>Found</source>
+        <translation>Gefunden</translation>
+    </message>
     <message>
         <source>Median distance</source>
         <translation>Median des Abstands</translation>
@@ -303,6 +315,26 @@
 </context>
 <context>
     <name>angiopose::app::ExportController</name>
+    <message>
+        <source>Print who the patient is?</source>
+        <translation>Patientenangaben drucken?</translation>
+    </message>
+    <message>
+        <source>Reports are passed on. Without identity they name nobody.</source>
+        <translation>Berichte werden weitergegeben. Ohne Angaben nennen sie niemanden.</translation>
+    </message>
+    <message>
+        <source>Without identity</source>
+        <translation>Ohne Angaben</translation>
+    </message>
+    <message>
+        <source>With identity</source>
+        <translation>Mit Angaben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
     <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
         <translation>Noch nichts zu exportieren. Zuerst Gefäßbaum und Angiogramm öffnen.</translation>
@@ -735,6 +767,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
+    <message>
+        <source>Not the same patient?</source>
+        <translation>Nicht derselbe Patient?</translation>
+    </message>
+    <message>
+        <source>If “%1” is opened all the same, every picture and report of the case will say so.</source>
+        <translation>Wird „%1“ dennoch geöffnet, steht es auf jedem Bild und Bericht des Falls.</translation>
+    </message>
+    <message>
+        <source>Do not open it</source>
+        <translation>Nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Open it all the same</source>
+        <translation>Dennoch öffnen</translation>
+    </message>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
@@ -1241,6 +1289,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
+        <source>The program could not be started again. Start it from the menu of the system.</source>
+        <translation>Das Programm ließ sich nicht noch einmal starten. Aus dem Menü des Systems starten.</translation>
+    </message>
+    <message>
+        <source>Could not open another window</source>
+        <translation>Kein weiteres Fenster möglich</translation>
+    </message>
+    <message>
         <source>Not for clinical use</source>
         <translation>Nicht für den klinischen Einsatz</translation>
     </message>
@@ -1295,10 +1351,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 (missing)</source>
         <translation>%1 (fehlt)</translation>
-    </message>
-    <message>
-        <source>Not the same patient?</source>
-        <translation>Nicht derselbe Patient?</translation>
     </message>
     <message>
         <source>Clear the list</source>
@@ -2920,6 +2972,31 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The principal point (%1, %2) lies outside the image: right for a cropped image only.</source>
         <comment>geometry.principal-point-outside</comment>
         <translation>Der Hauptpunkt (%1, %2) liegt außerhalb des Bildes: nur bei beschnittenem Bild richtig.</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms seem to be of different patients (%1 differs). Check that they are the right ones.</source>
+        <comment>patient.of-runs-differs</comment>
+        <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob es die richtigen sind.</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms seem to be of different patients (%1 differ). Check that they are the right ones.</source>
+        <comment>patient.of-runs-differs-in-several</comment>
+        <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob es die richtigen sind.</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms are of opposite sides of the patient. Check that they are the right ones.</source>
+        <comment>patient.side-of-runs-differs</comment>
+        <translation>Zwei der Angiogramme zeigen entgegengesetzte Seiten des Patienten. Prüfen, ob es die richtigen sind.</translation>
+    </message>
+    <message>
+        <source>The run that found this pose did not trust it.</source>
+        <comment>pose.run-distrusted</comment>
+        <translation>Der Lauf, der diese Lage fand, traute ihr nicht.</translation>
+    </message>
+    <message>
+        <source>Not the same patient in all images?</source>
+        <comment>picture.not-same-patient</comment>
+        <translation>Nicht in allen Bildern derselbe Patient?</translation>
     </message>
     <message>
         <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>
@@ -5221,6 +5298,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::AuxiliaryDialog</name>
     <message>
+        <source>Use %1 instead</source>
+        <translation>Stattdessen %1</translation>
+    </message>
+    <message>
+        <source>Its search alternates between the chosen branches and the whole tree.</source>
+        <translation>Die Suche wechselt zwischen den gewählten Ästen und dem ganzen Baum.</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -5550,6 +5635,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>angiopose::ui::CommandTable</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>Fall schließen</translation>
+    </message>
+    <message>
+        <source>New window</source>
+        <translation>Neues Fenster</translation>
+    </message>
     <message>
         <source>Open …</source>
         <translation>Öffnen …</translation>
@@ -6146,16 +6243,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Rechteck</translation>
     </message>
     <message>
-        <source>Keep what lies in a box; Ctrl: leave it out</source>
-        <translation>Behalten, was im Rahmen liegt; Strg: weglassen</translation>
+        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
+        <translation>Weglassen, was im Rahmen liegt; Strg: nur das behalten</translation>
     </message>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Keep what lies in a lasso; Ctrl: leave it out</source>
-        <translation>Behalten, was im Lasso liegt; Strg: weglassen</translation>
+        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
+        <translation>Weglassen, was im Lasso liegt; Strg: nur das behalten</translation>
     </message>
     <message>
         <source>Trace again</source>
@@ -6205,12 +6302,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Kein Gefäß: Kurve anklicken, um sie wegzulassen, Esc beendet</translation>
     </message>
     <message>
-        <source>Box: drag around what counts, Ctrl around what does not, Esc ends</source>
-        <translation>Rahmen: um das ziehen, was zählt, mit Strg um das Übrige, Esc beendet</translation>
+        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>Rahmen: um das ziehen, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
     </message>
     <message>
-        <source>Lasso: draw around what counts, Ctrl around what does not, Esc ends</source>
-        <translation>Lasso: umfahren, was zählt, mit Strg, was nicht zählt, Esc beendet</translation>
+        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>Lasso: umfahren, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
     </message>
     <message>
         <source>Erase curves</source>
@@ -6849,8 +6946,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>B L</translation>
     </message>
     <message>
-        <source>box or lasso around what counts; Ctrl: around what does not</source>
-        <translation>Rahmen oder Lasso um das, was zählt; Strg: um das Übrige</translation>
+        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
+        <translation>Rahmen oder Lasso um das, was kein Gefäß ist; Strg: nur das Innere behalten</translation>
     </message>
     <message>
         <source>✓ ✗</source>
@@ -7672,6 +7769,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::ResultPanel</name>
     <message>
+        <source>%1 · of an earlier run</source>
+        <translation>%1 · aus einem früheren Lauf</translation>
+    </message>
+    <message>
+        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
+        <translation>Woran diese Lage angepasst wurde, hat sich seit dem Lauf geändert. R registriert neu.</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -8349,6 +8454,17 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Lung</source>
         <translation>Lunge</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MessageHistory</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>Noch keine Meldungen.</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,14 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
+        <source>%1 AngioPose tries poses found from these alone while its fit is in doubt; a clear fit never asks them.</source>
+        <translation>%1 拟合存疑时，AngioPose 会尝试仅由这些分支得到的位姿；拟合明确时则不使用。</translation>
+    </message>
+    <message>
+        <source>Change method to %1</source>
+        <translation>改用方法 %1</translation>
+    </message>
+    <message>
         <source>tilt</source>
         <translation>倾斜</translation>
     </message>
@@ -134,6 +142,10 @@
 </context>
 <context>
     <name>angiopose::app::CaseReport</name>
+    <message>
+        <source>Found</source>
+        <translation>得出</translation>
+    </message>
     <message>
         <source>Median distance</source>
         <translation>中位距离</translation>
@@ -303,6 +315,26 @@
 </context>
 <context>
     <name>angiopose::app::ExportController</name>
+    <message>
+        <source>Print who the patient is?</source>
+        <translation>是否打印患者身份？</translation>
+    </message>
+    <message>
+        <source>Reports are passed on. Without identity they name nobody.</source>
+        <translation>报告会被转交。不含身份时不会指明任何人。</translation>
+    </message>
+    <message>
+        <source>Without identity</source>
+        <translation>不含身份</translation>
+    </message>
+    <message>
+        <source>With identity</source>
+        <translation>含身份</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
     <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
         <translation>尚无可导出内容。请先打开血管树和造影图像。</translation>
@@ -735,6 +767,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
+    <message>
+        <source>Not the same patient?</source>
+        <translation>不是同一患者？</translation>
+    </message>
+    <message>
+        <source>If “%1” is opened all the same, every picture and report of the case will say so.</source>
+        <translation>如果仍然打开“%1”，该病例的每张图片和报告都会注明这一点。</translation>
+    </message>
+    <message>
+        <source>Do not open it</source>
+        <translation>不打开</translation>
+    </message>
+    <message>
+        <source>Open it all the same</source>
+        <translation>仍然打开</translation>
+    </message>
     <message>
         <source>Open</source>
         <translation>打开</translation>
@@ -1241,6 +1289,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
+        <source>The program could not be started again. Start it from the menu of the system.</source>
+        <translation>程序无法再次启动。请从系统菜单启动。</translation>
+    </message>
+    <message>
+        <source>Could not open another window</source>
+        <translation>无法打开另一个窗口</translation>
+    </message>
+    <message>
         <source>Not for clinical use</source>
         <translation>不得用于临床</translation>
     </message>
@@ -1295,10 +1351,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 (missing)</source>
         <translation>%1（缺失）</translation>
-    </message>
-    <message>
-        <source>Not the same patient?</source>
-        <translation>不是同一患者？</translation>
     </message>
     <message>
         <source>Clear the list</source>
@@ -2920,6 +2972,31 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The principal point (%1, %2) lies outside the image: right for a cropped image only.</source>
         <comment>geometry.principal-point-outside</comment>
         <translation>主点（%1，%2）在图像之外：仅对裁剪图像正确。</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms seem to be of different patients (%1 differs). Check that they are the right ones.</source>
+        <comment>patient.of-runs-differs</comment>
+        <translation>其中两个血管造影似乎来自不同患者（%1不同）。请检查是否正确。</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms seem to be of different patients (%1 differ). Check that they are the right ones.</source>
+        <comment>patient.of-runs-differs-in-several</comment>
+        <translation>其中两个血管造影似乎来自不同患者（%1不同）。请检查是否正确。</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms are of opposite sides of the patient. Check that they are the right ones.</source>
+        <comment>patient.side-of-runs-differs</comment>
+        <translation>其中两个血管造影是患者相反的两侧。请检查是否正确。</translation>
+    </message>
+    <message>
+        <source>The run that found this pose did not trust it.</source>
+        <comment>pose.run-distrusted</comment>
+        <translation>找到此位姿的运行并不信任它。</translation>
+    </message>
+    <message>
+        <source>Not the same patient in all images?</source>
+        <comment>picture.not-same-patient</comment>
+        <translation>所有图像是否同一患者？</translation>
     </message>
     <message>
         <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>
@@ -5221,6 +5298,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::ui::AuxiliaryDialog</name>
     <message>
+        <source>Use %1 instead</source>
+        <translation>改用 %1</translation>
+    </message>
+    <message>
+        <source>Its search alternates between the chosen branches and the whole tree.</source>
+        <translation>其搜索在所选分支与整棵树之间交替。</translation>
+    </message>
+    <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
@@ -5550,6 +5635,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>angiopose::ui::CommandTable</name>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>关闭病例</translation>
+    </message>
+    <message>
+        <source>New window</source>
+        <translation>新建窗口</translation>
+    </message>
     <message>
         <source>Open …</source>
         <translation>打开……</translation>
@@ -6146,16 +6243,16 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>矩形</translation>
     </message>
     <message>
-        <source>Keep what lies in a box; Ctrl: leave it out</source>
-        <translation>保留框内部分；Ctrl：排除</translation>
+        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
+        <translation>排除框内部分；Ctrl：仅保留框内</translation>
     </message>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Keep what lies in a lasso; Ctrl: leave it out</source>
-        <translation>保留套索内部分；Ctrl：排除</translation>
+        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
+        <translation>排除套索内部分；Ctrl：仅保留套索内</translation>
     </message>
     <message>
         <source>Trace again</source>
@@ -6205,12 +6302,12 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>非血管：单击曲线以排除，Esc 结束</translation>
     </message>
     <message>
-        <source>Box: drag around what counts, Ctrl around what does not, Esc ends</source>
-        <translation>框选：拖动框住有效部分，Ctrl 框住无效部分，Esc 结束</translation>
+        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>框选：框住非血管部分；Ctrl 仅保留框内，Esc 结束</translation>
     </message>
     <message>
-        <source>Lasso: draw around what counts, Ctrl around what does not, Esc ends</source>
-        <translation>套索：圈住有效部分，Ctrl 圈住无效部分，Esc 结束</translation>
+        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>套索：圈住非血管部分；Ctrl 仅保留圈内，Esc 结束</translation>
     </message>
     <message>
         <source>Erase curves</source>
@@ -6849,8 +6946,8 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>B L</translation>
     </message>
     <message>
-        <source>box or lasso around what counts; Ctrl: around what does not</source>
-        <translation>框选或套索有效部分；Ctrl：无效部分</translation>
+        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
+        <translation>框选或套索非血管部分；Ctrl：仅保留内部</translation>
     </message>
     <message>
         <source>✓ ✗</source>
@@ -7672,6 +7769,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::ui::ResultPanel</name>
     <message>
+        <source>%1 · of an earlier run</source>
+        <translation>%1 · 来自较早的运行</translation>
+    </message>
+    <message>
+        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
+        <translation>自找到此位姿的运行以来，其拟合的对象已改变。按 R 重新配准。</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -8348,6 +8453,17 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Lung</source>
         <translation>肺窗</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MessageHistory</name>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>尚无消息。</translation>
     </message>
 </context>
 </TS>

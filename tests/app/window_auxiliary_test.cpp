@@ -80,6 +80,25 @@ TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
         labels, [](const QLabel* label) { return label->text().startsWith(QStringLiteral("Chosen: ")); }));
 }
 
+TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_A, Qt::ShiftModifier);
+    QDialog* dialog = w.controller.poses().auxiliary().dialog();
+    ASSERT_TRUE(dialog);
+    const auto says = [dialog](const QString& words) {
+        return std::ranges::any_of(dialog->findChildren<QLabel*>(),
+                                   [&words](const QLabel* label) { return label->text().contains(words); });
+    };
+    EXPECT_TRUE(says(QStringLiteral("while its fit is in doubt")));
+    OpenWindow::clickButton(dialog, QStringLiteral("Use DynaWeightPnP instead"));
+    EXPECT_EQ(w.current().options.method, "dynaweight");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !says(QStringLiteral("while its fit is in doubt")); }, test::patienceMs));
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().options.method, "angiopose");
+}
+
 TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
 {
     OpenWindow w;

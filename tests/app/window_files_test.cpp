@@ -128,6 +128,27 @@ TEST(WindowFiles, LeaveWhatCannotBeSavedWhereTheQuestionIsDismissed)
     EXPECT_EQ(w.current().options.maxIterations, 7);
 }
 
+TEST(WindowFiles, CloseTheCaseAndKeepTheWindow)
+{
+    OpenWindow w;
+    w.openSample();
+    const QImage image = w.window.angiogramView().grab().toImage();
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    QTest::keyClick(&w.window, Qt::Key_W, Qt::ControlModifier);
+    ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
+    OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Close without saving"));
+    EXPECT_TRUE(QTest::qWaitFor([&w] { return w.controller.document().isEmpty(); }, test::patienceMs));
+
+    EXPECT_TRUE(w.window.isVisible());
+    EXPECT_TRUE(w.window.welcome().isVisible());
+    EXPECT_TRUE(w.controller.document().path().isEmpty());
+    EXPECT_FALSE(w.controller.document().isModified());
+    EXPECT_NE(w.window.angiogramView().grab().toImage(), image);   // nothing of it stays behind the welcome page
+    w.openSample();   // and what comes next is a case of its own
+    EXPECT_FALSE(w.controller.document().isModified());
+}
+
 TEST(WindowFiles, CloseWithoutAskingWhenNothingChanged)
 {
     OpenWindow w;
@@ -169,7 +190,8 @@ void takeInsteadOfWhatIsOpen(OpenWindow& w)
         EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
     }
     for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
-                                         std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")}}) {
+                                         std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")},
+                                         std::pair{"patientQuestion", QStringLiteral("Open it all the same")}}) {
         for (QDialog* asked : w.dialogs(question)) {
             OpenWindow::clickButton(asked, verb);
             EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));

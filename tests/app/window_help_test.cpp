@@ -8,6 +8,7 @@
 
 #include <QImage>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QTextBrowser>
 
 #include <set>
@@ -16,6 +17,23 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+
+TEST(WindowHelp, WhatWasToldCanBeReadAgain)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_K);   // keeps the pose and says so
+    w.drop({QStringLiteral("/nowhere/run.dcm")});
+    for (QDialog* message : w.dialogs("messageDialog")) {
+        message->close();
+    }
+    w.press(Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_EQ(w.dialogs("messageHistory").size(), 1);
+    const QString told = w.dialogs("messageHistory").front()->findChild<QPlainTextEdit*>()->toPlainText();
+    EXPECT_TRUE(told.contains(QStringLiteral("Kept as"))) << told.toStdString();
+    EXPECT_TRUE(told.contains(QStringLiteral("run.dcm"))) << told.toStdString();
+    EXPECT_LT(told.indexOf(QStringLiteral("Kept as")), told.indexOf(QStringLiteral("run.dcm")));
+}
 
 TEST(WindowHelp, EveryPanelHasAPageInEveryLanguage)
 {

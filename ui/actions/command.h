@@ -8,6 +8,7 @@ enum class Command {
     Open,
     OpenFolder,
     OpenSample,
+    NewWindow,
     Save,
     SaveAs,
     ExportOverlay,
@@ -18,6 +19,7 @@ enum class Command {
     ExportReport,
     ExportFollowed,
     SaveWindow,
+    CloseCase,
     Close,
     // Edit
     Undo,
@@ -130,6 +132,7 @@ enum class Command {
     Tour,
     GoodFit,
     Keys,
+    Messages,
     About
 };
 

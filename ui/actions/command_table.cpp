@@ -18,6 +18,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::Open, QT_TR_NOOP("Open …"), "Ctrl+O"},
         {Command::OpenFolder, QT_TR_NOOP("Open DICOM folder …"), "Ctrl+Shift+O"},
         {Command::OpenSample, QT_TR_NOOP("Open sample case")},
+        {Command::NewWindow, QT_TR_NOOP("New window"), "Ctrl+N"},
         {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
         {Command::SaveAs, QT_TR_NOOP("Save as …"), "Ctrl+Shift+S"},
         {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E", StartsGroup},
@@ -28,7 +29,8 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportVessels, QT_TR_NOOP("Export vessel tree …")},
         {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
-        {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q", StartsGroup},
+        {Command::CloseCase, QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
+        {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q"},
     };
     return rows;
 }
@@ -220,6 +222,7 @@ std::span<const CommandRow> CommandTable::helpCommands()
         {Command::Tour, QT_TR_NOOP("Short tour")},
         {Command::GoodFit, QT_TR_NOOP("What a good fit looks like"), "Shift+F1"},
         {Command::Keys, QT_TR_NOOP("Keys and mouse"), "?; Ctrl+F1", StartsGroup},
+        {Command::Messages, QT_TR_NOOP("Messages"), "Ctrl+Shift+M"},
         {Command::About, QT_TR_NOOP("About AngioPose")},
     };
     return rows;

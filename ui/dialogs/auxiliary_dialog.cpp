@@ -40,7 +40,8 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
       radius_(new NumberField({0.0, 50.0, 1, tr("mm"), 0.1})),
       byGeneration_(choiceButton(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
       byRadius_(choiceButton(tr("At least this wide"), tr("By the median radius of a branch."))),
-      take_(choiceButton(tr("Choose these"), tr("Makes the suggested branches the auxiliary ones.")))
+      take_(choiceButton(tr("Choose these"), tr("Makes the suggested branches the auxiliary ones."))),
+      method_(choiceButton({}, tr("Its search alternates between the chosen branches and the whole tree.")))
 {
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
@@ -64,7 +65,9 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     layout->addLayout(suggested);
     layout->addLayout(makeWays());
     layout->addWidget(preview_);
+    layout->addWidget(method_, 0, Qt::AlignLeft);
     layout->addStretch(1);
+    connect(method_, &QPushButton::clicked, this, &AuxiliaryDialog::methodRequested);
     connect(take_, &QPushButton::clicked, this, &AuxiliaryDialog::suggestionRequested);
     showAdvice({});
 }
@@ -140,6 +143,8 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
                              : tr("Suggested: %1. They tell nearly as much as all together.").arg(advice.suggestion));
     take_->setEnabled(!advice.suggestion.isEmpty());
     preview_->setText(advice.preview);
+    method_->setText(tr("Use %1 instead").arg(advice.otherMethod));
+    method_->setVisible(!advice.otherMethod.isEmpty());
     const auto enable = [](QPushButton* way, NumberField* field, bool isPossible, const QString& whyNot) {
         way->setEnabled(isPossible);
         field->setEnabled(isPossible);

@@ -28,6 +28,7 @@ struct AuxiliaryAdvice {
     std::vector<PinnedStep> steps;
     QString suggestion;   ///< names of the suggested branches; empty: none
     QString preview;   ///< what the alternation would use now
+    QString otherMethod;   ///< one that uses the choice throughout; empty: the method of the case does
     int generations = 0;   ///< deepest known generation + 1; 0: unknown
     std::optional<double> largestRadiusMm;   ///< nothing: the tree knows no radii
 };
@@ -48,6 +49,7 @@ signals:
     void lassoRequested();
     void suggestionRequested();
     void clearRequested();
+    void methodRequested();   ///< the other method
 
 private:
     QLayout* makeWays();
@@ -61,6 +63,7 @@ private:
     QPushButton* byGeneration_;
     QPushButton* byRadius_;
     QPushButton* take_;
+    QPushButton* method_;
 };
 
 }   // namespace angiopose::ui

@@ -107,13 +107,19 @@ void BottomStrip::showUndoState(const QString& text)
 
 void BottomStrip::showStatus(const QString& text)
 {
+    told_.add(text);
+    showTask(text);
+}
+
+void BottomStrip::showTask(const QString& text)
+{
     status_->setText(text);
     status_->setToolTip(text);
 }
 
 void BottomStrip::showBusy(const QString& text)
 {
-    showStatus(text);
+    showTask(text);
     progress_->setRange(0, 0);
     progress_->show();
     stop_->show();
@@ -121,7 +127,7 @@ void BottomStrip::showBusy(const QString& text)
 
 void BottomStrip::showProgress(const QString& text, double fraction)
 {
-    showStatus(text);
+    showTask(text);
     progress_->setRange(0, progressSteps);
     progress_->setValue(static_cast<int>(fraction * progressSteps));
     progress_->show();
@@ -130,7 +136,10 @@ void BottomStrip::showProgress(const QString& text, double fraction)
 
 void BottomStrip::showIdle(const QString& text)
 {
-    showStatus(text);
+    if (text != tr("Ready")) {
+        told_.add(text);
+    }
+    showTask(text);
     progress_->hide();
     stop_->hide();
 }

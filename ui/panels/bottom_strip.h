@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/controls/elided_label.h"
+#include "ui/panels/told_messages.h"
 #include "ui/plots/frame_bars.h"
 
 #include <QWidget>
@@ -26,6 +27,8 @@ public:
     void showBusy(const QString& text);   ///< a task without known end
     void showProgress(const QString& text, double fraction);
     void showIdle(const QString& text);
+    void remember(const QString& text) { told_.add(text); }   ///< told elsewhere
+    const ToldMessages& told() const { return told_; }   ///< but for the progress of tasks
 
 signals:
     void frameRequested(int frame);
@@ -34,6 +37,9 @@ signals:
     void stopRequested();
 
 private:
+    void showTask(const QString& text);
+
+    ToldMessages told_;
     FrameBars* frames_;
     ElidedLabel* frameNote_;
     ElidedLabel* saveState_;

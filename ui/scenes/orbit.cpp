@@ -47,6 +47,23 @@ std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree&
     return points;
 }
 
+/// Where one looks, and what is up on the screen; both of length 1.
+struct Look {
+    Eigen::Vector3d sight, up;
+};
+
+/// The patient from the front, head up (LPS): as vessels are known while no image says otherwise.
+const Look fromTheFront{Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+
+/// From the detector's upper edge, the source above.
+Look acrossBeam(const Beam& beam)
+{
+    const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);
+    const Eigen::Vector3d imageDown = std::copysign(1.0, beam.camera.fy) * beam.patientFromCamera.rotation.col(1);
+    const Eigen::Vector3d sight = (-std::cos(tiltRad) * along + std::sin(tiltRad) * imageDown).normalized();
+    return {sight, (-along + along.dot(sight) * sight).normalized()};
+}
+
 }   // namespace
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height)
@@ -64,10 +81,7 @@ ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height)
 
 void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect, ViewExtent extent)
 {
-    const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);
-    const Eigen::Vector3d imageDown = std::copysign(1.0, beam.camera.fy) * beam.patientFromCamera.rotation.col(1);
-    const Eigen::Vector3d sight = (-std::cos(tiltRad) * along + std::sin(tiltRad) * imageDown).normalized();
-    const Eigen::Vector3d up = (-along + along.dot(sight) * sight).normalized();
+    const auto [sight, up] = beam.hasDetector() ? acrossBeam(beam) : fromTheFront;
     const Eigen::Vector3d right = sight.cross(up);
 
     const Eigen::Vector3d pivot = core::centroidInPatient(tree);

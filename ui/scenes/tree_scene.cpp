@@ -242,6 +242,11 @@ void TreeScene::nextView()
     parts_->showNext(showsAll ? ViewExtent::Vessels : ViewExtent::Everything);
 }
 
+void TreeScene::frameAnew()
+{
+    parts_->isViewStale = parts_->isViewStale || !parts_->isTouched;
+}
+
 void TreeScene::turnBy(double rightDeg, double downDeg)
 {
     vtkCamera& camera = parts_->camera();

@@ -48,6 +48,7 @@ public:
 
     /// Looks along the beam from the side, source above: everything in view; where it is so already, the vessels alone.
     void nextView();
+    void frameAnew();   ///< what moved out of sight comes back, unless the user has turned or moved the view
     void turnBy(double rightDeg, double downDeg);   ///< turns what is seen under the mouse
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);

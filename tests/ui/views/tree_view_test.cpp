@@ -74,6 +74,21 @@ TEST_F(TreeViewTest, ShowsTheTreeAndFindsItsBranchUnderTheMouse)
     EXPECT_TRUE(QTest::qWaitFor([&hovered] { return hovered == 7; }, patienceMs));
 }
 
+/// As a clinician knows them: not from the head.
+TEST_F(TreeViewTest, ShowsVesselsWithoutAnImageFromTheFrontHeadUp)
+{
+    settle();
+    const ui::TreeScene& scene = view_->scene();
+    const Eigen::Vector2d centre = scene.deviceFromPatient({0.0, 0.0, 0.0});
+    const Eigen::Vector2d head = scene.deviceFromPatient({0.0, 0.0, 10.0});
+    const Eigen::Vector2d left = scene.deviceFromPatient({10.0, 0.0, 0.0});
+    const Eigen::Vector2d back = scene.deviceFromPatient({0.0, 10.0, 0.0});
+    EXPECT_GT((head - centre).norm(), 20.0);
+    EXPECT_NEAR(head.x(), centre.x(), 1e-6);
+    EXPECT_GT(left.x(), centre.x() + 20.0);   // the patient's left is on the viewer's right
+    EXPECT_LT((back - centre).norm(), 1e-6);
+}
+
 TEST_F(TreeViewTest, ManyChangesMakeOneRedrawAndOneMoreWhenAtRest)
 {
     settle();
