@@ -27,7 +27,7 @@ TEST(WindowHelp, WhatWasToldCanBeReadAgain)
     for (QDialog* message : w.dialogs("messageDialog")) {
         message->close();
     }
-    w.press(Qt::Key_M, Qt::ControlModifier | Qt::ShiftModifier);
+    w.window.actions()[ui::Command::Messages]->trigger();
     ASSERT_EQ(w.dialogs("messageHistory").size(), 1);
     const QString told = w.dialogs("messageHistory").front()->findChild<QPlainTextEdit*>()->toPlainText();
     EXPECT_TRUE(told.contains(QStringLiteral("Kept as"))) << told.toStdString();

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 using namespace angiopose;
 
@@ -30,8 +32,8 @@ TEST(ParallelFor, WorkOfAHelperThatThrowsReachesTheCaller)
 
 TEST(ParallelFor, StopLeavesTheRestUndone)
 {
-    EXPECT_FALSE(parallelFor(
-        1000, 2, [](std::size_t) {}, [](double) { return false; }));
+    const auto work = [](std::size_t) { std::this_thread::sleep_for(std::chrono::microseconds(200)); };
+    EXPECT_FALSE(parallelFor(1000, 2, work, [](double) { return false; }));   // long before the other thread is done
     EXPECT_TRUE(parallelFor(
         10, 2, [](std::size_t) {}, [](double) { return true; }));
 }
