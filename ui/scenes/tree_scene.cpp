@@ -110,10 +110,10 @@ double TreeScene::Parts::detectorScale() const
 StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) const
 {
     StrokeMesh mesh;
-    addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centrePx, pixelScale});
     if (tree.branches.empty()) {
-        return mesh;   // nothing to orient
+        return mesh;   // where a beam goes is seen by its vessels
     }
+    addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centrePx, pixelScale});
     for (const PatientAxis& axis : patientAxes) {
         const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
         const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
@@ -137,7 +137,7 @@ void TreeScene::Parts::update()
     const auto back = tones.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
     detector.show(frame, detectorScale());
-    detector.actor()->SetVisibility(beam.hasDetector() && frame.width() > 0);
+    detector.actor()->SetVisibility(beam.hasDetector() && frame.width() > 0 && !tree.branches.empty());
     if (beam.hasDetector()) {
         vtkNew<vtkMatrix4x4> patientFromImage;
         const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = beam.patientFromImagePlane();
