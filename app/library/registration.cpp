@@ -170,17 +170,13 @@ MultiViewResult registerViews(const std::vector<RegistrationInput>& views, const
 
 std::string toText(StopReason reason)
 {
-    switch (reason) {
-        case StopReason::Converged:
-            return "converged";
-        case StopReason::IterationLimit:
-            return "iteration limit";
-        case StopReason::NoImprovement:
-            return "no improvement";
-        case StopReason::StoppedByUser:
-            return "stopped by the user";
+    for (const core::StopReason each : {core::StopReason::Converged, core::StopReason::IterationLimit,
+                                        core::StopReason::NoImprovement, core::StopReason::StoppedByUser}) {
+        if (library::toPublic(each) == reason) {
+            return std::string(core::toText(each));
+        }
     }
-    return "";
+    return {};
 }
 
 Pose readPose(const std::string& path)
