@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/messages/says.h"
-#include "io/case/case_file.h"
+#include "io/opening/read_case_inputs.h"
 
 namespace angiopose::app {
 
@@ -11,7 +11,7 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
     core::Messages warnings;
     auto loaded = [&] {
         ProgressLine progress("reading");
-        return io::loadCase(path, warnings, [&progress](double fraction) {
+        return io::openCase(path, warnings, [&progress](double fraction) {
             progress.show(fraction, "");
             return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
         });

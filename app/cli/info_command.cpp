@@ -6,7 +6,7 @@
 #include "app/texts/number_text.h"
 #include "core/case/case.h"
 #include "io/angiogram_file.h"
-#include "io/case/case_file.h"
+#include "io/opening/read_case_inputs.h"
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
 #include "io/series/dicom_segmentation.h"
@@ -94,7 +94,7 @@ Json caseJson(const core::Case& theCase, const core::Messages& warnings)
 core::Result<Json> caseFileJson(const std::string& path)
 {
     core::Messages warnings;
-    const auto loaded = io::loadCase(path, warnings);
+    const auto loaded = io::openCase(path, warnings);
     return loaded ? core::Result<Json>(caseJson(loaded.value(), warnings)) : loaded.error();
 }
 

@@ -1,13 +1,13 @@
 #include "app/files/open_controller.h"
 
-#include "app/document/assemble_case.h"
 #include "app/document/edit_case.h"
 #include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
-#include "app/files/view_from_inputs.h"
 #include "app/preferences/settings.h"
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
+#include "io/opening/assemble_case.h"
+#include "io/opening/view_from_inputs.h"
 #include "ui/words/message_text.h"
 
 #include <QFileInfo>
@@ -19,7 +19,7 @@ namespace angiopose::app {
 namespace {
 
 /// Where the user has been lately.
-QStringList foldersInUse()
+std::vector<std::string> foldersInUse()
 {
     QStringList folders;
     for (const QString& path : recentCases()) {
@@ -29,7 +29,11 @@ QStringList foldersInUse()
         folders << last;
     }
     folders.removeDuplicates();
-    return folders;
+    std::vector<std::string> places;
+    for (const QString& folder : folders) {
+        places.push_back(folder.toStdString());
+    }
+    return places;
 }
 
 }   // namespace
@@ -40,25 +44,25 @@ void OpenController::open(const QStringList& paths)
 {
     original_.reset();
     asView_ = false;
-    OpenHints hints{{}, {}, foldersInUse()};
+    io::OpenHints hints{{}, {}, foldersInUse()};
     hints.scanUse = scanUse();
     load(paths, hints);
 }
 
 /// Vessels of a file without a scan: a scan that is opened may be theirs.
-ScanUse OpenController::scanUse() const
+io::ScanUse OpenController::scanUse() const
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree) {
-        return ScanUse::TraceOrShow;
+        return io::ScanUse::TraceOrShow;
     }
     const bool isOfFile = current.vessels.input.kind != core::VesselInputKind::Volume;
-    return !current.vessels.scan && isOfFile ? ScanUse::Ask : ScanUse::Trace;
+    return !current.vessels.scan && isOfFile ? io::ScanUse::Ask : io::ScanUse::Trace;
 }
 
-void OpenController::openScan(ScanUse use)
+void OpenController::openScan(io::ScanUse use)
 {
-    OpenHints hints{askedSeries_, {}, {}};
+    io::OpenHints hints{askedSeries_.toStdString(), {}, {}};
     hints.scanUse = use;
     load(askedPaths_, hints);
 }
@@ -71,9 +75,9 @@ void OpenController::openView(const QStringList& paths)
 
 void OpenController::openCopy(const QString& copy, const QString& original)
 {
-    OpenHints hints{{}, {}, foldersInUse()};
+    io::OpenHints hints{{}, {}, foldersInUse()};
     if (!original.isEmpty()) {
-        hints.searchFolders.prepend(QFileInfo(original).absolutePath());
+        hints.searchFolders.insert(hints.searchFolders.begin(), QFileInfo(original).absolutePath().toStdString());
     }
     asView_ = false;
     original_ = original;
@@ -83,7 +87,7 @@ void OpenController::openCopy(const QString& copy, const QString& original)
 
 void OpenController::openInUnit(double unitMm)
 {
-    OpenHints hints{{}, {}, foldersInUse()};
+    io::OpenHints hints{{}, {}, foldersInUse()};
     hints.scanUse = scanUse();
     hints.unitMm = unitMm;
     load(askedPaths_, hints);
@@ -91,24 +95,24 @@ void OpenController::openInUnit(double unitMm)
 
 void OpenController::openSeries(const QString& seriesId)
 {
-    OpenHints hints{seriesId, {}, {}};
+    io::OpenHints hints{seriesId.toStdString(), {}, {}};
     hints.scanUse = scanUse();
     load(askedPaths_, hints);
 }
 
 void OpenController::openWithInputs(const io::MovedInputs& moved, const QString& searchFolder)
 {
-    OpenHints hints{{}, moved_, foldersInUse()};
+    io::OpenHints hints{{}, moved_, foldersInUse()};
     hints.moved.insert(moved.begin(), moved.end());
     if (!searchFolder.isEmpty()) {
-        hints.searchFolders.prepend(searchFolder);
+        hints.searchFolders.insert(hints.searchFolders.begin(), searchFolder.toStdString());
     }
     load(askedPaths_, hints);
 }
 
 void OpenController::openWithoutOptional()
 {
-    OpenHints hints{{}, moved_, {}};
+    io::OpenHints hints{{}, moved_, {}};
     hints.withoutOptional = true;
     load(askedPaths_, hints);
 }
@@ -142,7 +146,7 @@ void OpenController::openMismatched()
     }
 }
 
-void OpenController::load(const QStringList& paths, const OpenHints& hints)
+void OpenController::load(const QStringList& paths, const io::OpenHints& hints)
 {
     if (paths.isEmpty()) {
         return;
@@ -157,9 +161,9 @@ void OpenController::load(const QStringList& paths, const OpenHints& hints)
     }
     abandon();
     job_ = new LoadJob(this);
-    connect(job_, &LoadJob::finished, this, [this, paths, series = hints.seriesId](const LoadedInputs& inputs) {
+    connect(job_, &LoadJob::finished, this, [this, paths, series = hints.seriesId](const io::LoadedInputs& inputs) {
         finish();
-        askedSeries_ = series;
+        askedSeries_ = QString::fromStdString(series);
         take(inputs, paths);
     });
     connect(job_, &LoadJob::failed, this, [this, paths](const core::Message& reason) {
@@ -189,7 +193,7 @@ void OpenController::finish()
 }
 
 /// Nothing was read yet: which series, what the scan is for, or where the inputs of a case lie has to be known first.
-bool OpenController::asksFirst(const LoadedInputs& inputs, const QStringList& paths)
+bool OpenController::asksFirst(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (!inputs.offered.empty()) {
         askedPaths_ = paths;
@@ -219,7 +223,7 @@ bool OpenController::asksFirst(const LoadedInputs& inputs, const QStringList& pa
     return false;
 }
 
-void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
+void OpenController::take(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (document_.isInTrial()) {
         emit failed(tr("A blind trial was started meanwhile. Open the file again when it has ended."), paths);
@@ -232,7 +236,7 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
     if (asksFirst(inputs, paths)) {
         return;
     }
-    const bool replaces = inputs.wholeCase || makesNewCase(inputs);
+    const bool replaces = inputs.wholeCase || io::makesNewCase(inputs);
     Opening opening{inputs, paths, replaces ? Way::Replace : Way::Join};
     if (std::exchange(asView_, false)) {
         opening.way = Way::AddView;
@@ -253,7 +257,7 @@ void OpenController::take(const LoadedInputs& inputs, const QStringList& paths)
 void OpenController::admit(const Opening& opening)
 {
     const auto wanted = caseWith(opening);
-    const LoadedInputs& inputs = opening.inputs;
+    const io::LoadedInputs& inputs = opening.inputs;
     const bool saysWhose = inputs.angiogram || inputs.volume || inputs.wholeCase;
     const core::Messages mismatch = wanted && saysWhose ? core::findMismatch(wanted.value()) : core::Messages();
     if (mismatch.empty()) {
@@ -267,14 +271,14 @@ void OpenController::admit(const Opening& opening)
 /// The open case as it would be.
 core::Result<core::Case> OpenController::caseWith(const Opening& opening) const
 {
-    const LoadedInputs& inputs = opening.inputs;
+    const io::LoadedInputs& inputs = opening.inputs;
     if (opening.way == Way::Replace) {
-        return inputs.wholeCase ? *inputs.wholeCase : withInputs({}, inputs);
+        return inputs.wholeCase ? *inputs.wholeCase : io::withInputs({}, inputs);
     }
     if (opening.way == Way::Join) {
-        return withInputs(document_.current(), inputs);
+        return io::withInputs(document_.current(), inputs);
     }
-    auto added = viewFrom(document_.current(), inputs, opening.paths.front().toStdString());
+    auto added = io::viewFrom(document_.current(), inputs, opening.paths.front().toStdString());
     if (!added) {
         return added.error();
     }
@@ -299,7 +303,7 @@ void OpenController::carryOut(const Opening& opening)
 
 void OpenController::replaceBy(const core::Case& wanted, const Opening& opening)
 {
-    const LoadedInputs& inputs = opening.inputs;
+    const io::LoadedInputs& inputs = opening.inputs;
     const QString path = inputs.wholeCase ? original_.value_or(opening.paths.front()) : QString();
     document_.replace(wanted, path);
     if (!path.isEmpty()) {
@@ -311,7 +315,7 @@ void OpenController::replaceBy(const core::Case& wanted, const Opening& opening)
     emit opened(notesOf(inputs, document_.current()));
 }
 
-bool OpenController::isAnotherView(const LoadedInputs& inputs) const
+bool OpenController::isAnotherView(const io::LoadedInputs& inputs) const
 {
     const core::Case& current = document_.current();
     const bool isNew = inputs.imageFile.path != current.shown().imageFile.path;

@@ -24,7 +24,7 @@ public:
     /// Answers `unitNeeded`.
     void openInUnit(double unitMm);
     /// Answers `scanChoiceNeeded`.
-    void openScan(ScanUse use);
+    void openScan(io::ScanUse use);
     /// Answers `viewChoiceNeeded`.
     void addWaitingView();
     void replaceImage();
@@ -69,22 +69,22 @@ private:
     /// What becomes of files that have been read.
     enum class Way { Replace, Join, AddView };
     struct Opening {
-        LoadedInputs inputs;
+        io::LoadedInputs inputs;
         QStringList paths;
         Way way = Way::Join;
     };
 
-    void load(const QStringList& paths, const OpenHints& hints);
-    bool asksFirst(const LoadedInputs& inputs, const QStringList& paths);
-    void take(const LoadedInputs& inputs, const QStringList& paths);
+    void load(const QStringList& paths, const io::OpenHints& hints);
+    bool asksFirst(const io::LoadedInputs& inputs, const QStringList& paths);
+    void take(const io::LoadedInputs& inputs, const QStringList& paths);
     void admit(const Opening& opening);
     core::Result<core::Case> caseWith(const Opening& opening) const;
     void carryOut(const Opening& opening);
     void replaceBy(const core::Case& wanted, const Opening& opening);
     void join(const core::Case& wanted, const Opening& opening);
     void addView(const core::Case& wanted, const Opening& opening);
-    bool isAnotherView(const LoadedInputs& inputs) const;
-    ScanUse scanUse() const;
+    bool isAnotherView(const io::LoadedInputs& inputs) const;
+    io::ScanUse scanUse() const;
     void finish();
 
     CaseDocument& document_;

@@ -1,8 +1,8 @@
 #include "app/files/open_dialogs.h"
 
+#include "app/files/open_filters.h"
 #include "app/files/sample_case.h"
 #include "app/files/series_rows.h"
-#include "app/jobs/input_kind.h"
 #include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/missing_inputs.h"
@@ -170,7 +170,7 @@ void OpenDialogs::askWhatScan(const QString& name)
     question->setObjectName(QStringLiteral("scanQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index < 2) {
-            open_.openScan(index == 0 ? ScanUse::Beside : ScanUse::Trace);
+            open_.openScan(index == 0 ? io::ScanUse::Beside : io::ScanUse::Trace);
         }
     });
     question->open();

@@ -1,7 +1,7 @@
 #include "app/files/open_notes.h"
 
-#include "app/document/assemble_case.h"
 #include "core/case/case_patients.h"
+#include "io/opening/assemble_case.h"
 #include "ui/actions/key_hint.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -28,7 +28,7 @@ QString namesOf(const QStringList& paths)
     return names.join(QStringLiteral(", "));
 }
 
-QStringList notesOf(const LoadedInputs& inputs, const core::Case& opened)
+QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
 {
     QStringList notes;
     for (const core::Message& warning : inputs.warnings) {
@@ -46,7 +46,7 @@ QStringList notesOf(const LoadedInputs& inputs, const core::Case& opened)
     return notes;
 }
 
-QStringList notesOnScan(const LoadedInputs& inputs, const core::Case& opened)
+QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened)
 {
     if (inputs.volume && !opened.vessels.tree) {
         return {
@@ -55,7 +55,7 @@ QStringList notesOnScan(const LoadedInputs& inputs, const core::Case& opened)
                 .arg(ui::keyOf(ui::Command::SlicesLarge))};
     }
     const bool isBeside = inputs.volume && !inputs.tree && opened.vessels.tree;
-    return isBeside && !liesIn(inputs.volume->geometry, *opened.vessels.tree)
+    return isBeside && !io::liesIn(inputs.volume->geometry, *opened.vessels.tree)
                ? QStringList(
                      NoteWords::tr("The vessels do not lie in this scan: it may be another one, or have other axes."))
                : QStringList();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/jobs/read_inputs.h"
 #include "core/case/case.h"
+#include "io/opening/read_inputs.h"
 
 #include <QStringList>
 
@@ -11,9 +11,9 @@ namespace angiopose::app {
 QString namesOf(const QStringList& paths);
 
 /// What to know about the files that were opened, and about how they fit the case they are in now.
-QStringList notesOf(const LoadedInputs& inputs, const core::Case& opened);
+QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened);
 
 /// A scan beside vessels of another origin has to have their axes.
-QStringList notesOnScan(const LoadedInputs& inputs, const core::Case& opened);
+QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened);
 
 }   // namespace angiopose::app

@@ -16,7 +16,7 @@ core::Case freedElsewhere(core::Case read)
 
 }   // namespace
 
-LoadedInputs freedElsewhere(LoadedInputs inputs)
+io::LoadedInputs freedElsewhere(io::LoadedInputs inputs)
 {
     inputs.volume = freedElsewhere(std::move(inputs.volume));
     inputs.lumen = freedElsewhere(std::move(inputs.lumen));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/jobs/read_inputs.h"
+#include "io/opening/read_inputs.h"
 
 #include <QThreadPool>
 
@@ -24,6 +24,6 @@ std::shared_ptr<const T> freedElsewhere(std::shared_ptr<const T> shared)
 }
 
 /// Likewise the runs and scans in what was read.
-LoadedInputs freedElsewhere(LoadedInputs inputs);
+io::LoadedInputs freedElsewhere(io::LoadedInputs inputs);
 
 }   // namespace angiopose::app

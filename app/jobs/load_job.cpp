@@ -4,14 +4,18 @@
 
 namespace angiopose::app {
 
-LoadJob::LoadJob(QObject* parent) : QObject(parent), job_(signalsOf<LoadedInputs>(*this)) {}
+LoadJob::LoadJob(QObject* parent) : QObject(parent), job_(signalsOf<io::LoadedInputs>(*this)) {}
 
-void LoadJob::start(const QStringList& paths, const OpenHints& hints)
+void LoadJob::start(const QStringList& paths, const io::OpenHints& hints)
 {
     Q_ASSERT(!isRunning());
     paths_ = paths;
-    job_.start([paths, hints](JobLink<double>& link) -> core::Result<LoadedInputs> {
-        auto inputs = readInputs(paths, hints, [&link](double fraction) { return link.tell(fraction); });
+    std::vector<std::string> files;
+    for (const QString& path : paths) {
+        files.push_back(path.toStdString());
+    }
+    job_.start([files = std::move(files), hints](JobLink<double>& link) -> core::Result<io::LoadedInputs> {
+        auto inputs = io::readInputs(files, hints, [&link](double fraction) { return link.tell(fraction); });
         if (!inputs) {
             return inputs;
         }

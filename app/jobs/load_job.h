@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/jobs/job.h"
-#include "app/jobs/read_inputs.h"
+#include "io/opening/read_inputs.h"
 
 #include <QObject>
 #include <QStringList>
@@ -14,19 +14,19 @@ class LoadJob : public QObject {
 public:
     explicit LoadJob(QObject* parent = nullptr);
 
-    void start(const QStringList& paths, const OpenHints& hints = {});
+    void start(const QStringList& paths, const io::OpenHints& hints = {});
     void abandon() { job_.drop(); }
     bool isRunning() const { return job_.isRunning(); }
     const QStringList& paths() const { return paths_; }
 
 signals:
     void advanced(double fraction);
-    void finished(const app::LoadedInputs& inputs);
+    void finished(const io::LoadedInputs& inputs);
     void failed(const core::Message& reason);
 
 private:
     QStringList paths_;
-    Job<LoadedInputs> job_;
+    Job<io::LoadedInputs> job_;
 };
 
 }   // namespace angiopose::app

@@ -3,8 +3,10 @@
 #include "app/library/relay.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
+#include "io/opening/assemble_case.h"
+#include "io/opening/read_case_inputs.h"
+#include "io/opening/read_inputs.h"
 #include "io/result_file.h"
-#include "io/subtraction_file.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
 
@@ -26,16 +28,6 @@ std::string besideCase(const std::string& casePath, const std::string& ending)
     return fs::path(absolute(casePath)).replace_extension(ending).string();
 }
 
-void putVessels(core::Vessels& vessels, const std::string& path, io::LoadedVessels loaded)
-{
-    vessels.file = {absolute(path), valueOf(io::sha256OfVesselInput(path, loaded.input))};
-    vessels.input = loaded.input;
-    vessels.scan = loaded.volume;
-    vessels.scanIdentity = loaded.identity;
-    vessels.lumen = io::sharedLumen(loaded);
-    vessels.tree = std::make_shared<const core::VesselTree>(std::move(loaded.tree));
-}
-
 /// Vessels and angiogram that come from no file get one.
 void keepInputs(core::Case& values, const std::string& casePath)
 {
@@ -51,6 +43,15 @@ void keepInputs(core::Case& values, const std::string& casePath)
         check(io::writeAngiogram(*view.angiogram, path));
         view.imageFile = {path, {}};
     }
+}
+
+/// What the files are instead that should have been vessels and an angiogram.
+[[noreturn]] void throwWhyNoCase(const std::string& vesselPath, const core::VesselInput& input,
+                                 const std::string& imagePath)
+{
+    (void)valueOf(io::readVessels(vesselPath, input));
+    (void)valueOf(io::readAngiogram(imagePath));
+    raise(io::says::openNoAngiogram().about(imagePath));
 }
 
 }   // namespace
@@ -74,7 +75,7 @@ Case readCase(const std::string& path, const Observer& observe)
 {
     auto content = std::make_unique<Case::Content>();
     library::Relay relay(observe);
-    content->values = relay.take(io::loadCase(path, content->warnings, relay.reading("reading")));
+    content->values = relay.take(io::openCase(path, content->warnings, relay.reading("reading")));
     return Case(std::move(content));
 }
 
@@ -83,17 +84,16 @@ Case readCase(const std::string& vesselPath, const std::string& imagePath, const
 {
     auto content = std::make_unique<Case::Content>();
     library::Relay relay(observe);
-    io::LoadedVessels vessels =
-        relay.take(io::readVessels(vesselPath, library::vesselInputOf(vesselPath, options), relay.reading("reading")));
-    content->warnings = vessels.warnings;
-    library::putVessels(content->values.vessels, vesselPath, std::move(vessels));
-    auto angiogram = std::make_shared<const core::Angiogram>(library::valueOf(io::readAngiogram(imagePath)));
-    content->warnings.insert(content->warnings.end(), angiogram->warnings.begin(), angiogram->warnings.end());
-    library::putAngiogram(content->values, angiogram);
-    core::View& view = content->values.shown();
-    view.imageFile = {library::absolute(imagePath), {}};
-    view.headerPlan = library::valueOf(io::readSubtractionPlan(imagePath));
-    view.treatment.plan = view.headerPlan;
+    io::OpenHints hints;
+    hints.vessels = library::vesselInputOf(vesselPath, options);
+    hints.seriesId = hints.vessels->seriesId;
+    const io::LoadedInputs inputs = relay.take(
+        io::readInputs({library::absolute(vesselPath), library::absolute(imagePath)}, hints, relay.reading("reading")));
+    if (!io::makesNewCase(inputs)) {
+        library::throwWhyNoCase(vesselPath, *hints.vessels, imagePath);
+    }
+    content->warnings = inputs.warnings;
+    content->values = io::withInputs({}, inputs);
     return Case(std::move(content));
 }
 

@@ -42,6 +42,20 @@ TEST_F(CliOnSimulatedCase, IsValidAndDescribed)
     EXPECT_EQ(json["angiogram"]["geometry"]["sourceToDetectorMm"]["origin"], "header");
 }
 
+TEST_F(CliOnSimulatedCase, FindsAnInputThatHasMovedAsTheWindowDoes)
+{
+    fs::create_directory(folder_.file("demo/images"));
+    fs::rename(folder_.file("demo/angiogram.dcm"), folder_.file("demo/images/renamed.dcm"));
+    const auto info = runCli({"info", casePath_, "--json"});
+    ASSERT_EQ(info.exitCode, 0) << info.messages;
+    EXPECT_NE(info.output.find("renamed.dcm"), std::string::npos);
+
+    fs::remove(folder_.file("demo/images/renamed.dcm"));
+    const auto lost = runCli({"info", casePath_});
+    EXPECT_NE(lost.exitCode, 0);
+    EXPECT_NE(lost.messages.find("angiogram.dcm"), std::string::npos) << lost.messages;
+}
+
 TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
 {
     const auto outcome = runCli({"register", casePath_, "--output", folder_.file("result"), "--json"});

@@ -39,7 +39,7 @@ TEST(FreedElsewhere, NothingStaysNothing)
 
 TEST(FreedElsewhere, WhatWasReadStaysTheSame)
 {
-    LoadedInputs inputs;
+    io::LoadedInputs inputs;
     inputs.wholeCase.emplace();
     core::Case& wholeCase = *inputs.wholeCase;
     const auto run = std::make_shared<const core::Angiogram>();
@@ -48,7 +48,7 @@ TEST(FreedElsewhere, WhatWasReadStaysTheSame)
     other.angiogram = std::make_shared<const core::Angiogram>();
     const core::Angiogram* ofOther = other.angiogram.get();
     wholeCase.views.emplace_back();
-    const LoadedInputs freed = freedElsewhere(std::move(inputs));
+    const io::LoadedInputs freed = freedElsewhere(std::move(inputs));
     const std::vector<core::View>& views = freed.wholeCase->views;
     EXPECT_EQ(views[0].angiogram, run);
     EXPECT_EQ(views[0].storedRun, run);

@@ -1,8 +1,8 @@
-#include "app/document/assemble_case.h"
+#include "io/opening/assemble_case.h"
 
 #include <filesystem>
 
-namespace angiopose::app {
+namespace angiopose::io {
 namespace {
 
 /// The scan of the case stays beside vessels that come from elsewhere but lie in it.
@@ -52,11 +52,6 @@ void goToStart(core::Case& target)
     if (const auto start = core::startPoseOf(target)) {
         target.shown().cameraFromPatient = start.value();
     }
-}
-
-bool isSamePose(const core::RigidTransform& a, const core::RigidTransform& b)
-{
-    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
 }
 
 }   // namespace
@@ -112,17 +107,4 @@ bool makesNewCase(const LoadedInputs& inputs)
     return inputs.tree && inputs.angiogram;
 }
 
-core::Case withGeometry(core::Case base, const core::CArm& cArm)
-{
-    const auto before = core::startPoseOf(base);
-    core::View& view = base.shown();
-    view.geometry.cArm = cArm;
-    const bool wasAtStart = !before || isSamePose(before.value(), view.cameraFromPatient);
-    if (wasAtStart) {
-        goToStart(base);
-    }
-    view.result.reset();
-    return base;
-}
-
-}   // namespace angiopose::app
+}   // namespace angiopose::io

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/jobs/load_job.h"
 #include "core/case/case.h"
+#include "io/opening/read_inputs.h"
 
-namespace angiopose::app {
+namespace angiopose::io {
 
 /// `base` with the loaded parts in place of its own: a new image brings its geometry and fullest frame, a new tree
 /// forgets branch choices, and the pose goes to the start pose where one can be had.
@@ -15,7 +15,4 @@ bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
 /// True when the files make a case by themselves: a vessel tree and an angiogram.
 bool makesNewCase(const LoadedInputs& inputs);
 
-/// The case moved to `cArm`: a pose that still was the start pose follows the new one.
-core::Case withGeometry(core::Case base, const core::CArm& cArm);
-
-}   // namespace angiopose::app
+}   // namespace angiopose::io

@@ -3,16 +3,13 @@
 #include "core/case/case.h"
 #include "io/case/moved_inputs.h"
 #include "io/dicom_series.h"
-#include "io/support/read_observer.h"
-
-#include <QStringList>
 
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace angiopose::app {
+namespace angiopose::io {
 
 /// What a set of files turned out to be: a whole case, or parts of one.
 struct LoadedInputs {
@@ -34,9 +31,9 @@ struct LoadedInputs {
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
     core::Messages warnings;
-    std::vector<io::DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
-    std::vector<io::MissingInput> missing;   ///< of a case, found nowhere: nothing else is read
-    io::MovedInputs moved;   ///< inputs of the case that were found elsewhere
+    std::vector<DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
+    std::vector<MissingInput> missing;   ///< of a case, found nowhere: nothing else is read
+    MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
 /// What a scan is opened for: its vessels, the same or, where none are found, to be seen, or to be seen beside vessels
@@ -45,19 +42,15 @@ enum class ScanUse { Trace, TraceOrShow, Beside, Ask };
 
 /// What helps to open files beside their paths.
 struct OpenHints {
-    QString seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
-    io::MovedInputs moved;   ///< where inputs of a case lie now
-    QStringList searchFolders;   ///< where inputs of a case are looked for that are not in their place
+    std::string seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
+    MovedInputs moved;   ///< where inputs of a case lie now
+    std::vector<std::string> searchFolders;   ///< where inputs of a case are looked for that are not in their place
     ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is not read but told
     std::optional<double> unitMm =
         std::nullopt;   ///< of vessels among them; not set: mm where that is plausible, else it is told
+    /// How vessels among them are read and traced; not set: as their content asks for.
+    std::optional<core::VesselInput> vessels = std::nullopt;
     bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
 };
 
-/// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces
-/// are traced. Inputs of a case that have moved are searched for beside it and where the hints say. Fails with one
-/// sentence.
-core::Result<LoadedInputs> readInputs(const QStringList& paths, const OpenHints& hints = {},
-                                      const io::ReadObserver& observe = {});
-
-}   // namespace angiopose::app
+}   // namespace angiopose::io

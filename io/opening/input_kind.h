@@ -2,18 +2,15 @@
 
 #include "core/support/result.h"
 
-#include <QString>
+#include <string>
 
-namespace angiopose::app {
+namespace angiopose::io {
 
 /// `Vessels`: a scan, segmentation or surface that is traced; `Folder`: DICOM files to choose from.
 enum class InputKind { Case, Centerline, Vessels, Folder, Image, Target };
 
 /// What a file claims to be, judged by its first bytes and, where these do not tell, by its name.
 /// Fails naming the file when it cannot be read or is nothing that the program opens.
-core::Result<InputKind> inputKindOf(const QString& path);
+core::Result<InputKind> inputKindOf(const std::string& path);
 
-/// Name filters of the open dialog, all kinds first.
-QStringList openFilters();
-
-}   // namespace angiopose::app
+}   // namespace angiopose::io

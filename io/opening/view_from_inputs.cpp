@@ -1,9 +1,9 @@
-#include "app/files/view_from_inputs.h"
+#include "io/opening/view_from_inputs.h"
 
-#include "app/document/assemble_case.h"
-#include "app/messages/says.h"
+#include "io/messages/says.h"
+#include "io/opening/assemble_case.h"
 
-namespace angiopose::app {
+namespace angiopose::io {
 namespace {
 
 /// The image that was opened as a view of the case's vessels, at its start pose.
@@ -44,4 +44,4 @@ core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs&
     return view;
 }
 
-}   // namespace angiopose::app
+}   // namespace angiopose::io

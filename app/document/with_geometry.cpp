@@ -1,0 +1,28 @@
+#include "app/document/with_geometry.h"
+
+namespace angiopose::app {
+namespace {
+
+bool isSamePose(const core::RigidTransform& a, const core::RigidTransform& b)
+{
+    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
+}
+
+}   // namespace
+
+core::Case withGeometry(core::Case base, const core::CArm& cArm)
+{
+    const auto before = core::startPoseOf(base);
+    core::View& view = base.shown();
+    view.geometry.cArm = cArm;
+    const bool wasAtStart = !before || isSamePose(before.value(), view.cameraFromPatient);
+    if (wasAtStart) {
+        if (const auto start = core::startPoseOf(base)) {
+            view.cameraFromPatient = start.value();
+        }
+    }
+    view.result.reset();
+    return base;
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "io/opening/loaded_inputs.h"
+#include "io/support/read_observer.h"
+
+namespace angiopose::io {
+
+/// Reads vessels into `inputs`, tracing them where they come as a scan, segmentation or surface; or notes there what
+/// has to be asked first (`isScanAsked`, `askedUnitsAcross`).
+core::Status addVessels(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
+                        const std::string& seriesId, const ReadObserver& observe);
+
+}   // namespace angiopose::io

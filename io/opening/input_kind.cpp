@@ -1,0 +1,133 @@
+#include "io/opening/input_kind.h"
+
+#include "io/messages/says.h"
+#include "io/series/slice_record.h"
+#include "io/support/input_bytes.h"
+#include "io/vessel/tree_table.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::streamsize headSize = 4096;
+constexpr std::size_t dicomMagicAt = 128;
+
+core::Result<std::string> headOf(const std::string& path)
+{
+    const std::string name = fs::path(path).filename().string();
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    std::string head(headSize, '\0');
+    if (!file.read(head.data(), headSize) && !file.eof()) {
+        return core::Error(says::openUnreadable(name, std::generic_category().message(errno)));
+    }
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    return head.empty() ? core::Result<std::string>(core::Error(says::openEmpty(name))) : head;
+}
+
+bool startsAsDicom(std::string_view head)
+{
+    return head.size() > dicomMagicAt && head.substr(dicomMagicAt).starts_with("DICM");
+}
+
+/// X-ray runs are images; what lies in the patient (CT, MR, …) is a slice of a volume.
+InputKind kindOfDicom(const std::string& path)
+{
+    const auto images = readSliceRecords(path);
+    if (!images || images.value().slices.empty()) {
+        return InputKind::Image;   // reading it says what is wrong
+    }
+    const std::string& modality = images.value().modality;
+    const bool isXray = modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR";
+    return !isXray && images.value().slices.front().position ? InputKind::Vessels : InputKind::Image;
+}
+
+bool startsAsPicture(std::string_view head)
+{
+    using namespace std::string_view_literals;
+    return head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF") || head.starts_with("II*\0"sv) ||
+           head.starts_with("MM\0*"sv);
+}
+
+bool startsAsVtk(std::string_view head)
+{
+    return head.starts_with("# vtk DataFile") || head.find("<VTKFile") != std::string_view::npos;
+}
+
+template <std::size_t N>
+bool isOneOf(const std::array<std::string_view, N>& extensions, std::string_view extension)
+{
+    return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+core::Result<InputKind> kindByName(const std::string& path, std::string_view head)
+{
+    static constexpr std::array<std::string_view, 8> images{".png",  ".tif", ".tiff",  ".jpg",
+                                                            ".jpeg", ".dcm", ".dicom", ".ima"};
+    static constexpr std::array<std::string_view, 5> centrelines{".vtp", ".vtk", ".vtu", ".swc", ".json"};
+    static constexpr std::array<std::string_view, 3> surfaces{".stl", ".ply", ".obj"};
+    const std::string extension = extensionOf(path);
+    if (extension == ".csv") {
+        return isTreeTable(head) ? InputKind::Centerline : InputKind::Target;
+    }
+    if (isOneOf(centrelines, extension)) {
+        return InputKind::Centerline;
+    }
+    if (isOneOf(surfaces, extension)) {
+        return InputKind::Vessels;
+    }
+    if (isOneOf(images, extension)) {
+        return InputKind::Image;
+    }
+    return core::Error(says::openUnknown(fs::path(path).filename().string()));
+}
+
+}   // namespace
+
+core::Result<InputKind> inputKindOf(const std::string& path)
+{
+    std::error_code failure;
+    const fs::file_status status = fs::status(path, failure);
+    if (!fs::exists(status)) {
+        return core::Error(says::openMissing(path));
+    }
+    if (fs::is_directory(status)) {
+        return InputKind::Folder;
+    }
+    if (!fs::is_regular_file(status)) {
+        return core::Error(says::fileNotRegular().about(path));
+    }
+    const auto head = headOf(path);
+    if (!head) {
+        return head.error();
+    }
+    // A case file is told by its name: its content is validated on reading.
+    if (extensionOf(path) == ".angiopose") {
+        return InputKind::Case;
+    }
+    if (startsAsDicom(head.value())) {
+        return kindOfDicom(path);
+    }
+    if (startsAsPicture(head.value())) {
+        return InputKind::Image;
+    }
+    if (isVolumeFile(path)) {
+        return InputKind::Vessels;
+    }
+    if (startsAsVtk(head.value())) {
+        return InputKind::Centerline;
+    }
+    return kindByName(path, head.value());
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,78 @@
+#include "io/opening/read_case_inputs.h"
+
+#include "io/case/case_file.h"
+#include "io/messages/says.h"
+
+#include <filesystem>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folderOf(const std::string& path)
+{
+    return fs::absolute(path).lexically_normal().parent_path().string();
+}
+
+/// The inputs of a case that are not in their place: what the hints know of them, and what a search finds.
+core::Status findInputs(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
+                        const ReadObserver& observe)
+{
+    auto missing = missingInputs(path);
+    if (!missing) {
+        return missing.error();
+    }
+    inputs.missing = std::move(missing).value();
+    inputs.moved = hints.moved;
+    const auto isFound = [&inputs](const MissingInput& each) { return inputs.moved.contains(each.path); };
+    std::erase_if(inputs.missing, isFound);
+    std::vector<std::string> folders{folderOf(path)};
+    folders.insert(folders.end(), hints.searchFolders.begin(), hints.searchFolders.end());
+    if (!inputs.missing.empty()) {
+        inputs.moved.merge(findMovedInputs(inputs.missing, folders, observe));
+        std::erase_if(inputs.missing, isFound);
+    }
+    if (hints.withoutOptional) {
+        std::erase_if(inputs.missing, [](const MissingInput& each) { return each.isOptional; });
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHints& hints, const ReadObserver& observe)
+{
+    LoadedInputs inputs;
+    if (const auto found = findInputs(inputs, path, hints, observe); !found) {
+        return found.error();
+    }
+    if (!inputs.missing.empty()) {
+        return inputs;
+    }
+    auto loaded = loadCase(path, inputs.warnings, observe, inputs.moved);
+    if (!loaded) {
+        return loaded.error();
+    }
+    for (const auto& [wanted, place] : inputs.moved) {
+        inputs.warnings.push_back(says::openMoved(fs::path(wanted).filename().string(), place));
+    }
+    inputs.wholeCase = std::move(loaded).value();
+    return inputs;
+}
+
+core::Result<core::Case> openCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe)
+{
+    auto read = readCaseInputs(path, {}, observe);
+    if (!read) {
+        return read.error();
+    }
+    LoadedInputs inputs = std::move(read).value();
+    if (!inputs.wholeCase) {
+        return loadCase(path, warnings, observe, inputs.moved);   // says what is missing, or does without it
+    }
+    warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
+    return *std::move(inputs.wholeCase);
+}
+
+}   // namespace angiopose::io
