@@ -1,6 +1,8 @@
 #include "io/result_file.h"
 
 #include "core/case/case_patients.h"
+#include "core/case/case_views.h"
+#include "core/geometry/angle_units.h"
 #include "io/case/fields/result_fields.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -74,6 +76,44 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
 core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
 {
     return writeAtomically(path, resultJson(theCase, result));
+}
+
+namespace {
+
+Json correctionJson(const core::Vector6d& correction)
+{
+    return {{"turnDeg", core::degreesPerRadian * correction.head<3>().norm()},
+            {"shiftMm", correction.tail<3>().norm()}};
+}
+
+std::string jointJson(const core::RegisteredCase& registered)
+{
+    const core::MultiViewResult& joint = *registered.joint;
+    Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
+    json["warnings"] = sentencesOf(joint.warnings);
+    json["messages"] = Json::parse(messagesJson(joint.warnings));
+    json["uncertainty"] = {{"inPlaneSigmaMm", joint.uncertainty.inPlaneMm},
+                           {"depthSigmaMm", joint.uncertainty.depthMm},
+                           {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
+    for (std::size_t k = 0; k < registered.places.size(); ++k) {
+        const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
+        Json view = Json::parse(resultJson(showing, *showing.shown().result));
+        view["geometryCorrection"] = correctionJson(joint.corrections[k]);
+        json["views"].push_back(std::move(view));
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}   // namespace
+
+std::string registeredJson(const core::RegisteredCase& registered)
+{
+    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result());
+}
+
+core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path)
+{
+    return writeAtomically(path, jointJson(registered));
 }
 
 }   // namespace angiopose::io

@@ -170,11 +170,14 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
         input.kind = VesselInputKind::Segmentation;
         return traceLabelImage(untraced(input, loaded.warnings), labelsOf(loaded.volume), path, observe);
     }
-    LoadedVessels vessels = untraced(input, loaded.warnings);
-    vessels.identity = loaded.identity;
-    vessels.volume = std::make_shared<const core::Volume>(std::move(loaded.volume));
-    auto traced = core::traceVessels(*vessels.volume, input.tracing, tracingObserver(observe));
-    return withTree(std::move(vessels), std::move(traced), path);
+    auto vessels = traceScan(std::make_shared<const core::Volume>(std::move(loaded.volume)), path, input, observe);
+    if (!vessels) {
+        return vessels;
+    }
+    LoadedVessels traced = std::move(vessels).value();
+    traced.identity = loaded.identity;
+    traced.warnings.insert(traced.warnings.begin(), loaded.warnings.begin(), loaded.warnings.end());
+    return traced;
 }
 
 /// VTK files hold lines or surfaces; only reading tells.
@@ -214,6 +217,14 @@ core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
     const bool isVtk =
         content.starts_with("# vtk DataFile") || content.substr(0, 4096).find("<VTKFile") != std::string_view::npos;
     return isVtk ? kindOfVtk(path) : VesselInputKind::Centerline;
+}
+
+core::Result<LoadedVessels> traceScan(const std::shared_ptr<const core::Volume>& scan, const std::string& path,
+                                      const core::VesselInput& input, const ReadObserver& observe)
+{
+    LoadedVessels vessels = untraced(input, {});
+    vessels.volume = scan;
+    return withTree(std::move(vessels), core::traceVessels(*scan, input.tracing, tracingObserver(observe)), path);
 }
 
 core::Result<LoadedVessels> readVessels(const std::string& path, const core::VesselInput& input,

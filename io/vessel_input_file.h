@@ -36,6 +36,10 @@ core::Result<core::VesselInputKind> vesselInputKindOf(const std::string& path);
 core::Result<LoadedVessels> readVessels(const std::string& path, const core::VesselInput& input,
                                         const ReadObserver& observe = {});
 
+/// Traces a scan that is in memory and was read from `path`: what readVessels does with it once it is read.
+core::Result<LoadedVessels> traceScan(const std::shared_ptr<const core::Volume>& scan, const std::string& path,
+                                      const core::VesselInput& input, const ReadObserver& observe = {});
+
 /// SHA-256 of a vessel input: of the file, or of the series in a folder (see `sha256OfSeries`).
 core::Result<std::string> sha256OfVesselInput(const std::string& path, const core::VesselInput& input);
 

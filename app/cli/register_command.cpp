@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
+#include "io/result_file.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -63,7 +64,7 @@ int runRegister(const RegisterArguments& arguments)
         return failInput(status.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
-        std::puts(registeredJson(registered.value()).c_str());
+        std::puts(io::registeredJson(registered.value()).c_str());
     } else {
         printRegistered(registered.value(), folder);
     }

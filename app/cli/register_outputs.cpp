@@ -1,6 +1,5 @@
 #include "app/cli/register_outputs.h"
 
-#include "app/cli/add_warnings.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "app/texts/overlay_picture.h"
@@ -9,17 +8,14 @@
 #include "io/image_file.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
-#include "io/support/atomic_file.h"
 
 #include <cstdio>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using core::RegisteredCase;
 
 core::Case caseShowing(const RegisteredCase& registered, std::size_t index)
@@ -51,29 +47,6 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
         return picture.error();
     }
     return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
-}
-
-Json correctionJson(const core::Vector6d& correction)
-{
-    return {{"turnDeg", core::degreesPerRadian * correction.head<3>().norm()},
-            {"shiftMm", correction.tail<3>().norm()}};
-}
-
-std::string jointJson(const RegisteredCase& registered)
-{
-    const core::MultiViewResult& joint = *registered.joint;
-    Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
-    addWarnings(json, joint.warnings);
-    json["uncertainty"] = {{"inPlaneSigmaMm", joint.uncertainty.inPlaneMm},
-                           {"depthSigmaMm", joint.uncertainty.depthMm},
-                           {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
-    for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        const core::Case showing = caseShowing(registered, k);
-        Json view = Json::parse(io::resultJson(showing, *showing.shown().result));
-        view["geometryCorrection"] = correctionJson(joint.corrections[k]);
-        json["views"].push_back(std::move(view));
-    }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 void printLine(const std::string& label, const std::string& text)
@@ -114,13 +87,8 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
             return status;
         }
     }
-    return registered.joint ? io::writeAtomically((fs::path(folder) / "joint.json").string(), jointJson(registered))
+    return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string())
                             : core::Status(core::Done{});
-}
-
-std::string registeredJson(const RegisteredCase& registered)
-{
-    return registered.joint ? jointJson(registered) : io::resultJson(registered.theCase, registered.result());
 }
 
 void printRegistered(const RegisteredCase& registered, const std::string& folder)

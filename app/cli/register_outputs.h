@@ -11,9 +11,6 @@ namespace angiopose::app {
 /// view-2, view-3, … below it) and, of several views, joint.json about all. Makes the folders.
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder);
 
-/// What result.json says, or of several views joint.json.
-std::string registeredJson(const core::RegisteredCase& registered);
-
 /// The same in a few lines for people.
 void printRegistered(const core::RegisteredCase& registered, const std::string& folder);
 

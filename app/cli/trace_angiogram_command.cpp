@@ -50,22 +50,29 @@ core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram
     return core::Done{};
 }
 
-/// The picture to trace, and what to call it.
-struct Picture {
-    core::ImageF frame;
+/// What was traced, and what to call it.
+struct NamedTrace {
+    core::AngiogramTrace trace;
     std::string name;
 };
 
-core::Result<Picture> chosenPicture(const TraceAngiogramArguments& arguments, const Angiogram& angiogram)
+/// The vessels of the frame that the arguments ask for, or of all frames together.
+core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, const Angiogram& angiogram)
 {
-    if (arguments.composite) {
-        return Picture{core::opacifiedComposite(angiogram.frames, angiogram.polarity), "all frames"};
-    }
+    core::TraceOptions options;
+    options.sensitivity = arguments.sensitivity;
     const int frame = arguments.frame.value_or(angiogram.suggestedFrame);
-    if (frame < 0 || frame >= angiogram.frameCount()) {
+    if (!arguments.composite && (frame < 0 || frame >= angiogram.frameCount())) {
         return core::Error(says::frameBeyondRun(frame, angiogram.frameCount() - 1).about(arguments.imagePath));
     }
-    return Picture{core::steadyFrame(angiogram.frames, frame), "frame " + std::to_string(frame)};
+    auto trace = arguments.composite
+                     ? core::traceAngiogram(core::opacifiedComposite(angiogram.frames, angiogram.polarity),
+                                            angiogram.polarity, options)
+                     : core::traceFrame(angiogram, frame, options);
+    if (!trace) {
+        return trace.error().about(arguments.imagePath);
+    }
+    return NamedTrace{std::move(trace).value(), arguments.composite ? "all frames" : "frame " + std::to_string(frame)};
 }
 
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)
@@ -89,25 +96,19 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
     if (const auto status = subtractIfAsked(arguments, angiogram); !status) {
         return failInput(status.error());
     }
-    const auto picture = chosenPicture(arguments, angiogram);
-    if (!picture) {
-        return failInput(picture.error());
+    const auto traced = traceAsked(arguments, angiogram);
+    if (!traced) {
+        return failInput(traced.error());
     }
-    core::TraceOptions options;
-    options.sensitivity = arguments.sensitivity;
-    const auto trace = core::traceAngiogram(picture.value().frame, angiogram.polarity, options);
-    if (!trace) {
-        return failInput(trace.error().about(arguments.imagePath));
-    }
-    if (const auto status = writeTrace(trace.value(), arguments); !status) {
+    const core::AngiogramTrace& trace = traced.value().trace;
+    if (const auto status = writeTrace(trace, arguments); !status) {
         return failInput(status.error());
     }
-    const std::size_t count = trace.value().centerline.curves.size();
-    std::printf("%s: %zu %s, %zu points\n", picture.value().name.c_str(), count, count == 1 ? "curve" : "curves",
-                trace.value().centerline.pointCount());
-    if (!trace.value().suspectCurves.empty()) {
-        std::printf("may be catheter, wire or edge of a bone: curves %s\n",
-                    joined(trace.value().suspectCurves).c_str());
+    const std::size_t count = trace.centerline.curves.size();
+    std::printf("%s: %zu %s, %zu points\n", traced.value().name.c_str(), count, count == 1 ? "curve" : "curves",
+                trace.centerline.pointCount());
+    if (!trace.suspectCurves.empty()) {
+        std::printf("may be catheter, wire or edge of a bone: curves %s\n", joined(trace.suspectCurves).c_str());
     }
     return exitDone;
 }

@@ -1,7 +1,5 @@
 #include "app/jobs/judge_job.h"
 
-#include "core/evaluation/trial/branch_distances.h"
-
 #include <utility>
 
 namespace angiopose::app {
@@ -9,15 +7,11 @@ namespace {
 
 core::Result<SharedJudgement> judge(const JudgeRequest& request)
 {
-    auto result = core::evaluatePose(request.input, request.cameraFromPatient);
-    if (!result) {
-        return result.error();
+    auto judged = core::judgementOf(request.input, request.cameraFromPatient);
+    if (!judged) {
+        return judged.error();
     }
-    const core::RegistrationInput& input = request.input;
-    auto judgement = std::make_shared<Judgement>();
-    judgement->result = std::move(result).value();
-    judgement->residualPx = core::branchDistances(input.tree, input.target, input.camera, request.cameraFromPatient);
-    return SharedJudgement(std::move(judgement));
+    return std::make_shared<const core::PoseJudgement>(std::move(judged).value());
 }
 
 }   // namespace

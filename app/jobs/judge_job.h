@@ -1,12 +1,10 @@
 #pragma once
 
 #include "app/jobs/job.h"
-#include "core/registration/registration.h"
-#include "core/vessel/centerline2d.h"
+#include "core/workflow/pose_judgement.h"
 
 #include <QObject>
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -18,13 +16,7 @@ struct JudgeRequest {
     core::RigidTransform cameraFromPatient;
 };
 
-/// How a pose agrees with the image.
-struct Judgement {
-    core::RegistrationResult result;   ///< of core::evaluatePose
-    std::map<int, std::vector<double>> residualPx;   ///< per branch, one value per tree point
-};
-
-using SharedJudgement = std::shared_ptr<const Judgement>;
+using SharedJudgement = std::shared_ptr<const core::PoseJudgement>;
 
 /// Judges poses off the GUI thread, always the newest: a request while one is being judged replaces the waiting one.
 class JudgeJob : public QObject {

@@ -1,32 +1,20 @@
 #include "app/jobs/vessel_trace_job.h"
 
-#include "core/tracing/volume/trace_vessels.h"
 #include "io/vessel_input_file.h"
 
 namespace angiopose::app {
 namespace {
 
-core::Result<VesselTrace> traceScan(const VesselTraceRequest& request, const io::ReadObserver& observe)
+/// The scan as it lies in memory; other inputs are read again.
+core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const io::ReadObserver& observe)
 {
-    auto traced =
-        core::traceVessels(*request.volume, request.input.tracing,
-                           [&observe](const core::TracingReport& report) { return observe(report.progress); });
-    if (!traced) {
-        return traced.error();
+    const bool isScan = request.volume && request.input.kind == core::VesselInputKind::Volume;
+    auto outcome = isScan ? io::traceScan(request.volume, request.path, request.input, observe)
+                          : io::readVessels(request.path, request.input, observe);
+    if (!outcome) {
+        return outcome.error();
     }
-    core::TracedVessels vessels = std::move(traced).value();
-    return VesselTrace{request.input, std::make_shared<const core::VoxelMask>(std::move(vessels.lumen)),
-                       std::make_shared<const core::VesselTree>(std::move(vessels.tree)), vessels.threshold,
-                       vessels.warnings};
-}
-
-core::Result<VesselTrace> traceFile(const VesselTraceRequest& request, const io::ReadObserver& observe)
-{
-    auto read = io::readVessels(request.path, request.input, observe);
-    if (!read) {
-        return read.error();
-    }
-    io::LoadedVessels vessels = std::move(read).value();
+    io::LoadedVessels vessels = std::move(outcome).value();
     VesselTrace traced;
     traced.input = vessels.input;
     traced.lumen = io::sharedLumen(vessels);
@@ -61,8 +49,7 @@ void VesselTraceJob::start(VesselTraceRequest request)
     stopWished_ = false;
     job_.start([request = std::move(request)](JobLink<double>& link) {
         const io::ReadObserver observe = [&link](double fraction) { return link.tell(fraction); };
-        const bool isScan = request.volume && request.input.kind == core::VesselInputKind::Volume;
-        return isScan ? traceScan(request, observe) : traceFile(request, observe);
+        return traceVessels(request, observe);
     });
 }
 
