@@ -98,6 +98,7 @@ std::string jointJson(const core::RegisteredCase& registered)
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result));
+        view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         json["views"].push_back(std::move(view));
     }

@@ -23,9 +23,10 @@ core::Case caseShowing(const RegisteredCase& registered, std::size_t index)
     return core::showingView(registered.theCase, registered.places[index]);
 }
 
-std::string viewFolder(const std::string& folder, std::size_t index)
+std::string viewFolder(const RegisteredCase& registered, const std::string& folder, std::size_t index)
 {
-    return index == 0 ? folder : (fs::path(folder) / ("view-" + std::to_string(index + 1))).string();
+    const std::string number = std::to_string(registered.places[index] + 1);
+    return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
 core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
@@ -61,9 +62,9 @@ void printViews(const RegisteredCase& registered)
         const core::View& view = registered.theCase.views[registered.places[k]];
         const core::DistanceMetrics& metrics = view.result->metrics;
         const core::Vector6d& correction = registered.joint->corrections[k];
-        std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n", k + 1,
-                    fixedText(metrics.medianPx, 2).c_str(), fixedText(metrics.medianMm, 2).c_str(),
-                    fixedText(100.0 * metrics.coverage, 0).c_str(),
+        std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n",
+                    registered.places[k] + 1, fixedText(metrics.medianPx, 2).c_str(),
+                    fixedText(metrics.medianMm, 2).c_str(), fixedText(100.0 * metrics.coverage, 0).c_str(),
                     fixedText(core::degreesPerRadian * correction.head<3>().norm(), 2).c_str(),
                     fixedText(correction.tail<3>().norm(), 2).c_str(),
                     fs::path(view.imageFile.path).filename().string().c_str());
@@ -82,7 +83,8 @@ void printViews(const RegisteredCase& registered)
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
 {
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        if (auto status = writeView(caseShowing(registered, k), registered.targets[k], viewFolder(folder, k));
+        if (auto status =
+                writeView(caseShowing(registered, k), registered.targets[k], viewFolder(registered, folder, k));
             !status) {
             return status;
         }

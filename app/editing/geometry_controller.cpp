@@ -1,7 +1,7 @@
 #include "app/editing/geometry_controller.h"
 
-#include "app/document/with_geometry.h"
 #include "app/document/edit_case.h"
+#include "app/document/with_geometry.h"
 #include "app/words/geometry_state.h"
 #include "ui/main_window.h"
 

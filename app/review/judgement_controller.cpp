@@ -11,7 +11,8 @@
 namespace angiopose::app {
 namespace {
 
-std::vector<double> residualsMm(const core::Case& current, const core::PoseJudgement& judgement, double millimetresPerPixel)
+std::vector<double> residualsMm(const core::Case& current, const core::PoseJudgement& judgement,
+                                double millimetresPerPixel)
 {
     std::vector<double> residuals;
     for (const auto& [branchId, distancesPx] : judgement.residualPx) {

@@ -15,30 +15,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numeric>
-#include <tuple>
 
 namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// Lines keep their places whichever view is shown: sorted by angles, then by file.
-std::vector<std::size_t> lineOrder(const std::vector<core::View>& views)
-{
-    std::vector<std::size_t> order(views.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto key = [&views](std::size_t place) {
-        const core::View& view = views[place];
-        const core::CArm& cArm = view.geometry.cArm;
-        return view.imageFile.path.empty()
-                   ? std::tuple(1e4, 1e4, view.caseFile.path)
-                   : std::tuple(cArm.primaryAngleDeg.value.value_or(1e3), cArm.secondaryAngleDeg.value.value_or(1e3),
-                                view.imageFile.path);
-    };
-    std::ranges::stable_sort(order, {}, key);
-    return order;
-}
 
 QString nameOf(const core::View& view)
 {
@@ -59,6 +40,12 @@ QString anglesOf(const core::View& view)
 QString titleOf(const core::View& view)
 {
     return view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
+}
+
+/// "2 · LAO 30° · CRA 10°": by its number warnings name it.
+QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
+{
+    return QStringLiteral("%1 · %2").arg(place + 1).arg(ui::withDecimalSign(titleOf(views[place])));
 }
 
 }   // namespace
@@ -110,7 +97,7 @@ void ViewController::followDocument()
     window_.actions()[ui::Command::AddView]->setEnabled(hasImage && vessels.tree && !document_.isInTrial());
     window_.views().setEnabled(!document_.isLocked() && !document_.isInTrial());
     window_.registration().showViewCount(areSeveral ? static_cast<int>(core::registeredViews(current).size()) : 1);
-    order_ = areSeveral ? lineOrder(current.views) : std::vector<std::size_t>{};
+    lineCount_ = areSeveral ? current.views.size() : 0;
     showLines();
     Seen seen;
     if (areSeveral) {
@@ -141,11 +128,9 @@ void ViewController::showLines()
 {
     const core::Case& current = document_.current();
     std::vector<ui::ViewLine> lines;
-    int shown = 0;
-    for (const std::size_t place : order_) {
+    for (std::size_t place = 0; place < lineCount_; ++place) {
         const core::View& view = current.views[place];
         const ViewLook* look = lookOf(place);
-        shown = place == current.shownView ? static_cast<int>(lines.size()) : shown;
         QString agreement;
         if (look && look->metrics) {
             agreement = tr("%1 mm · %2 px")
@@ -155,12 +140,12 @@ void ViewController::showLines()
             agreement = view.angiogram ? QStringLiteral("…") : tr("not found");
         }
         const QString problem = look ? ui::messageText(look->problem) : QString();
-        lines.push_back({ui::withDecimalSign(titleOf(view)) + QLatin1Char('\n') + agreement,
+        lines.push_back({numberedTitle(current.views, place) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
                              ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(view))
                              : nameOf(view) + QStringLiteral(": ") + problem});
     }
-    window_.views().showViews(lines, shown);
+    window_.views().showViews(lines, static_cast<int>(current.shownView));
 }
 
 void ViewController::look()
@@ -186,17 +171,17 @@ void ViewController::showPictures(std::vector<ViewLook> looks)
     }
     looks_ = std::move(looks);
     showLines();
-    for (std::size_t line = 0; line < order_.size(); ++line) {
-        const ViewLook* look = lookOf(order_[line]);
+    for (std::size_t place = 0; place < lineCount_; ++place) {
+        const ViewLook* look = lookOf(place);
         if (look && look->picture) {
-            window_.views().showPicture(static_cast<int>(line), *look->picture);
+            window_.views().showPicture(static_cast<int>(place), *look->picture);
         }
     }
 }
 
 void ViewController::show(int line)
 {
-    const std::size_t place = order_[static_cast<std::size_t>(line)];
+    const auto place = static_cast<std::size_t>(line);
     const core::Case& current = document_.current();
     if (place == current.shownView) {
         return;
@@ -206,23 +191,21 @@ void ViewController::show(int line)
         emit refused(tr("The image of this view could not be read."));
     } else {
         document_.push(showView(document_, core::showingView(current, place),
-                                [name = titleOf(view)] { return tr("Show view %1").arg(ui::withDecimalSign(name)); }));
+                                [name = numberedTitle(current.views, place)] { return tr("Show view %1").arg(name); }));
     }
     showLines();   // the mark goes back where it was refused
 }
 
 void ViewController::showNext()
 {
-    const auto shown = std::ranges::find(order_, document_.current().shownView);
-    if (shown != order_.end()) {
-        const auto next = shown + 1 == order_.end() ? order_.begin() : shown + 1;
-        show(static_cast<int>(next - order_.begin()));
+    if (lineCount_ > 0) {
+        show(static_cast<int>((document_.current().shownView + 1) % lineCount_));
     }
 }
 
 void ViewController::askName(int line)
 {
-    const std::size_t place = order_[static_cast<std::size_t>(line)];
+    const auto place = static_cast<std::size_t>(line);
     auto* dialog = new QInputDialog(&window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Name this view"));
@@ -242,7 +225,7 @@ void ViewController::askName(int line)
 void ViewController::remove(int line)
 {
     const core::Case& current = document_.current();
-    const core::Case without = core::withoutView(current, order_[static_cast<std::size_t>(line)]);
+    const core::Case without = core::withoutView(current, static_cast<std::size_t>(line));
     if (without.views.size() == current.views.size()) {
         emit refused(tr("No other view can be shown in its place."));
         return;

@@ -55,7 +55,7 @@ private:
     CaseDocument& document_;
     const TargetProvider& target_;
     ui::MainWindow& window_;
-    std::vector<std::size_t> order_;   ///< of the lines: places in the case's views
+    std::size_t lineCount_ = 0;   ///< the lines are the case's views, in their order; none while there is only one
     Seen seen_;
     std::vector<ViewLook> looks_;
     QTimer pause_;   ///< pictures are drawn when things have come to rest

@@ -57,7 +57,8 @@ Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d 
 }
 
 Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views, const Vessels& vessels,
-                                                     std::span<const Centerline2d> targets)
+                                                     std::span<const Centerline2d> targets,
+                                                     const MultiViewOptions& multiView)
 {
     assert(views.size() == targets.size());
     std::vector<RegistrationInput> inputs;
@@ -66,13 +67,13 @@ Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views
         if (k > 0) {
             const auto fromFirst = viewFromView(views.front(), view, vessels);
             if (!fromFirst) {
-                return inView(k, fromFirst.error());
+                return inView(multiView.numberOf(k), fromFirst.error());
             }
             view.cameraFromPatient = fromFirst.value() * views.front().cameraFromPatient;
         }
         auto input = registrationInputOf(view, vessels, targets[k]);
         if (!input) {
-            return inView(k, input.error());
+            return inView(multiView.numberOf(k), input.error());
         }
         inputs.push_back(std::move(input).value());
     }

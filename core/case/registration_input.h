@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/case/case.h"
+#include "core/registration/register_views.h"
 
 #include <span>
 #include <vector>
@@ -15,9 +16,10 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
 Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d target);
 
 /// What registerViews needs of several views: for each its camera, its target and a start pose. The first starts where
-/// it is; the others where the geometry between the views then puts them, see viewFromView. Fails naming the view
-/// (counted from 1) and what it lacks.
+/// it is; the others where the geometry between the views then puts them, see viewFromView. Fails naming the view, by
+/// what `multiView` calls it, and what it lacks.
 Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views, const Vessels& vessels,
-                                                     std::span<const Centerline2d> targets);
+                                                     std::span<const Centerline2d> targets,
+                                                     const MultiViewOptions& multiView = {});
 
 }   // namespace angiopose::core

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double aloneShare = 0.9;   // of the progress of a view; the rest is its joint refinement
 
-Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options)
+Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
+                                    const MultiViewOptions& multiView)
 {
     if (inputs.size() < 2) {
         return Error(says::viewsTooFew());
@@ -25,13 +26,13 @@ Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, c
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         auto problem = makeProblem(inputs[k], options);
         if (!problem) {
-            return inView(k, problem.error());
+            return inView(multiView.numberOf(k), problem.error());
         }
         views.push_back(std::make_unique<JointView>(std::move(problem).value()));
         const TreeSamples& tree = views.back()->problem.tree;
         const TreeSamples& firstTree = views.front()->problem.tree;
         if (tree.size() != firstTree.size() || (tree.centroid - firstTree.centroid).norm() > 1e-6) {
-            return Error(says::viewsOfOtherTree(k + 1));
+            return Error(says::viewsOfOtherTree(multiView.numberOf(k), multiView.numberOf(0)));
         }
     }
     return views;
@@ -102,7 +103,8 @@ std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
 
 /// Every view's own answers, carried to the first view, are where the joint solve starts from; the best score wins.
 Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationInput> inputs,
-                                const RegistrationOptions& options, JointProgress& progress)
+                                const RegistrationOptions& options, const MultiViewOptions& multiView,
+                                JointProgress& progress)
 {
     JointPose best;
     double bestScore = -1.0;
@@ -110,7 +112,7 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
         const auto alone = registerVessels(inputs[k], options,
                                            [&](const IterationReport& report) { return progress.report(k, report); });
         if (!alone) {
-            return inView(k, alone.error());
+            return inView(multiView.numberOf(k), alone.error());
         }
         const std::vector<RigidTransform> starts = posesOf(alone.value());
         for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -129,12 +131,11 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
 }
 
 /// Judges one view at the joint pose; what speaks against it is added to the result's warnings.
-void addView(MultiViewResult& result, const JointView& view, MethodSolution solution, bool isPlausible,
-             const RegistrationOptions& options)
+void addView(MultiViewResult& result, std::size_t number, const JointView& view, MethodSolution solution,
+             bool isPlausible, const RegistrationOptions& options)
 {
     result.views.push_back(judgePose(view.problem, options, solution));
     result.views.back().method = options.method;
-    const std::size_t number = result.views.size();
     if (!result.views.back().trustworthy) {
         result.trustworthy = false;
         result.warnings.push_back(says::viewDisagrees(number));
@@ -150,7 +151,7 @@ void addView(MultiViewResult& result, const JointView& view, MethodSolution solu
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                                       const MultiViewOptions& multiView, const IterationObserver& observe)
 {
-    auto made = makeViews(inputs, options);
+    auto made = makeViews(inputs, options, multiView);
     if (!made) {
         return made.error();
     }
@@ -161,7 +162,7 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     correctionStd.tail<3>().setConstant(multiView.relativeShiftStdMm);
     JointSolve solve(views, startPrior(aboutCentroid(first.start, first.tree.centroid), options), correctionStd);
     JointProgress progress(*views.front(), views.size(), observe);
-    const auto best = bestJointPose(solve, inputs, options, progress);
+    const auto best = bestJointPose(solve, inputs, options, multiView, progress);
     if (!best) {
         return best.error();
     }
@@ -175,14 +176,15 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
         MethodSolution solution;
         solution.cameraFromPatient = cameraFromPatient(solve.inView(pose, k), views[k]->problem.tree.centroid);
         solution.stopReason = progress.isStopped() ? StopReason::StoppedByUser : StopReason::Converged;
-        addView(result, *views[k], std::move(solution), solve.isPlausible(pose.corrections[k]), options);
+        addView(result, multiView.numberOf(k), *views[k], std::move(solution), solve.isPlausible(pose.corrections[k]),
+                options);
     }
     return result;
 }
 
-Error inView(std::size_t index, const Error& error)
+Error inView(std::size_t number, const Error& error)
 {
-    return error.isStop() ? error : Error(says::inView(index + 1, error.message));
+    return error.isStop() ? error : Error(says::inView(number, error.message));
 }
 
 }   // namespace angiopose::core

@@ -2,7 +2,9 @@
 
 #include "core/registration/registration.h"
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace angiopose::core {
 
@@ -10,6 +12,9 @@ namespace angiopose::core {
 struct MultiViewOptions {
     double relativeRotationStdDeg = 0.5;   ///< 1-σ per axis
     double relativeShiftStdMm = 1.5;   ///< 1-σ per axis, of the tree's centroid
+    std::vector<std::size_t> numbers{};   ///< what the views are called in messages; empty: 1, 2, … in the order given
+
+    std::size_t numberOf(std::size_t index) const { return numbers.empty() ? index + 1 : numbers[index]; }
 };
 
 /// One rigid tree in several views.
@@ -32,7 +37,7 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});
 
-/// What went wrong in one of several views, counted from 0; Stop stays Stop.
-Error inView(std::size_t index, const Error& error);
+/// What went wrong in the view of that number; Stop stays Stop.
+Error inView(std::size_t number, const Error& error);
 
 }   // namespace angiopose::core

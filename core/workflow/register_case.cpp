@@ -98,11 +98,15 @@ Status registerOne(RegisteredCase& run, const Provenance& provenance, const Iter
 Status registerTogether(RegisteredCase& run, const Provenance& provenance, const IterationObserver& observe)
 {
     Stopwatch watch;
-    const auto inputs = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets);
+    MultiViewOptions multiView;
+    for (const std::size_t place : run.places) {
+        multiView.numbers.push_back(place + 1);
+    }
+    const auto inputs = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets, multiView);
     if (!inputs) {
         return inputs.error();
     }
-    auto joint = registerViews(inputs.value(), run.theCase.options, {}, observe);
+    auto joint = registerViews(inputs.value(), run.theCase.options, multiView, observe);
     if (!joint) {
         return joint.error();
     }

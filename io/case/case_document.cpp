@@ -6,6 +6,8 @@
 #include "io/messages/says.h"
 #include "io/support/json_text.h"
 
+#include <algorithm>
+
 namespace angiopose::io {
 namespace {
 
@@ -45,6 +47,7 @@ CaseDocument parseCaseDocument(std::string_view json)
     readUnknown(root, document.values);
     document.notes = std::move(reading.otherViews);
     document.notes.insert(document.notes.begin(), std::move(reading.view));
+    document.shownPlace = std::min(reading.shownPlace, document.values.views.size() - 1);
     document.problems = std::move(reading.problems);
     return document;
 }

@@ -14,6 +14,7 @@ namespace angiopose::io {
 struct CaseDocument {
     core::Case values;   ///< paths as written; the C-arms hold only what the file gives
     std::vector<ViewNotes> notes;   ///< of `values.views`, in order; nothing noted of those with a file of their own
+    std::size_t shownPlace = 0;   ///< where `values.views.front()`, which is shown, belongs among the views
     core::Messages problems;   ///< what makes no sense, each with key and remedy
 };
 

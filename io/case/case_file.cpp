@@ -126,6 +126,14 @@ std::string inputAt(const Case& theCase, const std::string& path)
     return {};
 }
 
+/// The shown view, read as the first, goes where it belongs among the others.
+void putInPlace(Case& theCase, std::size_t place)
+{
+    const auto first = theCase.views.begin();
+    std::rotate(first, first + 1, first + static_cast<std::ptrdiff_t>(place) + 1);
+    theCase.shownView = place;
+}
+
 }   // namespace
 
 core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
@@ -142,6 +150,7 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
             file->path = place == moved.end() ? file->path : place->second;
         }
         std::vector<ViewNotes> notes = document.notes;
+        const std::size_t shownPlace = document.shownPlace;
         const Case noted = document.values;
         auto loaded = loadInputs(std::move(document), path, warnings, observe);
         if (!loaded) {
@@ -150,6 +159,7 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
         Case values = std::move(loaded).value();
         loadOtherViews(values, std::move(notes), path, warnings);
         dropStaleResults(noted, values, warnings);
+        putInPlace(values, shownPlace);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;

@@ -4,6 +4,7 @@
 #include "io/file_hash.h"
 #include "io/vessel_input_file.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -59,6 +60,8 @@ core::Status completeFiles(core::Case& hashed, const std::string& path)
     if (auto completed = completeView(shown, path, std::nullopt); !completed) {
         return completed;
     }
+    const auto before = hashed.views.begin() + static_cast<std::ptrdiff_t>(hashed.shownView);
+    const auto place = std::count_if(hashed.views.begin(), before, [](const auto& view) { return !isBlank(view); });
     hashed.views.erase(hashed.views.begin() + static_cast<std::ptrdiff_t>(hashed.shownView));
     std::erase_if(hashed.views, isBlank);
     for (std::size_t k = 0; k < hashed.views.size(); ++k) {
@@ -69,8 +72,8 @@ core::Status completeFiles(core::Case& hashed, const std::string& path)
             return completed;
         }
     }
-    hashed.views.insert(hashed.views.begin(), std::move(shown));
-    hashed.shownView = 0;
+    hashed.views.insert(hashed.views.begin() + place, std::move(shown));
+    hashed.shownView = static_cast<std::size_t>(place);
     return core::Done{};
 }
 

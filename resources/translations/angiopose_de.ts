@@ -3184,9 +3184,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht festhalten. Zuerst entsperren.</translation>
     </message>
     <message>
-        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
+        <source>View %1 uses another vessel tree or other branches than view %2. Give all views the same.</source>
         <comment>views.other-tree</comment>
-        <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion 1. Allen dasselbe geben.</translation>
+        <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion %2. Allen dasselbe geben.</translation>
     </message>
     <message>
         <source>View %1 does not agree with the joint pose.</source>

@@ -3184,9 +3184,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>联合配准无法固定单个自由度。请先解锁。</translation>
     </message>
     <message>
-        <source>View %1 uses another vessel tree or other branches than view 1. Give all views the same.</source>
+        <source>View %1 uses another vessel tree or other branches than view %2. Give all views the same.</source>
         <comment>views.other-tree</comment>
-        <translation>投影 %1 使用的血管树或分支与投影 1 不同。请统一。</translation>
+        <translation>投影 %1 使用的血管树或分支与投影 %2 不同。请统一。</translation>
     </message>
     <message>
         <source>View %1 does not agree with the joint pose.</source>

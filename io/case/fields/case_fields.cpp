@@ -103,6 +103,16 @@ StoredField<Case> otherViewsField()
             }};
 }
 
+/// The shown view stands in the case itself; views keep their numbers by it.
+StoredField<Case> shownPlaceField()
+{
+    return {
+        "shownPlace",
+        about(integerSchema(0, 100), "How many of `views` come before the view of this case; absent: none."),
+        [](const Json& value, Case&, Reading& reading) { reading.shownPlace = value.get<std::size_t>(); },
+        [](const Case& theCase, const fs::path&) { return theCase.shownView > 0 ? Json(theCase.shownView) : Json(); }};
+}
+
 StoredField<Case> methodField()
 {
     return {"method", textSchema(),
@@ -176,6 +186,7 @@ const StoredFields<Case>& caseFields()
         }
         rows.push_back(storedGroup<Case>("pose", Json::object(), {locksField()}));
         rows.push_back(otherViewsField());
+        rows.push_back(shownPlaceField());
         rows.push_back(methodField());
         rows.push_back(optionsField());
         return rows;

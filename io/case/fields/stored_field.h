@@ -17,6 +17,7 @@ struct Reading {
     core::Messages problems;   ///< what makes no sense, each with key and remedy
     ViewNotes view;   ///< of the view that is read
     std::vector<ViewNotes> otherViews;   ///< of a case, in order
+    std::size_t shownPlace = 0;   ///< of the view that stands in the case itself, among all its views
     bool hasVessels = false;   ///< one of the kinds of vessels has been found
 };
 

@@ -204,6 +204,9 @@ TEST(RegisterViews, NamesWhatIsWrong)
     const auto empty = registerViews(two.inputs);
     ASSERT_FALSE(empty);
     EXPECT_NE(empty.error().message.text().find("View 2"), std::string::npos);
+    MultiViewOptions called;
+    called.numbers = {3, 1};
+    EXPECT_NE(registerViews(two.inputs, {}, called).error().message.text().find("View 1"), std::string::npos);
 }
 
 }   // namespace

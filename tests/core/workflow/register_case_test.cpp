@@ -1,9 +1,13 @@
 #include "core/workflow/register_case.h"
 
+#include "core/geometry/angle_units.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/messages/says.h"
 #include "tests/support/simulated_views.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 namespace angiopose::core {
@@ -59,6 +63,24 @@ TEST(RegisterCase, TellsOfEachViewAndItsProgressNeverFalls)
         EXPECT_EQ(view.cameraFromPatient.matrix(), view.result->cameraFromPatient.matrix());
     }
     EXPECT_EQ(run.value().result().uncertainty.covariance, run.value().joint->uncertainty.covariance);
+}
+
+TEST(RegisterCase, CallsTheViewsByTheirPlaceWhicheverIsShown)
+{
+    Case values = test::twoViewCase();
+    Eigen::Matrix3d& start = values.views[0].initialCameraFromPatient->rotation;
+    start = expSo3({0.0, 5.0 * radiansPerDegree, 0.0}) * start;   // the geometry between the views is wrong now
+    for (std::size_t shown : {0, 1}) {
+        values.shownView = shown;
+        const auto run = registerCase(values);
+        ASSERT_TRUE(run) << run.error().message;
+        const std::string other =
+            shown == 0 ? "view 2" : "view 1";   // its geometry is told relative to the shown one's
+        const Messages& warnings = run.value().joint->warnings;
+        EXPECT_TRUE(std::ranges::any_of(warnings, [&](const Message& warning) {
+            return warning.id() == says::viewFarFromHeader(1).id() && warning.text().find(other) != std::string::npos;
+        })) << shown;
+    }
 }
 
 TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)

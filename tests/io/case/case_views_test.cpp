@@ -49,6 +49,32 @@ void addCurves(core::View& view)
     view.target.editedFrame = view.frame;
 }
 
+TEST(CaseViews, KeepTheirOrderWhicheverIsShown)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const test::TemporaryFolder folder;
+    core::Case values = twoViews();
+    values.views.push_back({});   // with nothing in it: not saved
+    std::rotate(values.views.begin(), values.views.begin() + 2, values.views.end());   // blank, IM4, IM3
+    for (const std::size_t shown : {1, 2}) {
+        values.shownView = shown;
+        ASSERT_TRUE(io::saveCase(values, folder.file("both.angiopose")));
+        const core::Case copy = loadedFrom(folder.file("both.angiopose"));
+        ASSERT_EQ(copy.views.size(), 2U);
+        EXPECT_EQ(copy.shownView, shown - 1);
+        for (const std::size_t k : {0, 1}) {
+            EXPECT_EQ(copy.views[k].imageFile.sha256, values.views[k + 1].imageFile.sha256);
+            EXPECT_EQ(copy.views[k].frame, values.views[k + 1].frame);
+        }
+    }
+    core::Case alone = loadedFrom(phantomPath(4));
+    ASSERT_TRUE(io::saveCase(alone, folder.file("one.angiopose")));
+    EXPECT_EQ(test::readText(folder.file("one.angiopose")).find("shownPlace"), std::string::npos);
+    std::string far = test::readText(folder.file("both.angiopose"));
+    far.replace(far.find("\"shownPlace\": 1"), 15, "\"shownPlace\": 77");   // more than there are: the last
+    EXPECT_EQ(loadedFrom(folder.write("far.angiopose", far)).shownView, 1U);
+}
+
 TEST(CaseViews, StandInTheCaseToTheLastBit)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
