@@ -22,6 +22,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       registration_(document_, target_),
       session_(window, document_, target_, registration_, notices_),
       title_(document_, session_.saving(), window),
+      patient_(document_, window.patient(), *window.actions()[ui::Command::HideIdentity]),
       review_(document_, sync_, window),
       look_(document_, sync_, window),
       replay_(document_, sync_, window),

@@ -29,6 +29,7 @@
 #include "app/review/view_places_controller.h"
 #include "app/run_controller.h"
 #include "app/showing/notices.h"
+#include "app/showing/patient_controller.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 #include "app/step_controller.h"
@@ -87,6 +88,7 @@ private:
     RegistrationController registration_;
     SessionController session_;
     TitleController title_;
+    PatientController patient_;
     ReviewController review_;
     LookController look_;
     ReplayController replay_;

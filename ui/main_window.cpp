@@ -40,6 +40,7 @@ MainWindow::MainWindow(QWidget* parent)
       actions_(new WindowActions(this)),
       header_(new HeaderBar),
       steps_(new StepBar),
+      patient_(new PatientBar),
       branches_(new BranchPanel),
       treeView_(new TreeView),
       slices_(new SliceModel(this)),
@@ -98,6 +99,7 @@ void MainWindow::layOut()
     layout->setSpacing(0);
     layout->addWidget(header_);
     layout->addWidget(steps_);
+    layout->addWidget(patient_);
     layout->addWidget(trialBar_);
     layout->addWidget(columns_, 1);
     layout->addWidget(strip_);

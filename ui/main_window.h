@@ -7,6 +7,7 @@
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/header_bar.h"
 #include "ui/panels/landmark_panel.h"
+#include "ui/panels/patient_bar.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/registration_panel.h"
 #include "ui/panels/result_panel.h"
@@ -52,6 +53,7 @@ public:
     TracingPanel& tracing() { return *tracing_; }
     HeaderBar& header() { return *header_; }
     StepBar& steps() { return *steps_; }
+    PatientBar& patient() { return *patient_; }
     BranchPanel& branches() { return *branches_; }
     PosePanel& pose() { return *pose_; }
     AngiogramPanel& angiogramPanel() { return *angiogramPanel_; }
@@ -110,6 +112,7 @@ private:
     WindowActions* actions_;
     HeaderBar* header_;
     StepBar* steps_;
+    PatientBar* patient_;
     BranchPanel* branches_;
     TreeView* treeView_;
     SliceModel* slices_;

@@ -154,7 +154,8 @@ CornerLines cornerLines(const core::Case& theCase, Identity identity)
         lines.topRight = studyLines(study, identity);
     }
     if (!core::findMismatch(theCase).empty()) {
-        lines.topLeft.push_back(says::notSamePatient());
+        const bool areSeveral = core::patientsOf(theCase).size() > 1;
+        lines.topLeft.push_back(areSeveral ? says::notSamePatient() : says::notTogether());
     }
     addAngles(lines.bottomRight, core::cArmOfFrame(theCase.shown()));
     addDistances(lines.bottomRight, theCase.shown().geometry.cArm);

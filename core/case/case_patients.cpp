@@ -5,6 +5,36 @@
 #include <algorithm>
 
 namespace angiopose::core {
+namespace {
+
+bool saysWhose(const StudyIdentity& identity)
+{
+    return !identity.patientName.empty() || !identity.patientId.empty() || !identity.birthDate.empty();
+}
+
+/// What the one does not say the other may.
+void complete(StudyIdentity& identity, const StudyIdentity& other)
+{
+    for (const auto part :
+         {&StudyIdentity::patientName, &StudyIdentity::patientId, &StudyIdentity::birthDate, &StudyIdentity::sex}) {
+        if ((identity.*part).empty()) {
+            identity.*part = other.*part;
+        }
+    }
+}
+
+CasePatient& patientOf(std::vector<CasePatient>& patients, const StudyIdentity& identity)
+{
+    const auto known = std::ranges::find_if(
+        patients, [&identity](const CasePatient& patient) { return !findPatientMismatch(patient.identity, identity); });
+    if (known == patients.end()) {
+        return patients.emplace_back(CasePatient{identity, false, {}});
+    }
+    complete(known->identity, identity);
+    return *known;
+}
+
+}   // namespace
 
 Messages findMismatch(const Case& theCase)
 {
@@ -29,6 +59,21 @@ Messages findMismatch(const Case& theCase)
         }
     }
     return found;
+}
+
+std::vector<CasePatient> patientsOf(const Case& theCase)
+{
+    std::vector<CasePatient> patients;
+    if (saysWhose(theCase.vessels.scanIdentity)) {
+        patientOf(patients, theCase.vessels.scanIdentity).isOfScan = true;
+    }
+    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
+        const auto& run = theCase.views[place].angiogram;
+        if (run && saysWhose(run->identity)) {
+            patientOf(patients, run->identity).views.push_back(place);
+        }
+    }
+    return patients;
 }
 
 }   // namespace angiopose::core

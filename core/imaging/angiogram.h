@@ -19,6 +19,7 @@ struct StudyIdentity {
     std::string patientId;
     std::string birthDate;   ///< yyyy-mm-dd
     std::string sex;
+    std::string accessionNumber;   ///< of the request for the examination
     std::string laterality;   ///< "L" or "R" of a paired body part
     std::string institution;
     std::string studyDate;   ///< yyyy-mm-dd

@@ -63,6 +63,12 @@ std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIde
     return says::patientSideDiffers(first == "l" ? says::sideLeft() : says::sideRight());
 }
 
+std::optional<Message> findExaminationMismatch(const StudyIdentity& one, const StudyIdentity& other)
+{
+    return differs(one.accessionNumber, other.accessionNumber) ? std::optional(says::examinationOfRunsDiffers())
+                                                               : std::nullopt;
+}
+
 Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
 {
     Messages found;
@@ -70,6 +76,9 @@ Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Comp
         if (mismatch) {
             found.push_back(*mismatch);
         }
+    }
+    if (const auto mismatch = findExaminationMismatch(one, other); mismatch && compared == Compared::TwoRuns) {
+        found.push_back(*mismatch);
     }
     return found;
 }

@@ -19,7 +19,11 @@ std::optional<Message> findPatientMismatch(const StudyIdentity& one, const Study
 std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other,
                                         Compared compared = Compared::ScanAndRun);
 
-/// Both.
+/// The same for two runs that are taken for views of one moment: they are of one examination where both give an
+/// accession number. A scan has its own.
+std::optional<Message> findExaminationMismatch(const StudyIdentity& one, const StudyIdentity& other);
+
+/// All of them.
 Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared = Compared::ScanAndRun);
 
 }   // namespace angiopose::core

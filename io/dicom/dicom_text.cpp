@@ -101,6 +101,7 @@ core::StudyIdentity identityOf(const DicomDataset& data)
     identity.patientId = utf8Text(data, 0x00100020);
     identity.birthDate = dateText(data.text(0x00100030));
     identity.sex = utf8Text(data, 0x00100040);
+    identity.accessionNumber = utf8Text(data, 0x00080050);
     identity.laterality = utf8Text(data, data.text(0x00200062).empty() ? 0x00200060 : 0x00200062);
     identity.institution = utf8Text(data, 0x00080080);
     identity.studyDate = dateText(data.text(0x00080020));

@@ -113,7 +113,7 @@ void addIdentity(DatasetWriter& out, const core::StudyIdentity& identity, const 
     out.text(0x00080018, EVR_UI, uidOr(identity.sopInstanceUid, "instance"));
     out.text(0x00080020, EVR_DA, digitsOf(identity.studyDate));
     out.text(0x00080030, EVR_TM, digitsOf(identity.studyTime));
-    out.text(0x00080050, EVR_SH, "");
+    out.text(0x00080050, EVR_SH, identity.accessionNumber);
     out.text(0x00080060, EVR_CS, "XA");
     out.text(0x00080070, EVR_LO, identity.manufacturer);
     out.text(0x00080080, EVR_LO, identity.institution);

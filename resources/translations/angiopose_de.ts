@@ -569,6 +569,48 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>angiopose::ui::PatientBar</name>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PatientController</name>
+    <message>
+        <source>Not the same patient in all inputs</source>
+        <translation>Nicht in allen Eingaben derselbe Patient</translation>
+    </message>
+    <message>
+        <source>The inputs do not belong together</source>
+        <translation>Die Eingaben gehören nicht zusammen</translation>
+    </message>
+    <message>
+        <source>Identity hidden (Shift+P shows it)</source>
+        <translation>Identität verborgen (Umschalt+P zeigt sie)</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>Projektion %1</translation>
+    </message>
+    <message>
+        <source>angiogram</source>
+        <translation>Angiogramm</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geb. %1</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
@@ -2997,6 +3039,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Not the same patient in all images?</source>
         <comment>picture.not-same-patient</comment>
         <translation>Nicht in allen Bildern derselbe Patient?</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms are of different examinations (accession number differs): the vessels may have moved between them.</source>
+        <comment>patient.examination-of-runs-differs</comment>
+        <translation>Zwei der Angiogramme stammen aus verschiedenen Untersuchungen (Anforderungsnummer weicht ab): Die Gefäße können sich dazwischen bewegt haben.</translation>
+    </message>
+    <message>
+        <source>Do these images belong together?</source>
+        <comment>picture.not-together</comment>
+        <translation>Gehören diese Bilder zusammen?</translation>
     </message>
     <message>
         <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>

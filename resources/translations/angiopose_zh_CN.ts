@@ -569,6 +569,48 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>angiopose::ui::PatientBar</name>
+    <message>
+        <source>Patient</source>
+        <translation>患者</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PatientController</name>
+    <message>
+        <source>Not the same patient in all inputs</source>
+        <translation>输入并非来自同一患者</translation>
+    </message>
+    <message>
+        <source>The inputs do not belong together</source>
+        <translation>输入不属于同一检查</translation>
+    </message>
+    <message>
+        <source>Identity hidden (Shift+P shows it)</source>
+        <translation>身份已隐藏（Shift+P 显示）</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>投影 %1</translation>
+    </message>
+    <message>
+        <source>angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>出生 %1</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
@@ -2997,6 +3039,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Not the same patient in all images?</source>
         <comment>picture.not-same-patient</comment>
         <translation>所有图像是否同一患者？</translation>
+    </message>
+    <message>
+        <source>Two of the angiograms are of different examinations (accession number differs): the vessels may have moved between them.</source>
+        <comment>patient.examination-of-runs-differs</comment>
+        <translation>两幅造影来自不同的检查（检查号不同）：其间血管可能已移动。</translation>
+    </message>
+    <message>
+        <source>Do these images belong together?</source>
+        <comment>picture.not-together</comment>
+        <translation>这些图像属于同一检查吗？</translation>
     </message>
     <message>
         <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>

@@ -127,6 +127,10 @@ void answer(OpenWindow& w, const char* question, const QString& verb)
     ASSERT_EQ(questions.size(), 1) << question;
     OpenWindow::clickButton(questions.front(), verb);
     EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+    if (w.dialogs("patientQuestion").empty()) {
+        w.window.activateWindow();   // no window manager does it here
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
+    }
 }
 
 void bringIn(OpenWindow& w, const Study& study, WayIn way)
@@ -196,6 +200,62 @@ TEST(WindowPatient, TheSamePatientIsNotAskedAbout)
     answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
     EXPECT_TRUE(w.dialogs("patientQuestion").empty());
     EXPECT_TRUE(w.current().vessels.scan);
+}
+
+QString barOf(OpenWindow& w)
+{
+    QStringList words;
+    for (const QLabel* label : w.window.patient().findChildren<QLabel*>()) {
+        if (label->isVisible()) {
+            words << label->text();
+        }
+    }
+    return words.join(u' ');
+}
+
+TEST(WindowPatient, StandsOverTheCaseUntilOneKeyHidesWhoItIs)
+{
+    const Study study(Trait::Number);
+    OpenWindow w;
+    EXPECT_FALSE(w.window.patient().isVisible());
+    w.drop({study.file("one.angiopose")});
+    EXPECT_EQ(barOf(w), QStringLiteral("Doe Jane ID 0815 · born 1950-01-02 · F (angiogram)"));
+    w.drop({study.scan()});
+    answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
+    EXPECT_TRUE(barOf(w).endsWith(QStringLiteral("(scan, angiogram)"))) << barOf(w).toStdString();
+
+    w.press(Qt::Key_P, Qt::ShiftModifier);
+    EXPECT_TRUE(barOf(w).contains(QStringLiteral("hidden"))) << barOf(w).toStdString();
+    EXPECT_FALSE(barOf(w).contains(QStringLiteral("Doe")) || barOf(w).contains(QStringLiteral("0815")));
+    w.press(Qt::Key_P, Qt::ShiftModifier);
+    EXPECT_TRUE(barOf(w).contains(QStringLiteral("Doe Jane")));
+
+    w.drop({study.file("other.dcm")});
+    answer(w, "viewQuestion", QStringLiteral("Add as a view"));
+    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
+    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("Not the same patient in all inputs"))) << barOf(w).toStdString();
+    EXPECT_TRUE(barOf(w).contains(QStringLiteral("ID 0815")) && barOf(w).contains(QStringLiteral("ID 4711")));
+    EXPECT_TRUE(barOf(w).contains(QStringLiteral("(scan, view 1)")) && barOf(w).contains(QStringLiteral("(view 2)")));
+    w.press(Qt::Key_P, Qt::ShiftModifier);
+    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("Not the same patient in all inputs")));
+    EXPECT_FALSE(barOf(w).contains(QStringLiteral("4711")));
+    w.press(Qt::Key_P, Qt::ShiftModifier);
+}
+
+TEST(WindowPatient, AViewOfAnotherExaminationIsAskedAbout)
+{
+    const Study study(Trait::Number);
+    core::Angiogram run = io::readAngiogram(study.file("run.dcm").toStdString()).value();
+    run.identity.accessionNumber = "A1";
+    ASSERT_TRUE(io::writeAngiogram(run, study.file("run.dcm").toStdString()));
+    run.identity.accessionNumber = "A2";
+    ASSERT_TRUE(io::writeAngiogram(run, study.file("later.dcm").toStdString()));
+    OpenWindow w;
+    w.drop({study.file("one.angiopose")});
+    w.drop({study.file("later.dcm")});
+    answer(w, "viewQuestion", QStringLiteral("Add as a view"));
+    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
+    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("The inputs do not belong together"))) << barOf(w).toStdString();
 }
 
 TEST(WindowPatient, WhatIsExportedSaysThatPatientsAreMixed)
