@@ -62,7 +62,7 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
     QFile::remove(vesselsBeside(path));
     QFile sidecar(sidecarOf(path));
     if (sidecar.open(QIODevice::WriteOnly)) {
-        sidecar.write(original.toUtf8());
+        sidecar.write(original.toUtf8() + '\n' + QByteArray::fromStdString(snapshot.title));
     }
     return path;
 }
@@ -146,8 +146,9 @@ std::vector<LeftBehind> Autosave::leftBehind()
             continue;   // that session is alive
         }
         QFile sidecar(sidecarOf(file.absoluteFilePath()));
-        const QString original = sidecar.open(QIODevice::ReadOnly) ? QString::fromUtf8(sidecar.readAll()) : QString();
-        copies.push_back({file.absoluteFilePath(), original, file.lastModified()});
+        const QString origin = sidecar.open(QIODevice::ReadOnly) ? QString::fromUtf8(sidecar.readAll()) : QString();
+        copies.push_back(
+            {file.absoluteFilePath(), origin.section(u'\n', 0, 0), origin.section(u'\n', 1), file.lastModified()});
     }
     std::ranges::sort(copies, std::greater{}, &LeftBehind::when);
     return copies;

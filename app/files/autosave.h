@@ -17,6 +17,7 @@ namespace angiopose::app {
 struct LeftBehind {
     QString path;   ///< of the autosaved copy
     QString original;   ///< where the case lived; empty when it was never saved
+    QString title;   ///< of the case; empty: not known
     QDateTime when;
 
     bool holdsVessels() const { return path.endsWith(QLatin1String(".vtp")); }   ///< without an angiogram: no case

@@ -167,7 +167,8 @@ void SaveController::offerRecovery()
     std::vector<ui::RecoveryRow> rows;
     for (const LeftBehind& copy : copies) {
         const QFileInfo original(copy.original);
-        const QString untitled = copy.holdsVessels() ? tr("Vessels without an angiogram") : tr("Untitled case");
+        const QString title = copy.title.isEmpty() ? tr("Untitled case") : tr("%1 (not saved)").arg(copy.title);
+        const QString untitled = copy.holdsVessels() ? tr("Vessels without an angiogram") : title;
         rows.push_back({copy.path, copy.original.isEmpty() ? untitled : original.fileName(),
                         ui::languageLocale().toString(copy.when, QLocale::ShortFormat),
                         copy.original.isEmpty() ? QString() : original.absolutePath()});

@@ -265,7 +265,7 @@ void ViewSync::showFrameNote()
         return;
     }
     const int count = shownAngiogram_->frameCount();
-    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4")
+    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4")
                                                   .arg(shownFrame_)
                                                   .arg(count - 1)
                                                   .arg(shownAngiogram_->suggestedFrame)

@@ -1265,6 +1265,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SaveController</name>
     <message>
+        <source>%1 (not saved)</source>
+        <translation>%1 (nicht gespeichert)</translation>
+    </message>
+    <message>
         <source>Save case</source>
         <translation>Fall speichern</translation>
     </message>
@@ -1896,8 +1900,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einzelbild</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 von 0–%2 · vollstes: %3 · Abspielen %4</translation>
+        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4</source>
+        <translation>Kontrastfüllung je Bild · Bild %1 (0–%2) · vollstes: %3 · Abspielen %4</translation>
     </message>
 </context>
 <context>
@@ -2716,9 +2720,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nachher: in dieser Lage</translation>
     </message>
     <message>
-        <source>frame %1 of 0–%2</source>
+        <source>frame %1 (0–%2)</source>
         <comment>picture.frame</comment>
-        <translation>Bild %1 von 0–%2</translation>
+        <translation>Bild %1 (0–%2)</translation>
     </message>
     <message>
         <source>%1 · median %2</source>
@@ -5323,8 +5327,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
     </message>
     <message>
-        <source>frame %1 of 0–%2</source>
-        <translation>Bild %1 von 0–%2</translation>
+        <source>frame %1 (0–%2)</source>
+        <translation>Bild %1 (0–%2)</translation>
     </message>
     <message>
         <source>Mirrored image, mirrored back by the view</source>
@@ -6259,6 +6263,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::CurveEditBar</name>
     <message>
+        <source>1 curve</source>
+        <translation>1 Kurve</translation>
+    </message>
+    <message>
         <source>Not a vessel</source>
         <translation>Kein Gefäß</translation>
     </message>
@@ -6486,6 +6494,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 </context>
 <context>
     <name>angiopose::ui::GeometryPanel</name>
+    <message>
+        <source>type it</source>
+        <translation>eintippen</translation>
+    </message>
     <message>
         <source>SID</source>
         <translation>SID</translation>
@@ -7774,16 +7786,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Was diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
     </message>
     <message>
-        <source>aux: 1 branch</source>
-        <translation>Hilfs: 1 Ast</translation>
+        <source>1 auxiliary branch</source>
+        <translation>1 Hilfsast</translation>
     </message>
     <message>
-        <source>aux: %1 branches</source>
-        <translation>Hilfs: %1 Äste</translation>
-    </message>
-    <message>
-        <source>aux: nodes</source>
-        <translation>Hilfs: Knoten</translation>
+        <source>%1 auxiliary branches</source>
+        <translation>%1 Hilfsäste</translation>
     </message>
     <message>
         <source>%1 · %2</source>

@@ -1265,6 +1265,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::SaveController</name>
     <message>
+        <source>%1 (not saved)</source>
+        <translation>%1（未保存）</translation>
+    </message>
+    <message>
         <source>Save case</source>
         <translation>保存病例</translation>
     </message>
@@ -1896,7 +1900,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单帧</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 of 0–%2 · fullest: %3 · play %4</source>
+        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4</source>
         <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 %4</translation>
     </message>
 </context>
@@ -2716,7 +2720,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>之后：此位姿</translation>
     </message>
     <message>
-        <source>frame %1 of 0–%2</source>
+        <source>frame %1 (0–%2)</source>
         <comment>picture.frame</comment>
         <translation>第 %1 帧（0–%2）</translation>
     </message>
@@ -5323,7 +5327,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>叠加投影血管树的造影图像</translation>
     </message>
     <message>
-        <source>frame %1 of 0–%2</source>
+        <source>frame %1 (0–%2)</source>
         <translation>第 %1 帧（0–%2）</translation>
     </message>
     <message>
@@ -6259,6 +6263,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::ui::CurveEditBar</name>
     <message>
+        <source>1 curve</source>
+        <translation>1 条曲线</translation>
+    </message>
+    <message>
         <source>Not a vessel</source>
         <translation>非血管</translation>
     </message>
@@ -6486,6 +6494,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
 </context>
 <context>
     <name>angiopose::ui::GeometryPanel</name>
+    <message>
+        <source>type it</source>
+        <translation>请输入</translation>
+    </message>
     <message>
         <source>SID</source>
         <translation>SID</translation>
@@ -7774,16 +7786,12 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>此方法的目标函数、失效情形及出处。</translation>
     </message>
     <message>
-        <source>aux: 1 branch</source>
-        <translation>辅助：1 个分支</translation>
+        <source>1 auxiliary branch</source>
+        <translation>1 个辅助分支</translation>
     </message>
     <message>
-        <source>aux: %1 branches</source>
-        <translation>辅助：%1 个分支</translation>
-    </message>
-    <message>
-        <source>aux: nodes</source>
-        <translation>辅助：节点</translation>
+        <source>%1 auxiliary branches</source>
+        <translation>%1 个辅助分支</translation>
     </message>
     <message>
         <source>%1 · %2</source>

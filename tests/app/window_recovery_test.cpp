@@ -31,9 +31,8 @@ public:
         save(w, copyOf(1));
         w.press(Qt::Key_Left);
         save(w, copyOf(2));
-        QFile origin(copyOf(1) + QStringLiteral(".origin"));
-        EXPECT_TRUE(origin.open(QIODevice::WriteOnly));
-        origin.write(saved_.toUtf8());
+        writeOrigin(1, saved_.toUtf8());   // as older versions did
+        writeOrigin(2, "\nHead phantom");
     }
     ~CrashedSessions()
     {
@@ -53,6 +52,13 @@ public:
     const core::RigidTransform& pose() const { return pose_; }
 
 private:
+    static void writeOrigin(int session, const QByteArray& text)
+    {
+        QFile origin(copyOf(session) + QStringLiteral(".origin"));
+        EXPECT_TRUE(origin.open(QIODevice::WriteOnly));
+        origin.write(text);
+    }
+
     static void save(OpenWindow& w, const QString& path)
     {
         bool isSaved = false;
@@ -100,7 +106,7 @@ TEST(WindowRecovery, DeletesOnlyWhatWasChosen)
     OpenWindow w;
     w.controller.saving().offerRecovery();
     QDialog* dialog = w.dialogs("recoveryDialog").front();
-    dialog->findChild<QTreeWidget*>()->setCurrentItem(itemOf(*dialog, QStringLiteral("Untitled case")));
+    dialog->findChild<QTreeWidget*>()->setCurrentItem(itemOf(*dialog, QStringLiteral("Head phantom (not saved)")));
     OpenWindow::clickButton(dialog, QStringLiteral("Delete"));
     EXPECT_FALSE(QFile::exists(CrashedSessions::copyOf(2)));
     OpenWindow::clickButton(dialog, QStringLiteral("Decide later"));

@@ -103,6 +103,7 @@ void CurveEditBar::sayCounts()
 {
     const auto [count, suspects] = shownCounts_;
     count_->setText(suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)
+                    : count == 1 ? tr("1 curve")
                                  : tr("%1 curves").arg(count));
 }
 

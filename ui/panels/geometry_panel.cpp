@@ -112,7 +112,7 @@ void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
     Row& made = row(value);
     made = {new NumberField(kind.format), roleLabel("hint")};
     withName(made.field, [&kind] { return tr(kind.help); });
-    speak(made.field, [field = made.field] { field->setPlaceholderText(tr("missing")); });
+    speak(made.field, [field = made.field] { field->setPlaceholderText(tr("type it")); });
     for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(made.field)}) {
         withTip(widget, [&kind] { return tr(kind.help); });
     }

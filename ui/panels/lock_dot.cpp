@@ -3,6 +3,7 @@
 #include "ui/theme/active_theme.h"
 
 #include <QPainter>
+#include <QPainterPath>
 
 namespace angiopose::ui {
 
@@ -22,7 +23,15 @@ void LockDot::paintEvent(QPaintEvent*)
     const QColor ring = isChecked() ? toQColor(tones.attention) : toQColor(underMouse() ? tones.text : tones.hint);
     painter.setPen(QPen(ring, 1.3));
     painter.setBrush(isChecked() ? QBrush(ring) : QBrush(Qt::NoBrush));
-    painter.drawEllipse(centre, 4.5, 4.5);
+    painter.drawRoundedRect(QRectF(centre.x() - 4.5, centre.y() - 0.5, 9.0, 6.5), 1.0, 1.0);
+    painter.setBrush(Qt::NoBrush);
+    const double lift = isChecked() ? 0.0 : 2.0;   // the shackle stands open
+    const QRectF shackle(centre.x() - 3.0, centre.y() - 5.5 - lift, 6.0, 6.0);
+    QPainterPath path(QPointF(shackle.left(), centre.y() - 0.5));
+    path.lineTo(shackle.left(), shackle.center().y());
+    path.arcTo(shackle, 180.0, -180.0);
+    path.lineTo(shackle.right(), centre.y() - 0.5 - lift);
+    painter.drawPath(path);
     if (hasFocus()) {
         painter.setPen(QPen(toQColor(tones.accent), 1.0));
         painter.setBrush(Qt::NoBrush);

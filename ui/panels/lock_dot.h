@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// Round switch beside a degree of freedom: an open ring is free, a filled amber dot is locked.
+/// The padlock beside a degree of freedom: open it is free, closed and amber it is locked.
 class LockDot : public QAbstractButton {
     Q_OBJECT
 public:

@@ -124,9 +124,12 @@ void RegistrationPanel::showOptions(const core::RegistrationOptions& options)
 void RegistrationPanel::showAuxiliary(int branchCount)
 {
     auxiliaryCount_ = branchCount;
-    const QString branches = branchCount == 1 ? tr("aux: 1 branch") : tr("aux: %1 branches").arg(branchCount);
-    const QString auxiliary = branchCount == 0 ? tr("aux: nodes") : branches;
-    setHint(tr("%1 · %2").arg(method_->currentText(), auxiliary));
+    if (branchCount == 0) {
+        setHint(method_->currentText());
+        return;
+    }
+    const QString branches = branchCount == 1 ? tr("1 auxiliary branch") : tr("%1 auxiliary branches").arg(branchCount);
+    setHint(tr("%1 · %2").arg(method_->currentText(), branches));
 }
 
 void RegistrationPanel::showLocks(int count)
