@@ -10,15 +10,18 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       window_(window),
       notices_(window, [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
       sync_(window, document_),
-      history_(document_, window),
+      history_(document_, window.actions(), window.strip()),
       branches_(document_),
-      picking_(document_, branches_, sync_, window),
+      picking_(document_, branches_, sync_,
+               {window.actions(), window.branches(), window.angiogramView(), window.treeView()}),
       pose_(document_),
-      pivot_(document_, window),
-      landmarks_(document_, window),
-      start_(document_, window),
-      geometry_(document_, window),
-      angiogram_({document_, target_, sync_, window, notices_}),
+      pivot_(document_, {window.actions(), window.pose(), window.angiogramView(), window.treeView()}),
+      landmarks_(document_,
+                 {window.actions(), window.landmarks(), window.angiogramView(), window.treeView(), window.slices()}),
+      start_(document_, window.actions()),
+      geometry_(document_, window.geometryPanel()),
+      angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
+                  window.angiogramView(), window.strip(), window}),
       registration_(document_, target_),
       session_(window, document_, target_, registration_, notices_),
       title_(document_, session_.saving(), window),
@@ -29,8 +32,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       gestures_({document_, pose_, review_, judgement_, sync_, notices_, window}),
       run_({document_, registration_, session_, review_, judgement_, sync_, notices_, window}),
       slices_(document_, branches_, window),
-      tracing_(document_, window),
-      treeActions_(document_, branches_, tracing_, window),
+      tracing_(document_, {window.actions(), window.tracing(), window.slices(), window.slicesPage(), window.strip()}),
+      treeActions_(document_, branches_, tracing_,
+                   {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
+                    window.slicesPage(), window}),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
       poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
       places_(window),
@@ -40,6 +45,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       habits_(branches_, window),
       help_(window)
 {
+    connectWindow();
     connectNotes();
     connectTracing();
     connectReview();
@@ -54,6 +60,17 @@ bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || follow_.isRunning() ||
            poses_.isBusy() || views_.isLooking() || document_.isInTrial();
+}
+
+/// Clicks and keys that the window itself hears.
+void CaseController::connectWindow()
+{
+    connect(&window_, &ui::MainWindow::pointPicked, &pivot_, &PivotController::pickIfWanted);
+    connect(&window_, &ui::MainWindow::pointPicked, &landmarks_, &LandmarkController::pickPoint);
+    connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setPlace);
+    connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::dropPick);
+    connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
+    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
 }
 
 /// Why an edit could not be made is said in the strip.
@@ -83,8 +100,6 @@ void CaseController::connectReview()
 {
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
     connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
 }
 
 void CaseController::followDocument()

@@ -64,6 +64,7 @@ public:
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
+    void connectWindow();
     void connectNotes();
     void connectTracing();
     void connectReview();

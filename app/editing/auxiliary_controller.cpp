@@ -4,7 +4,7 @@
 #include "core/registration/options/option_fields.h"
 #include "core/registration/pose/start_prior.h"
 #include "core/support/quantile.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/angiogram_view.h"
@@ -74,16 +74,20 @@ core::Vector6d inDegrees(core::Vector6d std)
 
 }   // namespace
 
-AuxiliaryController::AuxiliaryController(CaseDocument& document, BranchController& branches, ui::MainWindow& window,
-                                         QObject* parent)
-    : QObject(parent), document_(document), branches_(branches), window_(window), job_([this](const Advice& advice) {
-          take(advice);
-      })
+AuxiliaryController::AuxiliaryController(CaseDocument& document, BranchController& branches, ui::WindowActions& actions,
+                                         ui::AngiogramView& view, QWidget& dialogParent, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      branches_(branches),
+      actions_(actions),
+      view_(view),
+      dialogParent_(dialogParent),
+      job_([this](const Advice& advice) { take(advice); })
 {
-    auto* lasso = new ui::LassoTool(window_.angiogramView());
-    ui::bindTool(*window_.actions()[ui::Command::Lasso], window_.angiogramView(), *lasso);
+    auto* lasso = new ui::LassoTool(view_);
+    ui::bindTool(*actions_[ui::Command::Lasso], view_, *lasso);
     connect(lasso, &ui::LassoTool::enclosed, this, &AuxiliaryController::chooseInside);
-    connect(window_.actions()[ui::Command::AuxiliaryAdvice], &QAction::triggered, this, &AuxiliaryController::open);
+    connect(actions_[ui::Command::AuxiliaryAdvice], &QAction::triggered, this, &AuxiliaryController::open);
     connect(&document_, &CaseDocument::changed, this, &AuxiliaryController::request);
 }
 
@@ -101,7 +105,7 @@ void AuxiliaryController::take(const Advice& advice)
 void AuxiliaryController::open()
 {
     if (!dialog_) {
-        dialog_ = new ui::AuxiliaryDialog(&window_);
+        dialog_ = new ui::AuxiliaryDialog(&dialogParent_);
         connectDialog();
     }
     dialog_->show();
@@ -119,12 +123,11 @@ void AuxiliaryController::connectDialog()
     connect(dialog, &ui::AuxiliaryDialog::suggestionRequested, this, &AuxiliaryController::chooseSuggestion);
     connect(dialog, &ui::AuxiliaryDialog::methodRequested, this, &AuxiliaryController::takeAlternatingMethod);
     connect(dialog, &ui::AuxiliaryDialog::clearRequested, this, [this] { branches_.setAuxiliary({}); });
-    connect(dialog, &ui::AuxiliaryDialog::viewRequested, window_.actions()[ui::Command::AuxiliaryInView],
-            &QAction::trigger);
+    connect(dialog, &ui::AuxiliaryDialog::viewRequested, actions_[ui::Command::AuxiliaryInView], &QAction::trigger);
     connect(dialog, &ui::AuxiliaryDialog::lassoRequested, this, [this] {
-        window_.actions()[ui::Command::Lasso]->setChecked(true);
-        window_.activateWindow();
-        window_.angiogramView().setFocus();
+        actions_[ui::Command::Lasso]->setChecked(true);
+        dialogParent_.activateWindow();
+        view_.setFocus();
     });
 }
 

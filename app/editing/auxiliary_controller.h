@@ -13,9 +13,12 @@
 #include <array>
 #include <vector>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -24,8 +27,8 @@ namespace angiopose::app {
 class AuxiliaryController : public QObject {
     Q_OBJECT
 public:
-    AuxiliaryController(CaseDocument& document, BranchController& branches, ui::MainWindow& window,
-                        QObject* parent = nullptr);
+    AuxiliaryController(CaseDocument& document, BranchController& branches, ui::WindowActions& actions,
+                        ui::AngiogramView& view, QWidget& dialogParent, QObject* parent = nullptr);
 
     bool isRunning() const { return job_.isRunning(); }   ///< working out what each branch tells
     void open();
@@ -60,7 +63,9 @@ private:
 
     CaseDocument& document_;
     BranchController& branches_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::AngiogramView& view_;
+    QWidget& dialogParent_;
     QPointer<ui::AuxiliaryDialog> dialog_;
     Job<Advice> job_;
     Advice advice_;

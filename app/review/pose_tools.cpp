@@ -12,7 +12,7 @@ PoseTools::PoseTools(const Parts& on, QObject* parent)
       snapshots_(on.document, on.sync, on.window),
       table_(on.document, on.target, snapshots_, on.session.exporting(), on.window),
       blindTrial_(on.document, on.target, on.window),
-      auxiliary_(on.document, on.branches, on.window),
+      auxiliary_(on.document, on.branches, on.window.actions(), on.window.angiogramView(), on.window),
       plots_(on.window, on.session.exporting())
 {
     connectLooks(on);
