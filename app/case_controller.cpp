@@ -39,10 +39,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
       poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
       places_(window),
-      views_(document_, target_, window),
+      views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
       follow_({document_, review_, judgement_, sync_, session_.exporting(), notices_, window}),
       radiograph_({document_, target_, sync_, look_, window}),
-      habits_(branches_, window),
+      habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window)
 {
     connectWindow();
