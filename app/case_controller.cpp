@@ -23,8 +23,9 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
                   window.angiogramView(), window.strip(), window}),
       registration_(document_, target_),
-      session_(window, document_, target_, registration_, notices_),
-      title_(document_, session_.saving(), window),
+      session_(document_, target_, registration_, notices_,
+               {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
+      title_(document_, session_.saving(), window.header(), window.strip(), window),
       review_(document_, sync_, window),
       look_(document_, sync_, window),
       replay_(document_, sync_, window),
@@ -62,9 +63,15 @@ bool CaseController::isBusy() const
            poses_.isBusy() || views_.isLooking() || document_.isInTrial();
 }
 
-/// Clicks and keys that the window itself hears.
+/// What the window itself hears: files, clicks, keys, its end.
 void CaseController::connectWindow()
 {
+    connect(&window_, &ui::MainWindow::filesDropped, &session_, &SessionController::open);
+    connect(&window_, &ui::MainWindow::closeRequested, &session_, &SessionController::closeWindow);
+    connect(&session_, &SessionController::windowMayClose, this, [this] {
+        storeWindowLayout(window_);
+        window_.closeNow();
+    });
     connect(&window_, &ui::MainWindow::pointPicked, &pivot_, &PivotController::pickIfWanted);
     connect(&window_, &ui::MainWindow::pointPicked, &landmarks_, &LandmarkController::pickPoint);
     connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setPlace);
