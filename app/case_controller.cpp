@@ -8,8 +8,10 @@ namespace angiopose::app {
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
       window_(window),
-      notices_(window, [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
-      sync_(window, document_),
+      notices_(window.strip(), window,
+               [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
+      sync_(document_, {window.angiogramView(), window.treeView(), window.slices(), window.branches(),
+                        window.registration(), window.strip()}),
       history_(document_, window.actions(), window.strip()),
       branches_(document_),
       picking_(document_, branches_, sync_,
@@ -26,7 +28,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       session_(document_, target_, registration_, notices_,
                {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
       title_(document_, session_.saving(), window.header(), window.strip(), window),
-      review_(document_, sync_, window),
+      review_(document_, sync_, {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
       look_(document_, sync_, window),
       replay_(document_, sync_, window),
       judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
@@ -112,6 +114,7 @@ void CaseController::connectReview()
 void CaseController::followDocument()
 {
     sync_.refresh();
+    showPage();
     branches_.followDocument();
     target_.want(document_.current());
     gestures_.show();
@@ -120,6 +123,15 @@ void CaseController::followDocument()
     judgement_.show();
     geometry_.show();
     steps_.show();
+}
+
+void CaseController::showPage()
+{
+    if (document_.isEmpty() && !document_.current().vessels.scan) {
+        window_.showWelcomePage();
+    } else {
+        window_.showImagePage();
+    }
 }
 
 void CaseController::followTarget()

@@ -69,6 +69,7 @@ private:
     void connectTracing();
     void connectReview();
     void followDocument();
+    void showPage();
     void followTarget();
 
     ui::MainWindow& window_;

@@ -12,8 +12,13 @@
 #include <optional>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class BottomStrip;
+class BranchPanel;
+class RegistrationPanel;
+class SliceModel;
+class TreeView;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -26,7 +31,16 @@ enum class ResidualColors { Kept, Hidden };
 class ViewSync : public QObject {
     Q_OBJECT
 public:
-    ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::SliceModel& slices;
+        ui::BranchPanel& branches;
+        ui::RegistrationPanel& registration;
+        ui::BottomStrip& strip;
+    };
+    ViewSync(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
     void refresh();
     void showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors);
@@ -61,8 +75,8 @@ private:
     void measureOpacification();
     void takeMeasured(const Measured& measured);
 
-    ui::MainWindow& window_;
     const CaseDocument& document_;
+    Ui ui_;
     std::shared_ptr<const core::VesselTree> shownTree_;
     std::vector<int> shownHidden_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
