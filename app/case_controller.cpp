@@ -29,22 +29,29 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
                {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
       title_(document_, session_.saving(), window.header(), window.strip(), window),
       review_(document_, sync_, {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
-      look_(document_, sync_, window),
-      replay_(document_, sync_, window),
-      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
-      gestures_({document_, pose_, review_, judgement_, sync_, notices_, window}),
-      run_({document_, registration_, session_, review_, judgement_, sync_, notices_, window}),
-      slices_(document_, branches_, window),
+      look_(document_, sync_, {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
+      replay_(document_, sync_, window.actions(), window.strip()),
+      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result()}),
+      gestures_({document_, pose_, review_, judgement_, sync_, notices_, window.actions(), window.pose(),
+                 window.registration(), window.angiogramView()}),
+      run_({document_, registration_, session_, review_, judgement_, sync_, notices_, window.actions(),
+            window.registration(), window.result(), window.pose(), window.geometryPanel(), window.treeView(),
+            window.strip()}),
+      slices_(document_, branches_,
+              {window.actions(), window.slices(), window.slicesPage(), window.corner(), window.treeView()}),
       tracing_(document_, {window.actions(), window.tracing(), window.slices(), window.slicesPage(), window.strip()}),
       treeActions_(document_, branches_, tracing_,
                    {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
                     window.slicesPage(), window}),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
-      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
+      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window.actions(),
+              window.angiogramView(), window.result(), window.snapshots(), window.landmarks(), window.trialBar(),
+              window.strip(), window}),
       places_(window),
       views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
-      follow_({document_, review_, judgement_, sync_, session_.exporting(), notices_, window}),
-      radiograph_({document_, target_, sync_, look_, window}),
+      follow_({document_, review_, judgement_, sync_, session_.exporting(), notices_, window.actions(), window.result(),
+               window.strip()}),
+      radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
       habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window)
 {
@@ -80,6 +87,9 @@ void CaseController::connectWindow()
     connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::dropPick);
     connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
     connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
+    connect(&window_, &ui::MainWindow::escapePressed, &poses_.snapshots(), &SnapshotController::showItself);
+    connect(&window_, &ui::MainWindow::hideKeyHeld, &look_, &LookController::holdHidden);
+    connect(&slices_, &SliceController::largeShown, &window_, &ui::MainWindow::setSlicesLarge);
 }
 
 /// Why an edit could not be made is said in the strip.

@@ -37,7 +37,8 @@
 
 namespace angiopose::app {
 
-/// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents.
+/// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents and gets the
+/// panels and views that it serves. What the window as a whole does (pages, keys, its end) is wired here.
 class CaseController : public QObject {
     Q_OBJECT
 public:

@@ -10,8 +10,11 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class PosePanel;
+class RegistrationPanel;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -27,7 +30,10 @@ public:
         JudgementController& judgement;
         ViewSync& sync;
         Notices& notices;
-        ui::MainWindow& window;
+        ui::WindowActions& actions;
+        ui::PosePanel& panel;
+        ui::RegistrationPanel& registration;
+        ui::AngiogramView& view;
     };
     explicit PoseGestures(const Parts& parts, QObject* parent = nullptr);
 

@@ -1,6 +1,7 @@
 #include "app/review/pose_tools.h"
 
-#include "ui/main_window.h"
+#include "ui/panels/landmark_panel.h"
+#include "ui/panels/result_panel.h"
 
 #include <QFileInfo>
 
@@ -8,12 +9,14 @@ namespace angiopose::app {
 
 PoseTools::PoseTools(const Parts& on, QObject* parent)
     : QObject(parent),
-      solutions_(on.document, on.window),
-      snapshots_(on.document, on.sync, on.window),
-      table_(on.document, on.target, snapshots_, on.session.exporting(), on.window),
-      blindTrial_(on.document, on.target, on.window),
-      auxiliary_(on.document, on.branches, on.window.actions(), on.window.angiogramView(), on.window),
-      plots_(on.window, on.session.exporting())
+      solutions_(on.document, on.result.solutions()),
+      snapshots_(on.document, on.sync, on.actions, on.snapshotPanel, on.strip),
+      table_(on.document, on.target, snapshots_, on.session.exporting(),
+             {on.actions, on.snapshotPanel, on.strip, on.dialogParent}),
+      blindTrial_(on.document, on.target,
+                  {on.actions, on.trialBar, {&on.snapshotPanel, &on.result, &on.landmarks}, on.dialogParent}),
+      auxiliary_(on.document, on.branches, on.actions, on.view, on.dialogParent),
+      plots_(on.dialogParent, on.session.exporting())
 {
     connectLooks(on);
     connectTrial(on);

@@ -9,8 +9,9 @@
 #include <optional>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -19,7 +20,8 @@ namespace angiopose::app {
 class ReplayController : public QObject {
     Q_OBJECT
 public:
-    ReplayController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+    ReplayController(CaseDocument& document, ViewSync& sync, ui::WindowActions& actions, ui::BottomStrip& strip,
+                     QObject* parent = nullptr);
 
     void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
 
@@ -47,7 +49,8 @@ private:
 
     CaseDocument& document_;
     ViewSync& sync_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::BottomStrip& strip_;
     std::optional<core::PoseUncertainty> uncertainty_;
     QTimer replayTimer_;
     QTimer swingTimer_;

@@ -11,8 +11,10 @@
 #include <set>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class SnapshotPanel;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -21,7 +23,8 @@ namespace angiopose::app {
 class SnapshotController : public QObject {
     Q_OBJECT
 public:
-    SnapshotController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+    SnapshotController(CaseDocument& document, ViewSync& sync, ui::WindowActions& actions, ui::SnapshotPanel& panel,
+                       ui::BottomStrip& strip, QObject* parent = nullptr);
 
     /// The numbers that a pose kept now gets; null while they are not known.
     void knowJudgement(const SharedJudgement& judgement);
@@ -51,7 +54,9 @@ private:
 
     CaseDocument& document_;
     ViewSync& sync_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::SnapshotPanel& panel_;
+    ui::BottomStrip& strip_;
     SharedJudgement judgement_;
     ui::SnapshotMarks marks_;
     bool isOnB_ = false;
