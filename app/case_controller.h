@@ -29,6 +29,7 @@
 #include "app/review/view_places_controller.h"
 #include "app/run_controller.h"
 #include "app/showing/notices.h"
+#include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 #include "app/step_controller.h"
@@ -60,6 +61,7 @@ public:
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
     PoseTools& poses() { return poses_; }
+    const PosePreview& preview() const { return preview_; }
     FollowController& following() { return follow_; }
     Habits& habits() { return habits_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
@@ -77,6 +79,7 @@ private:
     Notices notices_;
     CaseDocument document_;
     TargetProvider target_;
+    PosePreview preview_;
     ViewSync sync_;
     HistoryController history_;
     BranchController branches_;

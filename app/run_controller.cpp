@@ -81,7 +81,7 @@ void RunController::showRunning(bool running)
         on_.result.startRun();
         on_.sync.showJudgement(nullptr);
     } else {
-        on_.sync.endPreview();
+        on_.preview.end(PreviewOf::Run);
         on_.strip.showIdle(tr("Ready"));
         on_.judgement.show();
     }
@@ -94,7 +94,7 @@ void RunController::showProgress(const RunReport& report)
     }
     const core::IterationReport& step = report.iteration;
     if (report.isOfShownView) {
-        on_.sync.showPreview(step.cameraFromPatient, ResidualColors::Kept);
+        on_.preview.show(PreviewOf::Run, step.cameraFromPatient, ResidualColors::Kept);
         on_.result.showProgress(step);
     }
     on_.strip.showProgress(tr("Registering: %1 · %2 % · %3 px")

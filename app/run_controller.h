@@ -34,6 +34,7 @@ public:
         ReviewController& review;
         JudgementController& judgement;
         ViewSync& sync;
+        PosePreview& preview;
         Notices& notices;
         ui::WindowActions& actions;
         ui::RegistrationPanel& panel;

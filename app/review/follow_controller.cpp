@@ -127,9 +127,9 @@ void FollowController::showFrame(int frame)
     }
     const auto pose = poseOf(frame);
     if (frame == on_.document.current().shown().frame || !pose) {
-        on_.sync.endPreview();
+        on_.preview.end(PreviewOf::Frame);
     } else {
-        on_.sync.showPreview(*pose, ResidualColors::Hidden);
+        on_.preview.show(PreviewOf::Frame, *pose, ResidualColors::Hidden);
     }
 }
 
@@ -152,6 +152,7 @@ void FollowController::showMotion()
 void FollowController::forget()
 {
     frames_.clear();
+    on_.preview.end(PreviewOf::Frame);
     startedFrom_ = {};   // a run is large
     showMotion();
 }

@@ -31,6 +31,7 @@ public:
         ReviewController& review;
         JudgementController& judgement;
         ViewSync& sync;
+        PosePreview& preview;
         ExportController& exporting;
         Notices& notices;
         ui::WindowActions& actions;

@@ -81,14 +81,14 @@ void PoseGestures::showNudgeMode(bool on)
 
 void PoseGestures::preview(const core::RigidTransform& pose)
 {
-    on_.sync.showPreview(pose, ResidualColors::Kept);
+    on_.preview.show(PreviewOf::Drag, pose, ResidualColors::Kept);
     on_.panel.showOffset(on_.pose.currentOffset());
     on_.judgement.judge(pose);
 }
 
 void PoseGestures::endPreview()
 {
-    on_.sync.endPreview();
+    on_.preview.end(PreviewOf::Drag);
     on_.panel.showOffset(on_.pose.currentOffset());
     on_.judgement.judge(on_.document.current().shown().cameraFromPatient);
 }

@@ -3,8 +3,8 @@
 #include "app/editing/pose_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/showing/notices.h"
+#include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
-#include "app/showing/view_sync.h"
 #include "ui/views/tools/nudge_tool.h"
 
 #include <QObject>
@@ -28,7 +28,7 @@ public:
         PoseController& pose;
         ReviewController& review;
         JudgementController& judgement;
-        ViewSync& sync;
+        PosePreview& preview;
         Notices& notices;
         ui::WindowActions& actions;
         ui::PosePanel& panel;

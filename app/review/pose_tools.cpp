@@ -10,7 +10,7 @@ namespace angiopose::app {
 PoseTools::PoseTools(const Parts& on, QObject* parent)
     : QObject(parent),
       solutions_(on.document, on.result.solutions()),
-      snapshots_(on.document, on.sync, on.actions, on.snapshotPanel, on.strip),
+      snapshots_(on.document, on.preview, on.actions, on.snapshotPanel, on.strip),
       table_(on.document, on.target, snapshots_, on.session.exporting(),
              {on.actions, on.snapshotPanel, on.strip, on.dialogParent}),
       blindTrial_(on.document, on.target,
@@ -35,7 +35,6 @@ void PoseTools::connectLooks(const Parts& on)
     connect(replay, &ReplayController::solutionChanged, &solutions_, &SolutionController::showCurrent);
     connect(replay, &ReplayController::solutionShown, &snapshots_, &SnapshotController::showItself);
     connect(&snapshots_, &SnapshotController::wasShown, &on.review, &ReviewController::stopMotion);
-    connect(&snapshots_, &SnapshotController::wasShown, replay, &ReplayController::showItself);
     connect(&on.judgement, &JudgementController::judged, &snapshots_, &SnapshotController::knowJudgement);
 }
 

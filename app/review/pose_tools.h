@@ -42,7 +42,7 @@ public:
         ReviewController& review;
         ReplayController& replay;
         JudgementController& judgement;
-        ViewSync& sync;
+        PosePreview& preview;
         Notices& notices;
         ui::WindowActions& actions;
         ui::AngiogramView& view;

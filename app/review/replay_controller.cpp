@@ -47,9 +47,9 @@ QString nameOfAxis(Eigen::Index axis)
 
 }   // namespace
 
-ReplayController::ReplayController(CaseDocument& document, ViewSync& sync, ui::WindowActions& actions,
+ReplayController::ReplayController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
                                    ui::BottomStrip& strip, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), actions_(actions), strip_(strip)
+    : QObject(parent), document_(document), preview_(preview), actions_(actions), strip_(strip)
 {
     replayTimer_.setInterval(80ms);
     swingTimer_.setInterval(40ms);
@@ -64,27 +64,26 @@ ReplayController::ReplayController(CaseDocument& document, ViewSync& sync, ui::W
         actions[ui::Command::Swing]->setChecked(false);
         showItself();
     });
+    connect(&preview_, &PosePreview::gaveWay, this, [this](PreviewOf whose) {
+        if (whose == PreviewOf::Solution) {
+            showItself();
+        }
+    });
 }
 
 void ReplayController::showItself()
 {
     if (std::exchange(solution_, 0) != 0) {
-        sync_.endPreview();
+        preview_.end(PreviewOf::Solution);
         emit solutionChanged(0);
     }
-}
-
-void ReplayController::endPreview()
-{
-    replayTimer_.stop();
-    swingTimer_.stop();
-    sync_.endPreview();
 }
 
 void ReplayController::setReplaying(bool on)
 {
     if (!on) {
-        endPreview();
+        replayTimer_.stop();
+        preview_.end(PreviewOf::Replay);
         return;
     }
     if (!document_.current().shown().result || document_.current().shown().result->history.empty() ||
@@ -107,7 +106,7 @@ void ReplayController::showStep()
         return;
     }
     const core::IterationReport& report = result->history[step_++];
-    sync_.showPreview(report.cameraFromPatient, ResidualColors::Hidden);
+    preview_.show(PreviewOf::Replay, report.cameraFromPatient, ResidualColors::Hidden);
     strip_.showStatus(tr("Replay: step %1 of %2, %3 px")
                           .arg(step_)
                           .arg(result->history.size())
@@ -136,7 +135,8 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
 void ReplayController::setSwinging(bool on)
 {
     if (!on) {
-        endPreview();
+        swingTimer_.stop();
+        preview_.end(PreviewOf::Swing);
         return;
     }
     if (!swing() || document_.isLocked()) {
@@ -161,8 +161,8 @@ void ReplayController::showSwing()
     const double sigmas = swingSigmas * std::sin(2.0 * std::numbers::pi * phase_++ / phasesPerSwing);
     const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().vessels.tree);
     const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
-    sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
-                      ResidualColors::Hidden);
+    preview_.show(PreviewOf::Swing, core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
+                  ResidualColors::Hidden);
     strip_.showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
                           .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
                           .arg(weakest->words));
@@ -193,7 +193,7 @@ void ReplayController::showSolution(std::size_t index)
     }
     solution_ = index;
     const core::Hypothesis& other = result->alternatives[index - 1];
-    sync_.showPreview(other.cameraFromPatient, ResidualColors::Hidden);
+    preview_.show(PreviewOf::Solution, other.cameraFromPatient, ResidualColors::Hidden);
     strip_.showStatus(tr("Other solution %1 of %2, score %3 · %4 takes it")
                           .arg(index)
                           .arg(result->alternatives.size())

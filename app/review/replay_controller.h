@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/showing/view_sync.h"
+#include "app/showing/pose_preview.h"
 
 #include <QObject>
 #include <QTimer>
@@ -20,7 +20,7 @@ namespace angiopose::app {
 class ReplayController : public QObject {
     Q_OBJECT
 public:
-    ReplayController(CaseDocument& document, ViewSync& sync, ui::WindowActions& actions, ui::BottomStrip& strip,
+    ReplayController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions, ui::BottomStrip& strip,
                      QObject* parent = nullptr);
 
     void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
@@ -45,10 +45,9 @@ private:
     void setSwinging(bool on);
     void showSwing();
     void showNextSolution();
-    void endPreview();
 
     CaseDocument& document_;
-    ViewSync& sync_;
+    PosePreview& preview_;
     ui::WindowActions& actions_;
     ui::BottomStrip& strip_;
     std::optional<core::PoseUncertainty> uncertainty_;

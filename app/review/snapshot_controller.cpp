@@ -32,13 +32,18 @@ QString freeName(const std::vector<core::PoseSnapshot>& snapshots)
 
 }   // namespace
 
-SnapshotController::SnapshotController(CaseDocument& document, ViewSync& sync, ui::WindowActions& actions,
+SnapshotController::SnapshotController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
                                        ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), actions_(actions), panel_(panel), strip_(strip)
+    : QObject(parent), document_(document), preview_(preview), actions_(actions), panel_(panel), strip_(strip)
 {
     connectWindow();
     ui::speak(this, [this] { panel_.showSnapshots(document_.current().shown().snapshots); });
     connect(&document_, &CaseDocument::changed, this, &SnapshotController::followDocument);
+    connect(&preview_, &PosePreview::gaveWay, this, [this](PreviewOf whose) {
+        if (whose == PreviewOf::Snapshot) {
+            showItself();
+        }
+    });
 }
 
 void SnapshotController::connectWindow()
@@ -114,7 +119,7 @@ void SnapshotController::show(int snapshotId)
         return;
     }
     emit wasShown();
-    sync_.showPreview(snapshot->cameraFromPatient, ResidualColors::Hidden);
+    preview_.show(PreviewOf::Snapshot, snapshot->cameraFromPatient, ResidualColors::Hidden);
     marks_.shown = snapshotId;
     showMarks();
     const QString name = QString::fromStdString(snapshot->name);
@@ -127,7 +132,7 @@ void SnapshotController::show(int snapshotId)
 void SnapshotController::showItself()
 {
     if (std::exchange(marks_.shown, std::nullopt)) {
-        sync_.endPreview();
+        preview_.end(PreviewOf::Snapshot);
         showMarks();
     }
 }

@@ -26,8 +26,9 @@ constexpr qint64 reviewBurstPauseMs = 1500;
 
 }   // namespace
 
-ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), ui_(ui)
+ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, PosePreview& preview, const Ui& ui,
+                                   QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
 {
     connectMotion();
     connectWindow();
@@ -119,7 +120,7 @@ void ReviewController::setFlickering(bool on)
     if (!on) {
         flickerTimer_.stop();
         showsStart_ = false;
-        sync_.endPreview();
+        preview_.end(PreviewOf::Start);
         return;
     }
     flick();
@@ -137,9 +138,9 @@ void ReviewController::flick()
     }
     showsStart_ = !showsStart_;
     if (showsStart_) {
-        sync_.showPreview(start.value(), ResidualColors::Hidden);
+        preview_.show(PreviewOf::Start, start.value(), ResidualColors::Hidden);
     } else {
-        sync_.endPreview();
+        preview_.end(PreviewOf::Start);
     }
     ui_.strip.showStatus(showsStart_ ? tr("Before: start pose") : tr("After: pose as it is"));
 }

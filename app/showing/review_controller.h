@@ -33,7 +33,8 @@ public:
     /// The pose of a frame, where following the vessels through the run has found it.
     using PoseOfFrame = std::function<std::optional<core::RigidTransform>(int frame)>;
 
-    ReviewController(CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
+    ReviewController(CaseDocument& document, ViewSync& sync, PosePreview& preview, const Ui& ui,
+                     QObject* parent = nullptr);
 
     void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
     void showFrame(int frame);
@@ -50,6 +51,7 @@ private:
 
     CaseDocument& document_;
     ViewSync& sync_;
+    PosePreview& preview_;
     Ui ui_;
     PoseOfFrame poseOfFrame_;
     QTimer flickerTimer_;

@@ -63,12 +63,14 @@ std::vector<double> relativeToFullest(std::vector<double> shares)
 
 }   // namespace
 
-ViewSync::ViewSync(const CaseDocument& document, const Ui& ui, QObject* parent)
+ViewSync::ViewSync(const CaseDocument& document, const PosePreview& preview, const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
+      preview_(preview),
       ui_(ui),
       opacification_([this](const Measured& measured) { takeMeasured(measured); })
 {
+    connect(&preview, &PosePreview::changed, this, &ViewSync::followPreview);
     ui::speak(this, [this] {
         showFrameNote();
         showCornerTexts();
@@ -88,8 +90,8 @@ void ViewSync::refresh()
     if (current.shown().frame != shownFrame_) {
         showFrame(current.shown().frame);
     }
-    if (!previewing_) {
-        showPose(current.shown().cameraFromPatient);
+    if (!preview_.shown()) {
+        showPose();
     }
     ui_.view.setOrientationKnown(shownCamera_ && isOrientationKnown(current));
     showCornerTexts();
@@ -164,8 +166,9 @@ void ViewSync::showFrame(int frame)
     emit frameShown(frame);
 }
 
-void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
+void ViewSync::showPose()
 {
+    const core::RigidTransform& cameraFromPatient = preview_.pose();
     ui_.view.setPose(cameraFromPatient);
     ui_.treeView.scene().setPose(cameraFromPatient);
     ui_.view.update();
@@ -173,23 +176,13 @@ void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
     emit poseShown(cameraFromPatient);
 }
 
-void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors)
+void ViewSync::followPreview()
 {
-    previewing_ = true;
-    const bool areHidden = colors == ResidualColors::Hidden;
+    const bool areHidden = preview_.colors() == ResidualColors::Hidden;
     if (std::exchange(colorsHidden_, areHidden) != areHidden) {
         showResidualColors();
     }
-    showPose(cameraFromPatient);
-}
-
-void ViewSync::endPreview()
-{
-    previewing_ = false;
-    if (std::exchange(colorsHidden_, false)) {
-        showResidualColors();
-    }
-    showPose(document_.current().shown().cameraFromPatient);
+    showPose();
 }
 
 void ViewSync::showMarks(const ui::BranchMarks& marks)
