@@ -8,39 +8,58 @@ namespace angiopose::app {
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
       window_(window),
-      notices_(window, [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
-      sync_(window, document_),
-      history_(document_, window),
+      notices_(window.strip(), window,
+               [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
+      preview_(document_),
+      sync_(document_, preview_,
+            {window.angiogramView(), window.treeView(), window.slices(), window.branches(), window.registration(),
+             window.strip()}),
+      history_(document_, window.actions(), window.strip()),
       branches_(document_),
-      picking_(document_, branches_, sync_, window),
+      picking_(document_, branches_, sync_,
+               {window.actions(), window.branches(), window.angiogramView(), window.treeView()}),
       pose_(document_),
-      pivot_(document_, window),
-      landmarks_(document_, window),
-      start_(document_, window),
-      geometry_(document_, window),
-      angiogram_({document_, target_, sync_, window, notices_}),
+      pivot_(document_, {window.actions(), window.pose(), window.angiogramView(), window.treeView()}),
+      landmarks_(document_,
+                 {window.actions(), window.landmarks(), window.angiogramView(), window.treeView(), window.slices()}),
+      start_(document_, window.actions()),
+      geometry_(document_, window.geometryPanel()),
+      angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
+                  window.angiogramView(), window.strip(), window}),
       registration_(document_, target_),
-      session_(window, document_, target_, registration_, notices_),
-      title_(document_, session_.saving(), window),
+      session_(document_, target_, registration_, notices_,
+               {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
+      title_(document_, session_.saving(), window.header(), window.strip(), window),
       patient_(document_, window.patient(), *window.actions()[ui::Command::HideIdentity]),
-      review_(document_, sync_, window),
-      look_(document_, sync_, window),
-      replay_(document_, sync_, window),
-      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window}),
-      gestures_({document_, pose_, review_, judgement_, sync_, notices_, window}),
-      run_({document_, registration_, session_, review_, judgement_, sync_, notices_, window}),
-      slices_(document_, branches_, window),
-      tracing_(document_, window),
-      treeActions_(document_, branches_, tracing_, window),
+      review_(document_, sync_, preview_,
+              {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
+      look_(document_, sync_, {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
+      replay_(document_, preview_, window.actions(), window.strip()),
+      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result()}),
+      gestures_({document_, pose_, review_, judgement_, preview_, notices_, window.actions(), window.pose(),
+                 window.registration(), window.angiogramView()}),
+      run_({document_, registration_, session_, review_, judgement_, sync_, preview_, notices_, window.actions(),
+            window.registration(), window.result(), window.pose(), window.geometryPanel(), window.treeView(),
+            window.strip()}),
+      slices_(document_, branches_,
+              {window.actions(), window.slices(), window.slicesPage(), window.corner(), window.treeView()}),
+      tracing_(document_, {window.actions(), window.tracing(), window.slices(), window.slicesPage(), window.strip()}),
+      treeActions_(document_, branches_, tracing_,
+                   {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
+                    window.slicesPage(), window}),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
-      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, sync_, notices_, window}),
+      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, preview_, notices_,
+              window.actions(), window.angiogramView(), window.result(), window.snapshots(), window.landmarks(),
+              window.trialBar(), window.strip(), window}),
       places_(window),
-      views_(document_, target_, window),
-      follow_({document_, review_, judgement_, sync_, session_.exporting(), notices_, window}),
-      radiograph_({document_, target_, sync_, look_, window}),
-      habits_(branches_, window),
+      views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
+      follow_({document_, review_, judgement_, sync_, preview_, session_.exporting(), notices_, window.actions(),
+               window.result(), window.strip()}),
+      radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
+      habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window)
 {
+    connectWindow();
     connectNotes();
     connectTracing();
     connectReview();
@@ -55,6 +74,26 @@ bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || follow_.isRunning() ||
            poses_.isBusy() || views_.isLooking() || document_.isInTrial();
+}
+
+/// What the window itself hears: files, clicks, keys, its end.
+void CaseController::connectWindow()
+{
+    connect(&window_, &ui::MainWindow::filesDropped, &session_, &SessionController::open);
+    connect(&window_, &ui::MainWindow::closeRequested, &session_, &SessionController::closeWindow);
+    connect(&session_, &SessionController::windowMayClose, this, [this] {
+        storeWindowLayout(window_);
+        window_.closeNow();
+    });
+    connect(&window_, &ui::MainWindow::pointPicked, &pivot_, &PivotController::pickIfWanted);
+    connect(&window_, &ui::MainWindow::pointPicked, &landmarks_, &LandmarkController::pickPoint);
+    connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setPlace);
+    connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::dropPick);
+    connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
+    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
+    connect(&window_, &ui::MainWindow::escapePressed, &poses_.snapshots(), &SnapshotController::showItself);
+    connect(&window_, &ui::MainWindow::hideKeyHeld, &look_, &LookController::holdHidden);
+    connect(&slices_, &SliceController::largeShown, &window_, &ui::MainWindow::setSlicesLarge);
 }
 
 /// Why an edit could not be made is said in the strip.
@@ -84,13 +123,12 @@ void CaseController::connectReview()
 {
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
     connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
 }
 
 void CaseController::followDocument()
 {
     sync_.refresh();
+    showPage();
     branches_.followDocument();
     target_.want(document_.current());
     gestures_.show();
@@ -99,6 +137,15 @@ void CaseController::followDocument()
     judgement_.show();
     geometry_.show();
     steps_.show();
+}
+
+void CaseController::showPage()
+{
+    if (document_.isEmpty() && !document_.current().vessels.scan) {
+        window_.showWelcomePage();
+    } else {
+        window_.showImagePage();
+    }
 }
 
 void CaseController::followTarget()

@@ -30,6 +30,7 @@
 #include "app/run_controller.h"
 #include "app/showing/notices.h"
 #include "app/showing/patient_controller.h"
+#include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 #include "app/step_controller.h"
@@ -38,7 +39,8 @@
 
 namespace angiopose::app {
 
-/// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents.
+/// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents and gets the
+/// panels and views that it serves. What the window as a whole does (pages, keys, its end) is wired here.
 class CaseController : public QObject {
     Q_OBJECT
 public:
@@ -60,21 +62,25 @@ public:
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
     PoseTools& poses() { return poses_; }
+    const PosePreview& preview() const { return preview_; }
     FollowController& following() { return follow_; }
     Habits& habits() { return habits_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
+    void connectWindow();
     void connectNotes();
     void connectTracing();
     void connectReview();
     void followDocument();
+    void showPage();
     void followTarget();
 
     ui::MainWindow& window_;
     Notices notices_;
     CaseDocument document_;
     TargetProvider target_;
+    PosePreview preview_;
     ViewSync sync_;
     HistoryController history_;
     BranchController branches_;

@@ -1,7 +1,12 @@
 #include "app/run_controller.h"
 
 #include "app/document/edit_case.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/geometry_panel.h"
+#include "ui/panels/pose_panel.h"
+#include "ui/panels/registration_panel.h"
+#include "ui/panels/result_panel.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/number.h"
 #include "ui/words/terms.h"
@@ -16,21 +21,21 @@ RunController::RunController(const Parts& parts, QObject* parent) : QObject(pare
 
 void RunController::show()
 {
-    on_.window.registration().showOptions(on_.document.current().options);
-    on_.window.registration().showReady(on_.registration.whyNotReady());
+    on_.panel.showOptions(on_.document.current().options);
+    on_.panel.showReady(on_.registration.whyNotReady());
 }
 
 void RunController::connectCommands()
 {
-    const ui::RegistrationPanel& panel = on_.window.registration();
-    const ui::WindowActions& actions = on_.window.actions();
+    const ui::RegistrationPanel& panel = on_.panel;
+    const ui::WindowActions& actions = on_.actions;
     connect(&panel, &ui::RegistrationPanel::registerRequested, &on_.registration, &RegistrationController::start);
     connect(&panel, &ui::RegistrationPanel::stopRequested, &on_.registration, &RegistrationController::stop);
     connect(&panel, &ui::RegistrationPanel::optionsEdited, this, &RunController::changeOptions);
     connect(&panel, &ui::RegistrationPanel::allViewsToggled, &on_.registration, &RegistrationController::setAllViews);
     connect(actions[ui::Command::Register], &QAction::triggered, this, &RunController::start);
     connect(actions[ui::Command::Stop], &QAction::triggered, &on_.registration, &RegistrationController::stop);
-    connect(&on_.window.strip(), &ui::BottomStrip::stopRequested, this, &RunController::stop);
+    connect(&on_.strip, &ui::BottomStrip::stopRequested, this, &RunController::stop);
 }
 
 void RunController::connectRun()
@@ -38,7 +43,7 @@ void RunController::connectRun()
     const RegistrationController& run = on_.registration;
     connect(&run, &RegistrationController::runningChanged, this, &RunController::showRunning);
     connect(&run, &RegistrationController::tracingStarted, this,
-            [this] { on_.window.strip().showBusy(tr("Tracing the vessels of this frame …")); });
+            [this] { on_.strip.showBusy(tr("Tracing the vessels of this frame …")); });
     connect(&run, &RegistrationController::advanced, this, &RunController::showProgress);
     connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
     connect(&run, &RegistrationController::failed, this,
@@ -69,15 +74,15 @@ void RunController::changeOptions(const core::RegistrationOptions& options, cons
 void RunController::showRunning(bool running)
 {
     on_.review.stopMotion();
-    on_.window.registration().setRunning(running);
-    on_.window.pose().setEnabled(!running);
-    on_.window.geometryPanel().setEnabled(!running);
+    on_.panel.setRunning(running);
+    on_.posePanel.setEnabled(!running);
+    on_.geometryPanel.setEnabled(!running);
     if (running) {
-        on_.window.result().startRun();
+        on_.result.startRun();
         on_.sync.showJudgement(nullptr);
     } else {
-        on_.sync.endPreview();
-        on_.window.strip().showIdle(tr("Ready"));
+        on_.preview.end(PreviewOf::Run);
+        on_.strip.showIdle(tr("Ready"));
         on_.judgement.show();
     }
 }
@@ -89,21 +94,20 @@ void RunController::showProgress(const RunReport& report)
     }
     const core::IterationReport& step = report.iteration;
     if (report.isOfShownView) {
-        on_.sync.showPreview(step.cameraFromPatient, ResidualColors::Kept);
-        on_.window.result().showProgress(step);
+        on_.preview.show(PreviewOf::Run, step.cameraFromPatient, ResidualColors::Kept);
+        on_.result.showProgress(step);
     }
-    on_.window.strip().showProgress(tr("Registering: %1 · %2 % · %3 px")
-                                        .arg(ui::termText(step.stage))
-                                        .arg(ui::numberText(100.0 * step.progress, 0))
-                                        .arg(ui::numberText(step.medianDistancePx, 1)),
-                                    step.progress);
+    on_.strip.showProgress(tr("Registering: %1 · %2 % · %3 px")
+                               .arg(ui::termText(step.stage))
+                               .arg(ui::numberText(100.0 * step.progress, 0))
+                               .arg(ui::numberText(step.medianDistancePx, 1)),
+                           step.progress);
 }
 
 void RunController::showFinished(const core::RegistrationResult& result)
 {
-    on_.window.steps().showCurrent(ui::Step::Review);
-    on_.window.treeView().scene().frameAnew();
-    on_.window.treeView().requestRender();
+    on_.treeView.scene().frameAnew();
+    on_.treeView.requestRender();
     on_.notices.showNote(result.stopReason == core::StopReason::StoppedByUser
                              ? tr("Stopped: the best pose so far is kept, undo takes it back")
                              : tr("Registered: median %1 mm").arg(ui::numberText(result.metrics.medianMm, 2)));

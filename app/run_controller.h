@@ -11,8 +11,14 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class GeometryPanel;
+class PosePanel;
+class RegistrationPanel;
+class ResultPanel;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -28,8 +34,15 @@ public:
         ReviewController& review;
         JudgementController& judgement;
         ViewSync& sync;
+        PosePreview& preview;
         Notices& notices;
-        ui::MainWindow& window;
+        ui::WindowActions& actions;
+        ui::RegistrationPanel& panel;
+        ui::ResultPanel& result;
+        ui::PosePanel& posePanel;
+        ui::GeometryPanel& geometryPanel;
+        ui::TreeView& treeView;
+        ui::BottomStrip& strip;
     };
     explicit RunController(const Parts& parts, QObject* parent = nullptr);
 

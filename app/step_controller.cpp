@@ -15,6 +15,8 @@ StepController::StepController(const Parts& parts, QObject* parent) : QObject(pa
     });
     connect(&on_.tree, &TreeActions::adviceChanged, this, &StepController::show);
     connect(&on_.registration, &RegistrationController::runningChanged, this, &StepController::show);
+    connect(&on_.registration, &RegistrationController::finished, this,
+            [this] { on_.window.steps().showCurrent(ui::Step::Review); });
     connect(&on_.window.steps(), &ui::StepBar::stepClicked, this, &StepController::goTo);
 }
 

@@ -16,7 +16,8 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// The step bar: what of the way to a result is done, and where a click on a step leads.
+/// The step bar: what of the way to a result is done, and where a click on a step leads. Has the whole window: a step
+/// may lead to any part of it.
 class StepController : public QObject {
     Q_OBJECT
 public:

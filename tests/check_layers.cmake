@@ -1,4 +1,6 @@
 # Fails when a layer includes what it must not know (see the table in the README).
+cmake_minimum_required(VERSION 3.25)
+
 set(forbidden_core "<Q[A-Za-z]|<vtk|\"(io|ui|app)/")
 set(forbidden_io "<Q[A-Za-z]|\"(ui|app)/")
 set(forbidden_ui "<itk|<dcmtk|\"(io|app)/")
@@ -29,3 +31,24 @@ file(GLOB_RECURSE app_files "${ROOT}/app/*.h" "${ROOT}/app/*.cpp")
 check_files("${forbidden_app}" ${app_files})
 file(GLOB_RECURSE scenes "${ROOT}/ui/scenes/*.h" "${ROOT}/ui/scenes/*.cpp")
 check_files("${forbidden_ui_scenes}" ${scenes})
+
+# The whole window is known to those that wire it or speak of all of it; every other controller is given what it serves.
+set(knows_window app/case_controller app/window_host app/step_controller app/help/help_controller
+    app/preferences/window_layout app/review/view_places_controller)
+set(found "")
+foreach(source ${app_files})
+  file(STRINGS "${source}" hits REGEX "MainWindow|ui/main_window\\.h")
+  file(RELATIVE_PATH name "${ROOT}" "${source}")
+  string(REGEX REPLACE "\\.(h|cpp)$" "" name "${name}")
+  list(APPEND found "${name}")
+  if(hits AND NOT name IN_LIST knows_window)
+    message(SEND_ERROR "${source}: names the whole window; give it the panels and views that it serves")
+  elseif(NOT hits)
+    list(REMOVE_AT found -1)
+  endif()
+endforeach()
+foreach(name ${knows_window})
+  if(NOT name IN_LIST found)
+    message(SEND_ERROR "${name}: does not name the window any more; take it from the list in tests/check_layers.cmake")
+  endif()
+endforeach()

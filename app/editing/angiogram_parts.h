@@ -5,15 +5,28 @@
 #include "app/showing/notices.h"
 #include "app/showing/view_sync.h"
 
+class QWidget;
+
+namespace angiopose::ui {
+class AngiogramPanel;
+class AngiogramView;
+class BottomStrip;
+class WindowActions;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
-/// What the controllers of the angiogram work on.
+/// What the controllers of the angiogram work on, and what of the window they serve.
 struct AngiogramParts {
     CaseDocument& document;
     TargetProvider& target;
     ViewSync& sync;
-    ui::MainWindow& window;
     Notices& notices;
+    ui::WindowActions& actions;
+    ui::AngiogramPanel& panel;
+    ui::AngiogramView& view;
+    ui::BottomStrip& strip;
+    QWidget& dialogParent;
 };
 
 }   // namespace angiopose::app

@@ -1,14 +1,15 @@
 #include "app/editing/branch_picking.h"
 
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/branch_panel.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
 namespace angiopose::app {
 
-BranchPicking::BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync,
-                             ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), branches_(branches), window_(window)
+BranchPicking::BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync, const Ui& ui,
+                             QObject* parent)
+    : QObject(parent), document_(document), branches_(branches), ui_(ui)
 {
     connect(&branches, &BranchController::marksChanged, this, [&branches, &sync] { sync.showMarks(branches.marks()); });
     connectList();
@@ -18,7 +19,7 @@ BranchPicking::BranchPicking(const CaseDocument& document, BranchController& bra
 
 void BranchPicking::connectList()
 {
-    const ui::BranchPanel& panel = window_.branches();
+    const ui::BranchPanel& panel = ui_.panel;
     connect(&panel, &ui::BranchPanel::hovered, &branches_, &BranchController::hover);
     connect(&panel, &ui::BranchPanel::selectionEdited, &branches_, &BranchController::select);
     connect(&panel, &ui::BranchPanel::auxiliaryToggled, &branches_, &BranchController::toggleAuxiliary);
@@ -30,11 +31,11 @@ void BranchPicking::connectList()
 void BranchPicking::connectViews()
 {
     const auto selectNone = [this] { branches_.select({}); };
-    const ui::AngiogramView& image = window_.angiogramView();
+    const ui::AngiogramView& image = ui_.view;
     connect(&image, &ui::AngiogramView::branchHovered, &branches_, &BranchController::hover);
     connect(&image, &ui::AngiogramView::branchClicked, &branches_, &BranchController::click);
     connect(&image, &ui::AngiogramView::backgroundClicked, this, selectNone);
-    const ui::TreeView& tree = window_.treeView();
+    const ui::TreeView& tree = ui_.treeView;
     connect(&tree, &ui::TreeView::branchHovered, &branches_, &BranchController::hover);
     connect(&tree, &ui::TreeView::branchClicked, &branches_, &BranchController::click);
     connect(&tree, &ui::TreeView::backgroundClicked, this, selectNone);
@@ -42,7 +43,7 @@ void BranchPicking::connectViews()
 
 void BranchPicking::connectCommands()
 {
-    const ui::WindowActions& actions = window_.actions();
+    const ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::ToggleAuxiliary], &QAction::triggered, this,
             [this] { branches_.toggleAuxiliary(branches_.marks().selected); });
     connect(actions[ui::Command::ToggleExcluded], &QAction::triggered, this,
@@ -58,12 +59,12 @@ void BranchPicking::makeAuxiliaryWhatIsInView()
     std::map<int, ui::ViewRect> extents;
     if (const auto& tree = document_.current().vessels.tree) {
         for (const core::VesselBranch& branch : tree->branches) {
-            if (const auto extent = window_.angiogramView().scene().extentOf(branch.id)) {
+            if (const auto extent = ui_.view.scene().extentOf(branch.id)) {
                 extents[branch.id] = *extent;
             }
         }
     }
-    branches_.setAuxiliaryInside(extents, window_.angiogramView().visiblePart());
+    branches_.setAuxiliaryInside(extents, ui_.view.visiblePart());
 }
 
 }   // namespace angiopose::app

@@ -6,8 +6,11 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class BranchPanel;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -16,7 +19,14 @@ namespace angiopose::app {
 class BranchPicking : public QObject {
     Q_OBJECT
 public:
-    BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync, ui::MainWindow& window,
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::BranchPanel& panel;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+    };
+    BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync, const Ui& ui,
                   QObject* parent = nullptr);
 
 private:
@@ -27,7 +37,7 @@ private:
 
     const CaseDocument& document_;
     BranchController& branches_;
-    ui::MainWindow& window_;
+    Ui ui_;
 };
 
 }   // namespace angiopose::app

@@ -4,8 +4,9 @@
 #include "app/jobs/future_result.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/drawing/drawing_ground.h"
+#include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
-#include "ui/main_window.h"
+#include "ui/panels/angiogram_panel.h"
 #include "ui/panels/curve_edit_bar.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
@@ -39,17 +40,20 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
     : QObject(parent),
       document_(parts.document),
       target_(parts.target),
-      window_(parts.window),
+      actions_(parts.actions),
+      panel_(parts.panel),
+      view_(parts.view),
+      dialogParent_(parts.dialogParent),
       notices_(parts.notices),
-      tool_(new ui::EditCurvesTool(window_.angiogramView())),
+      tool_(new ui::EditCurvesTool(view_)),
       bar_(new ui::CurveEditBar)
 {
-    window_.angiogramView().addBar(bar_);
+    view_.addBar(bar_);
     bar_->hide();
     connectTool();
     connect(&document_, &CaseDocument::changed, this, &CurveController::follow);
     connect(&target_, &TargetProvider::changed, this, &CurveController::follow);
-    connect(&window_.angiogramView(), &ui::AngiogramView::toolChanged, this, &CurveController::follow);
+    connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveController::follow);
     connect(&ground_, &QFutureWatcherBase::finished, this, [this] {
         if (grounded_) {   // or nothing is being made: the tool was left
             tool_->setGround(takeResult(ground_));
@@ -60,16 +64,15 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
 
 void CurveController::connectTool()
 {
-    ui::AngiogramView& view = window_.angiogramView();
-    QAction* mode = window_.actions()[ui::Command::EditVessels];
-    ui::bindTool(*mode, view, *tool_);
+    QAction* mode = actions_[ui::Command::EditVessels];
+    ui::bindTool(*mode, view_, *tool_);
     connect(mode, &QAction::toggled, this, [this](bool on) {
         bar_->setVisible(on);
-        window_.angiogramView().setFocus();
+        view_.setFocus();
     });
-    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::editingRequested, mode, [mode] { mode->setChecked(true); });
+    connect(&panel_, &ui::AngiogramPanel::editingRequested, mode, [mode] { mode->setChecked(true); });
     connect(tool_, &ui::EditCurvesTool::begun, this, [this] {
-        window_.actions()[ui::Command::Cine]->setChecked(false);
+        actions_[ui::Command::Cine]->setChecked(false);
         shownCurves_.reset();
         follow();
     });
@@ -78,26 +81,26 @@ void CurveController::connectTool()
     connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
     connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
         tool_->setEdit(edit);
-        window_.angiogramView().setFocus();   // the keys of the mode go to the image
+        view_.setFocus();   // the keys of the mode go to the image
     });
-    connect(bar_, &ui::CurveEditBar::doneRequested, this, [&view] { view.setTool(nullptr); });
+    connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
     connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::askToTraceAgain);
-    connect(window_.actions()[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::askToTraceAgain);
+    connect(actions_[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::askToTraceAgain);
 }
 
 void CurveController::follow()
 {
     const core::Case& current = document_.current();
     const bool isGiven = core::givenTargetOf(current.shown()) != nullptr;
-    window_.actions()[ui::Command::EditVessels]->setEnabled(current.shown().angiogram != nullptr);
-    window_.actions()[ui::Command::TraceAgain]->setEnabled(isGiven);
+    actions_[ui::Command::EditVessels]->setEnabled(current.shown().angiogram != nullptr);
+    actions_[ui::Command::TraceAgain]->setEnabled(isGiven);
     bar_->setEdited(isGiven);
-    if (window_.angiogramView().tool() != tool_) {
+    if (view_.tool() != tool_) {
         dropGround();
         return;
     }
     if (!current.shown().angiogram) {
-        window_.angiogramView().setTool(nullptr);
+        view_.setTool(nullptr);
         return;
     }
     showCurves();
@@ -207,7 +210,7 @@ void CurveController::askToTraceAgain()
     }
     auto* question = new ui::QuestionDialog(
         {tr("Trace this frame again?"), tr("Its edited or given curves are set aside. Undo brings them back."), {}},
-        {tr("Trace again"), tr("Keep the curves")}, &window_);
+        {tr("Trace again"), tr("Keep the curves")}, &dialogParent_);
     question->setObjectName(QStringLiteral("traceAgainQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {

@@ -40,7 +40,10 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::AngiogramPanel& panel_;
+    ui::AngiogramView& view_;
+    QWidget& dialogParent_;
     Notices& notices_;
     ui::EditCurvesTool* tool_;
     ui::CurveEditBar* bar_;

@@ -19,7 +19,9 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::AngiogramPanel& panel_;
+    ui::AngiogramView& view_;
     SharedTrace shownTrace_;
 };
 

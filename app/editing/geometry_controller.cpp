@@ -3,21 +3,20 @@
 #include "app/document/edit_case.h"
 #include "app/document/with_geometry.h"
 #include "app/words/geometry_state.h"
-#include "ui/main_window.h"
+#include "ui/panels/geometry_panel.h"
 
 namespace angiopose::app {
 
-GeometryController::GeometryController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window)
+GeometryController::GeometryController(CaseDocument& document, ui::GeometryPanel& panel, QObject* parent)
+    : QObject(parent), document_(document), panel_(panel)
 {
-    const ui::GeometryPanel& panel = window.geometryPanel();
     connect(&panel, &ui::GeometryPanel::edited, this, &GeometryController::change);
     connect(&panel, &ui::GeometryPanel::cameraOverrideDropped, this, &GeometryController::dropCameraOverride);
 }
 
 void GeometryController::show()
 {
-    window_.geometryPanel().showGeometry(geometryState(document_.current()));
+    panel_.showGeometry(geometryState(document_.current()));
 }
 
 void GeometryController::change(const core::CArm& cArm, const ui::Words& what)

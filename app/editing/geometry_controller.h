@@ -6,8 +6,8 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class GeometryPanel;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -15,7 +15,7 @@ namespace angiopose::app {
 class GeometryController : public QObject {
     Q_OBJECT
 public:
-    GeometryController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    GeometryController(CaseDocument& document, ui::GeometryPanel& panel, QObject* parent = nullptr);
 
     void show();
 
@@ -24,7 +24,7 @@ private:
     void dropCameraOverride();
 
     CaseDocument& document_;
-    ui::MainWindow& window_;
+    ui::GeometryPanel& panel_;
 };
 
 }   // namespace angiopose::app

@@ -1,7 +1,8 @@
 #include "app/editing/history_controller.h"
 
 #include "app/document/set_fields.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/words/spoken.h"
 
 namespace angiopose::app {
@@ -15,10 +16,10 @@ QString nameOf(const QUndoCommand* edit)
 
 }   // namespace
 
-HistoryController::HistoryController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window)
+HistoryController::HistoryController(CaseDocument& document, ui::WindowActions& actions, ui::BottomStrip& strip,
+                                     QObject* parent)
+    : QObject(parent), document_(document), actions_(actions), strip_(strip)
 {
-    const ui::WindowActions& actions = window.actions();
     connect(actions[ui::Command::Undo], &QAction::triggered, &document_, &CaseDocument::undo);
     connect(actions[ui::Command::Redo], &QAction::triggered, &document_, &CaseDocument::redo);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &HistoryController::show);
@@ -29,14 +30,14 @@ HistoryController::HistoryController(CaseDocument& document, ui::MainWindow& win
 void HistoryController::show()
 {
     const QUndoStack& stack = document_.undoStack();
-    QAction* undo = window_.actions()[ui::Command::Undo];
-    QAction* redo = window_.actions()[ui::Command::Redo];
+    QAction* undo = actions_[ui::Command::Undo];
+    QAction* redo = actions_[ui::Command::Redo];
     const bool canUndo = document_.canUndo();
     undo->setEnabled(canUndo);
     redo->setEnabled(stack.canRedo());
     undo->setText(canUndo ? tr("Undo: %1").arg(nameOf(stack.command(stack.index() - 1))) : tr("Undo"));
     redo->setText(stack.canRedo() ? tr("Redo: %1").arg(nameOf(stack.command(stack.index()))) : tr("Redo"));
-    window_.strip().showUndoState(canUndo ? undo->text() : QString());
+    strip_.showUndoState(canUndo ? undo->text() : QString());
 }
 
 }   // namespace angiopose::app

@@ -7,8 +7,9 @@
 class QAction;
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -16,13 +17,15 @@ namespace angiopose::app {
 class HistoryController : public QObject {
     Q_OBJECT
 public:
-    HistoryController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    HistoryController(CaseDocument& document, ui::WindowActions& actions, ui::BottomStrip& strip,
+                      QObject* parent = nullptr);
 
 private:
     void show();
 
     CaseDocument& document_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::BottomStrip& strip_;
 };
 
 }   // namespace angiopose::app

@@ -1,7 +1,8 @@
 #include "app/editing/label_controller.h"
 
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/slices/label_choice.h"
+#include "ui/slices/slice_model.h"
 #include "ui/slices/slices_page.h"
 #include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
@@ -19,12 +20,12 @@ ui::LabelRow rowOf(const io::ListedLabel& label, std::size_t place)
 
 }   // namespace
 
-LabelController::LabelController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window)
+LabelController::LabelController(CaseDocument& document, ui::WindowActions& actions, ui::LabelChoice& choice,
+                                 ui::SliceModel& slices, QObject* parent)
+    : QObject(parent), document_(document), actions_(actions), choice_(choice), slices_(slices)
 {
-    ui::LabelChoice& choice = window.tracing().labels();
-    QAction* large = window.actions()[ui::Command::SlicesLarge];
-    QAction* choose = window.actions()[ui::Command::ChooseLabels];
+    QAction* large = actions[ui::Command::SlicesLarge];
+    QAction* choose = actions[ui::Command::ChooseLabels];
     connect(&document, &CaseDocument::changed, this, &LabelController::followDocument);
     connect(large, &QAction::toggled, this, &LabelController::readIfWanted);
     connect(choose, &QAction::triggered, this, [large, &choice] {
@@ -35,7 +36,7 @@ LabelController::LabelController(CaseDocument& document, ui::MainWindow& window,
     connect(&choice, &ui::LabelChoice::rowShown, this, [this](int row) {
         const auto place = static_cast<std::size_t>(row);
         if (overview_ && place < overview_->middlesInPatient.size()) {
-            window_.slices().setCrosshair(overview_->middlesInPatient[place]);
+            slices_.setCrosshair(overview_->middlesInPatient[place]);
         }
     });
     connect(&job_, &LabelJob::finished, this, &LabelController::takeOverview);
@@ -55,16 +56,16 @@ void LabelController::followDocument()
     const core::Case& current = document_.current();
     const bool isLabels = current.vessels.input.kind == core::VesselInputKind::Segmentation;
     const core::InputFile file = isLabels ? current.vessels.file : core::InputFile();
-    window_.actions()[ui::Command::ChooseLabels]->setEnabled(!file.path.empty());
+    actions_[ui::Command::ChooseLabels]->setEnabled(!file.path.empty());
     if (file != shownFile_) {
         shownFile_ = file;
         job_.drop();
         overview_.reset();
-        window_.slices().setLabels({});
+        slices_.setLabels({});
         if (file.path.empty()) {
-            window_.tracing().labels().showNothing();
+            choice_.showNothing();
         } else {
-            window_.tracing().labels().showReading();
+            choice_.showReading();
         }
         shownLabels_ = current.vessels.input.labels;
         isEdited_ = false;
@@ -78,7 +79,7 @@ void LabelController::followDocument()
 /// A label image can be large: it is read for the list when that is in sight.
 void LabelController::readIfWanted()
 {
-    const bool isInSight = window_.actions()[ui::Command::SlicesLarge]->isChecked();
+    const bool isInSight = actions_[ui::Command::SlicesLarge]->isChecked();
     if (isInSight && !shownFile_.path.empty() && !overview_ && !job_.isRunning()) {
         job_.start(shownFile_.path);
     }
@@ -91,7 +92,7 @@ void LabelController::takeOverview(const LabelOverview& overview)
     for (const io::ListedLabel& label : overview.labels) {
         rows.push_back(rowOf(label, rows.size()));
     }
-    window_.tracing().labels().showLabels(std::move(rows), overview.vessels);
+    choice_.showLabels(std::move(rows), overview.vessels);
     takeTicksOfCase();
     emit edited();
 }
@@ -129,7 +130,7 @@ void LabelController::showTicks()
     if (!overview_) {
         return;
     }
-    window_.tracing().labels().showChosen(ticked_);
+    choice_.showChosen(ticked_);
     ui::LabelLayer layer{overview_->rows, {}, {}};
     for (const io::ListedLabel& label : overview_->labels) {
         const std::size_t place = layer.tints.size();
@@ -137,7 +138,7 @@ void LabelController::showTicks()
         layer.tints.push_back({ui::labelColor(place), isTicked ? tickedOpacity : otherOpacity});
         layer.names << textOf(rowOf(label, place));
     }
-    window_.slices().setLabels(std::move(layer));
+    slices_.setLabels(std::move(layer));
 }
 
 }   // namespace angiopose::app

@@ -9,8 +9,10 @@
 
 namespace angiopose::ui {
 class LabelChoice;
-class MainWindow;
+class SliceModel;
+class WindowActions;
 }   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// Which labels of a label image are traced. They are listed where the slices are large; the ticks are a draft until a
@@ -18,7 +20,8 @@ namespace angiopose::app {
 class LabelController : public QObject {
     Q_OBJECT
 public:
-    LabelController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    LabelController(CaseDocument& document, ui::WindowActions& actions, ui::LabelChoice& choice, ui::SliceModel& slices,
+                    QObject* parent = nullptr);
 
     /// What the next trace takes, as in core::VesselInput: empty for what the names say, or all.
     std::vector<int> draft() const;
@@ -36,7 +39,9 @@ private:
     void takeTicksOfCase();
 
     CaseDocument& document_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::LabelChoice& choice_;
+    ui::SliceModel& slices_;
     LabelJob job_;
     core::InputFile shownFile_;   ///< the label image of the case; no path: it has none
     std::vector<int> shownLabels_;   ///< of the case

@@ -2,7 +2,9 @@
 
 #include "app/document/edit_case.h"
 #include "core/registration/pose/landmark_pose.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/landmark_panel.h"
+#include "ui/slices/slice_model.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
@@ -85,25 +87,23 @@ std::vector<ui::SliceMark> sliceMarksAt(const std::vector<Eigen::Vector3d>& poin
 
 }   // namespace
 
-LandmarkController::LandmarkController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window), tool_(new ui::LandmarkTool(window.angiogramView()))
+LandmarkController::LandmarkController(CaseDocument& document, const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), ui_(ui), tool_(new ui::LandmarkTool(ui_.view))
 {
     connectTool();
-    ui::LandmarkPanel& panel = window_.landmarks();
-    panel.bindMode(*window_.actions()[ui::Command::Landmarks]);
+    ui::LandmarkPanel& panel = ui_.panel;
+    panel.bindMode(*ui_.actions[ui::Command::Landmarks]);
     connect(&panel, &ui::LandmarkPanel::poseRequested, this, &LandmarkController::placeVessels);
     connect(&panel, &ui::LandmarkPanel::removeRequested, this, &LandmarkController::removePairs);
-    connect(window_.actions()[ui::Command::PlaceByLandmarks], &QAction::triggered, this,
-            &LandmarkController::placeVessels);
-    connect(&window_, &ui::MainWindow::pointPicked, this, &LandmarkController::pickPoint);
+    connect(ui_.actions[ui::Command::PlaceByLandmarks], &QAction::triggered, this, &LandmarkController::placeVessels);
     connect(&document_, &CaseDocument::changed, this, &LandmarkController::followDocument);
     ui::speak(this, [this] { showState(); });
 }
 
 void LandmarkController::connectTool()
 {
-    QAction* action = window_.actions()[ui::Command::Landmarks];
-    ui::bindTool(*action, window_.angiogramView(), *tool_);
+    QAction* action = ui_.actions[ui::Command::Landmarks];
+    ui::bindTool(*action, ui_.view, *tool_);
     connect(action, &QAction::toggled, this, &LandmarkController::showState);
     connect(tool_, &ui::LandmarkTool::pixelPicked, this, &LandmarkController::pickPixel);
     connect(tool_, &ui::LandmarkTool::pairDrawn, this, &LandmarkController::addPair);
@@ -120,7 +120,7 @@ void LandmarkController::connectTool()
 
 void LandmarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
 {
-    if (!window_.actions()[ui::Command::Landmarks]->isChecked()) {
+    if (!ui_.actions[ui::Command::Landmarks]->isChecked()) {
         return;
     }
     const core::VesselNode* node = nodeNear(nodes_, pointInPatient);
@@ -229,14 +229,14 @@ void LandmarkController::showState()
     }
     tool_->showMarks(marks);
 
-    const bool isOn = window_.actions()[ui::Command::Landmarks]->isChecked();
+    const bool isOn = ui_.actions[ui::Command::Landmarks]->isChecked();
     std::vector<Eigen::Vector3d> points;
     for (const core::Landmark& landmark : current.shown().landmarks) {
         points.push_back(landmark.pointInPatient);
     }
-    window_.treeView().showLandmarks(isOn ? points : std::vector<Eigen::Vector3d>{}, pendingPoint_);
-    window_.slices().setPoints(ui::SliceMarkKind::Landmark,
-                               isOn ? sliceMarksAt(points, pendingPoint_) : std::vector<ui::SliceMark>{});
+    ui_.treeView.showLandmarks(isOn ? points : std::vector<Eigen::Vector3d>{}, pendingPoint_);
+    ui_.slices.setPoints(ui::SliceMarkKind::Landmark,
+                         isOn ? sliceMarksAt(points, pendingPoint_) : std::vector<ui::SliceMark>{});
 
     ui::LandmarkState state;
     state.landmarks = current.shown().landmarks;
@@ -247,7 +247,7 @@ void LandmarkController::showState()
         state.isEnough = static_cast<bool>(pose);
         state.verdict = pose ? verdictOf(pose.value()) : ui::messageText(pose.error().message);
     }
-    window_.landmarks().showLandmarks(state);
+    ui_.panel.showLandmarks(state);
 }
 
 }   // namespace angiopose::app

@@ -7,8 +7,12 @@
 #include <memory>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class LandmarkPanel;
+class SliceModel;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -17,9 +21,17 @@ namespace angiopose::app {
 class LandmarkController : public QObject {
     Q_OBJECT
 public:
-    LandmarkController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::LandmarkPanel& panel;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::SliceModel& slices;
+    };
+    LandmarkController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void pickPoint(const Eigen::Vector3d& pointInPatient);
+    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< while landmarks are set
     void pickPixel(const Eigen::Vector2d& pixel);
     void placeVessels();
 
@@ -39,7 +51,7 @@ private:
     std::optional<core::RigidTransform> poseBefore() const;
 
     CaseDocument& document_;
-    ui::MainWindow& window_;
+    Ui ui_;
     ui::LandmarkTool* tool_;
     std::shared_ptr<const core::VesselTree> tree_;   ///< that `nodes_` are of
     std::vector<core::VesselNode> nodes_;

@@ -1,6 +1,7 @@
 #include "app/editing/opacification_controller.h"
 
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/plots/opacification_plot.h"
 
 #include <QDialog>
@@ -9,10 +10,14 @@
 namespace angiopose::app {
 
 OpacificationController::OpacificationController(const AngiogramParts& parts, QObject* parent)
-    : QObject(parent), document_(parts.document), sync_(parts.sync), window_(parts.window)
+    : QObject(parent),
+      document_(parts.document),
+      sync_(parts.sync),
+      strip_(parts.strip),
+      dialogParent_(parts.dialogParent)
 {
-    connect(window_.actions()[ui::Command::Opacification], &QAction::triggered, this, &OpacificationController::open);
-    connect(&window_.strip(), &ui::BottomStrip::plotRequested, this, &OpacificationController::open);
+    connect(parts.actions[ui::Command::Opacification], &QAction::triggered, this, &OpacificationController::open);
+    connect(&strip_, &ui::BottomStrip::plotRequested, this, &OpacificationController::open);
     connect(&document_, &CaseDocument::changed, this, &OpacificationController::show);
     connect(&sync_, &ViewSync::runMeasured, this, &OpacificationController::show);
     connect(&sync_, &ViewSync::frameShown, this, [this](int frame) {
@@ -28,14 +33,14 @@ void OpacificationController::open()
         plot_->window()->raise();
         return;
     }
-    auto* dialog = new QDialog(&window_);
+    auto* dialog = new QDialog(&dialogParent_);
     dialog->setObjectName(QStringLiteral("opacificationDialog"));
     dialog->setWindowTitle(tr("Opacification over time"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     plot_ = new ui::OpacificationPlot;
     auto* layout = new QVBoxLayout(dialog);
     layout->addWidget(plot_);
-    connect(plot_, &ui::OpacificationPlot::frameRequested, &window_.strip(), &ui::BottomStrip::frameRequested);
+    connect(plot_, &ui::OpacificationPlot::frameRequested, &strip_, &ui::BottomStrip::frameRequested);
     show();
     dialog->show();   // beside the window: frames go on being chosen in both
 }

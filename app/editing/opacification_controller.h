@@ -23,7 +23,8 @@ private:
 
     CaseDocument& document_;
     ViewSync& sync_;
-    ui::MainWindow& window_;
+    ui::BottomStrip& strip_;
+    QWidget& dialogParent_;
     QPointer<ui::OpacificationPlot> plot_;
 };
 

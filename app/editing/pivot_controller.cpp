@@ -2,26 +2,21 @@
 
 #include "app/document/edit_case.h"
 #include "core/vessel/place_on_tree.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/pose_panel.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/views/tree_view.h"
 
 namespace angiopose::app {
 
-PivotController::PivotController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window), tool_(new ui::PivotTool(window.angiogramView()))
+PivotController::PivotController(CaseDocument& document, const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), ui_(ui), tool_(new ui::PivotTool(ui_.view))
 {
-    QAction* picking = window.actions()[ui::Command::PickPivot];
-    ui::bindTool(*picking, window.angiogramView(), *tool_);
+    ui::bindTool(*ui_.actions[ui::Command::PickPivot], ui_.view, *tool_);
     connect(tool_, &ui::PivotTool::picked, this, &PivotController::pick);
     connect(tool_, &ui::PivotTool::centroidWanted, this, &PivotController::backToCentroid);
-    connect(&window, &ui::MainWindow::pointPicked, this, [this, picking](const Eigen::Vector3d& pointInPatient) {
-        if (picking->isChecked()) {
-            pick(pointInPatient);
-        }
-    });
-    connect(window.actions()[ui::Command::CentroidPivot], &QAction::triggered, this, &PivotController::backToCentroid);
+    connect(ui_.actions[ui::Command::CentroidPivot], &QAction::triggered, this, &PivotController::backToCentroid);
     connect(&document, &CaseDocument::changed, this, &PivotController::followDocument);
     followDocument();
 }
@@ -38,6 +33,13 @@ void PivotController::pick(const Eigen::Vector3d& pointInPatient)
     }
 }
 
+void PivotController::pickIfWanted(const Eigen::Vector3d& pointInPatient)
+{
+    if (ui_.actions[ui::Command::PickPivot]->isChecked()) {
+        pick(pointInPatient);
+    }
+}
+
 void PivotController::backToCentroid()
 {
     if (document_.current().vessels.pickedPivotInPatient) {
@@ -50,7 +52,7 @@ void PivotController::backToCentroid()
 void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const ui::Words& name, const QString& note)
 {
     if (document_.push(std::make_unique<PickPivot>(document_, PickPivot::Values{pivot}, name))) {
-        window_.actions()[ui::Command::PickPivot]->setChecked(false);
+        ui_.actions[ui::Command::PickPivot]->setChecked(false);
         emit told(note);
     }
 }
@@ -64,11 +66,11 @@ void PivotController::followDocument()
         tool_->showTree(tree_ ? core::without(*tree_, hidden_) : core::VesselTree{});
     }
     const auto& picked = tree_ ? current.vessels.pickedPivotInPatient : std::nullopt;
-    window_.angiogramView().setPickedPivot(picked);
-    window_.treeView().setPickedPivot(picked);
-    window_.pose().showPickedPivot(picked.has_value());
-    window_.actions()[ui::Command::PickPivot]->setEnabled(tree_ != nullptr);
-    window_.actions()[ui::Command::CentroidPivot]->setEnabled(picked.has_value());
+    ui_.view.setPickedPivot(picked);
+    ui_.treeView.setPickedPivot(picked);
+    ui_.panel.showPickedPivot(picked.has_value());
+    ui_.actions[ui::Command::PickPivot]->setEnabled(tree_ != nullptr);
+    ui_.actions[ui::Command::CentroidPivot]->setEnabled(picked.has_value());
 }
 
 }   // namespace angiopose::app

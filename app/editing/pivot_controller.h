@@ -7,8 +7,11 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class PosePanel;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -17,9 +20,17 @@ namespace angiopose::app {
 class PivotController : public QObject {
     Q_OBJECT
 public:
-    PivotController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::PosePanel& panel;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+    };
+    PivotController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
     void pick(const Eigen::Vector3d& pointInPatient);   ///< the place on the vessels nearest to it
+    void pickIfWanted(const Eigen::Vector3d& pointInPatient);   ///< while the command to pick is on
     void backToCentroid();
 
 signals:
@@ -30,7 +41,7 @@ private:
     void followDocument();
 
     CaseDocument& document_;
-    ui::MainWindow& window_;
+    Ui ui_;
     ui::PivotTool* tool_;   ///< owned by the view
     std::shared_ptr<const core::VesselTree> tree_;   ///< shown by the tool,
     std::vector<int> hidden_;   ///< without these branches

@@ -1,15 +1,14 @@
 #include "app/editing/start_pose_controller.h"
 
 #include "app/document/edit_case.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/words/message_text.h"
 
 namespace angiopose::app {
 
-StartPoseController::StartPoseController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+StartPoseController::StartPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent)
     : QObject(parent), document_(document)
 {
-    ui::WindowActions& actions = window.actions();
     connect(actions[ui::Command::StartFromAngles], &QAction::triggered, this, &StartPoseController::startFromAngles);
     connect(actions[ui::Command::StartHere], &QAction::triggered, this, &StartPoseController::startHere);
 }

@@ -3,8 +3,8 @@
 #include "app/document/case_document.h"
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -12,7 +12,7 @@ namespace angiopose::app {
 class StartPoseController : public QObject {
     Q_OBJECT
 public:
-    StartPoseController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    StartPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent = nullptr);
 
     void startFromAngles();
     void startHere();

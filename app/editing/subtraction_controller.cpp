@@ -4,7 +4,9 @@
 #include "app/jobs/freed_elsewhere.h"
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/angiogram_panel.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/words/message_text.h"
@@ -40,14 +42,17 @@ SubtractionController::SubtractionController(const AngiogramParts& parts, QObjec
     : QObject(parent),
       document_(parts.document),
       sync_(parts.sync),
-      window_(parts.window),
+      actions_(parts.actions),
+      panel_(parts.panel),
+      view_(parts.view),
+      strip_(parts.strip),
       notices_(parts.notices),
-      shiftTool_(new ui::MaskShiftTool(window_.angiogramView()))
+      shiftTool_(new ui::MaskShiftTool(view_))
 {
     connectCommands();
     connectMasks();
     connectShift();
-    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::treatmentEdited, this, &SubtractionController::change);
+    connect(&panel_, &ui::AngiogramPanel::treatmentEdited, this, &SubtractionController::change);
     connect(&run_, &QFutureWatcherBase::finished, this, &SubtractionController::publish);
     connect(&document_, &CaseDocument::changed, this, &SubtractionController::follow);
     connect(&sync_, &ViewSync::runMeasured, this, &SubtractionController::showState);
@@ -63,13 +68,12 @@ SubtractionController::~SubtractionController()
 
 void SubtractionController::connectCommands()
 {
-    ui::WindowActions& actions = window_.actions();
-    connect(actions[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
+    connect(actions_[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
         core::RunTreatment wanted = document_.current().shown().treatment;
         wanted.isSubtracted = on;
         change(wanted, [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
-    connect(actions[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
+    connect(actions_[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
         core::RunTreatment wanted = document_.current().shown().treatment;
         wanted.isComposite = on;
         change(wanted, [on] { return on ? tr("Whole run in one picture") : tr("One frame at a time"); });
@@ -78,9 +82,8 @@ void SubtractionController::connectCommands()
 
 void SubtractionController::connectMasks()
 {
-    connect(window_.actions()[ui::Command::MaskHere], &QAction::triggered, this,
-            [this] { markMasks({sync_.shownFrame()}); });
-    connect(&window_.strip(), &ui::BottomStrip::maskRangeMarked, this, [this](int first, int last) {
+    connect(actions_[ui::Command::MaskHere], &QAction::triggered, this, [this] { markMasks({sync_.shownFrame()}); });
+    connect(&strip_, &ui::BottomStrip::maskRangeMarked, this, [this](int first, int last) {
         std::vector<int> frames;
         for (int frame = first; frame <= last; ++frame) {
             frames.push_back(frame);
@@ -103,10 +106,10 @@ void SubtractionController::markMasks(const std::vector<int>& frames)
 
 void SubtractionController::connectShift()
 {
-    ui::bindTool(*window_.actions()[ui::Command::ShiftMask], window_.angiogramView(), *shiftTool_);
-    connect(&window_.angiogramPanel(), &ui::AngiogramPanel::shiftByHandRequested, this, [this] {
-        window_.actions()[ui::Command::ShiftMask]->setChecked(true);
-        window_.angiogramView().setFocus();
+    ui::bindTool(*actions_[ui::Command::ShiftMask], view_, *shiftTool_);
+    connect(&panel_, &ui::AngiogramPanel::shiftByHandRequested, this, [this] {
+        actions_[ui::Command::ShiftMask]->setChecked(true);
+        view_.setFocus();
     });
     connect(shiftTool_, &ui::MaskShiftTool::begun, this, &SubtractionController::beginShift);
     connect(shiftTool_, &ui::MaskShiftTool::shifted, this, [this](const Eigen::Vector2d& shiftPx) {
@@ -191,7 +194,7 @@ void SubtractionController::take(const Wish& wish, const SharedRun& run)
 /// The hand begins where the mask lies: at its shift, or at the one found for the frame on screen.
 void SubtractionController::beginShift()
 {
-    window_.actions()[ui::Command::Cine]->setChecked(false);
+    actions_[ui::Command::Cine]->setChecked(false);
     const auto& given = document_.current().shown().treatment.plan.maskShiftPx;
     isShiftFound_ = given.has_value();
     isPreviewNew_ = true;
@@ -227,15 +230,15 @@ void SubtractionController::startPreview()
 void SubtractionController::showPreview()
 {
     const Picture picture = takeResult(preview_);
-    if (window_.angiogramView().tool() == shiftTool_) {
+    if (view_.tool() == shiftTool_) {
         if (!picture) {
             notices_.showNote(ui::messageText(picture.error().message));
-            window_.angiogramView().setTool(nullptr);
+            view_.setTool(nullptr);
             return;
         }
-        window_.angiogramView().setFrame(picture.value()->frame);
+        view_.setFrame(picture.value()->frame);
         if (std::exchange(isPreviewNew_, false)) {
-            window_.angiogramView().autoWindowLevel();
+            view_.autoWindowLevel();
         }
         if (!std::exchange(isShiftFound_, true)) {
             shiftTool_->showShift(picture.value()->maskShiftPx);
@@ -250,7 +253,7 @@ void SubtractionController::settleShift()
     rest_.stop();
     if (shiftTool_->shiftPx() == shiftBegan_) {
         sync_.showFrame(document_.current().shown().frame);   // as it was
-        window_.angiogramView().autoWindowLevel();
+        view_.autoWindowLevel();
         return;
     }
     shiftBegan_ = shiftTool_->shiftPx();
@@ -264,8 +267,7 @@ void SubtractionController::follow()
 {
     const core::Case& current = document_.current();
     made_.forgetAllBut(core::storedRunOf(current.shown()));
-    if (window_.angiogramView().tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx &&
-        !rest_.isActive() && !wish_) {
+    if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !rest_.isActive() && !wish_) {
         shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // an undo
         shiftTool_->showShift(shiftBegan_);
     }
@@ -282,18 +284,16 @@ void SubtractionController::showState()
                                                                          : current.shown().treatment.plan.maskFrames;
     state.hasRun = current.shown().angiogram && current.shown().angiogram->frameCount() > 1;
     state.isComputing = isComputing();
-    window_.angiogramPanel().showRun(state);
-    window_.strip().showMasks(
-        state.hasRun && !current.shown().treatment.plan.interval ? state.maskFrames : std::vector<int>(),
-        current.shown().treatment.isSubtracted);
-    ui::WindowActions& actions = window_.actions();
-    actions[ui::Command::Subtract]->setChecked(wish_ ? wish_->treatment.isSubtracted
-                                                     : current.shown().treatment.isSubtracted);
-    actions[ui::Command::Composite]->setChecked(wish_ ? wish_->treatment.isComposite
-                                                      : current.shown().treatment.isComposite);
+    panel_.showRun(state);
+    strip_.showMasks(state.hasRun && !current.shown().treatment.plan.interval ? state.maskFrames : std::vector<int>(),
+                     current.shown().treatment.isSubtracted);
+    actions_[ui::Command::Subtract]->setChecked(wish_ ? wish_->treatment.isSubtracted
+                                                      : current.shown().treatment.isSubtracted);
+    actions_[ui::Command::Composite]->setChecked(wish_ ? wish_->treatment.isComposite
+                                                       : current.shown().treatment.isComposite);
     for (const ui::Command command :
          {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::MaskHere}) {
-        actions[command]->setEnabled(state.hasRun);
+        actions_[command]->setEnabled(state.hasRun);
     }
 }
 

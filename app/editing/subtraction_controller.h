@@ -55,7 +55,10 @@ private:
 
     CaseDocument& document_;
     ViewSync& sync_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    ui::AngiogramPanel& panel_;
+    ui::AngiogramView& view_;
+    ui::BottomStrip& strip_;
     Notices& notices_;
     ui::MaskShiftTool* shiftTool_;
     std::optional<Wish> wish_;   ///< newest, not yet answered

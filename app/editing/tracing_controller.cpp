@@ -2,7 +2,9 @@
 
 #include "app/document/edit_case.h"
 #include "core/tracing/volume/lumen/blood_level.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/slices/slice_model.h"
 #include "ui/slices/slices_page.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
@@ -59,12 +61,12 @@ Source sourceOf(const core::Case& current)
 
 }   // namespace
 
-TracingController::TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent)
+TracingController::TracingController(CaseDocument& document, const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
-      window_(window),
-      labels_(document, window),
-      level_([this](double threshold) { window_.tracing().showFound(threshold); })
+      ui_(ui),
+      labels_(document, ui.actions, ui.panel.labels(), ui.slices),
+      level_([this](double threshold) { ui_.panel.showFound(threshold); })
 {
     connectPanel();
     connect(&document, &CaseDocument::changed, this, &TracingController::followDocument);
@@ -75,8 +77,8 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
         }
     });
     connect(&job_, &VesselTraceJob::advanced, this, [this](double fraction) {
-        window_.strip().showProgress(
-            tr("Tracing the vessels of the scan … %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+        ui_.strip.showProgress(tr("Tracing the vessels of the scan … %1 %").arg(ui::numberText(100.0 * fraction, 0)),
+                               fraction);
     });
     connect(&job_, &VesselTraceJob::finished, this, &TracingController::finish);
     connect(&job_, &VesselTraceJob::failed, this, [this](const core::Message& reason) {
@@ -87,15 +89,15 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
         ended();
         emit traced(tr("Stopped: the vessels are as they were"));
     });
-    connect(window.actions()[ui::Command::SlicesLarge], &QAction::toggled, this, [this](bool large) {
+    connect(ui_.actions[ui::Command::SlicesLarge], &QAction::toggled, this, [this](bool large) {
         setPick(ui::TracingPick::Nothing);
         if (large) {
             findThreshold();
         }
         showPreview();
     });
-    connect(window.actions()[ui::Command::TraceScan], &QAction::triggered, this, [this] {
-        window_.actions()[ui::Command::SlicesLarge]->setChecked(true);
+    connect(ui_.actions[ui::Command::TraceScan], &QAction::triggered, this, [this] {
+        ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         start();
     });
     connect(&labels_, &LabelController::edited, this, &TracingController::showWhyNot);
@@ -104,17 +106,16 @@ TracingController::TracingController(CaseDocument& document, ui::MainWindow& win
 
 void TracingController::connectPanel()
 {
-    ui::TracingPanel& panel = window_.tracing();
+    ui::TracingPanel& panel = ui_.panel;
     connect(&panel, &ui::TracingPanel::optionsEdited, this, &TracingController::setDraft);
     connect(&panel, &ui::TracingPanel::pickWanted, this, &TracingController::setPick);
     connect(&panel, &ui::TracingPanel::previewChanged, this, &TracingController::showPreview);
-    connect(&panel, &ui::TracingPanel::placeChosen, &window_.slices(), &ui::SliceModel::setCrosshair);
+    connect(&panel, &ui::TracingPanel::placeChosen, &ui_.slices, &ui::SliceModel::setCrosshair);
     connect(&panel, &ui::TracingPanel::traceRequested, this, &TracingController::start);
     connect(&panel, &ui::TracingPanel::stopRequested, this, &TracingController::stop);
-    connect(&window_.strip(), &ui::BottomStrip::stopRequested, this, &TracingController::stop);
-    connect(&window_, &ui::MainWindow::escapePressed, this, [this] { setPick(ui::TracingPick::Nothing); });
+    connect(&ui_.strip, &ui::BottomStrip::stopRequested, this, &TracingController::stop);
     for (const core::BodyPlane plane : core::bodyPlanes) {
-        connect(&window_.slicesPage().view(plane), &ui::SliceView::pointPicked, this,
+        connect(&ui_.slicesPage.view(plane), &ui::SliceView::pointPicked, this,
                 [this](const Eigen::Vector3d& point) { addPoint(pick_, point); });
     }
 }
@@ -134,15 +135,15 @@ QString TracingController::whyNot() const
 void TracingController::followDocument()
 {
     const core::Case& current = document_.current();
-    ui::TracingPanel& panel = window_.tracing();
+    ui::TracingPanel& panel = ui_.panel;
     const std::shared_ptr<const core::Volume> traced =
         sourceOf(current).input.kind == core::VesselInputKind::Volume ? current.vessels.scan : nullptr;
     if (traced != shownVolume_) {
         shownVolume_ = traced;
         level_.drop();
         panel.showFound(std::nullopt);
-        panel.showRange(traced ? thresholdRange(window_.slices()) : std::nullopt, {});
-        if (window_.actions()[ui::Command::SlicesLarge]->isChecked()) {
+        panel.showRange(traced ? thresholdRange(ui_.slices) : std::nullopt, {});
+        if (ui_.actions[ui::Command::SlicesLarge]->isChecked()) {
             findThreshold();
         }
     }
@@ -157,22 +158,22 @@ void TracingController::followDocument()
 void TracingController::showWhyNot()
 {
     const QString reason = whyNot();
-    window_.tracing().showWhyNot(reason);
-    window_.actions()[ui::Command::TraceScan]->setEnabled(reason.isEmpty() && window_.slices().hasScan());
+    ui_.panel.showWhyNot(reason);
+    ui_.actions[ui::Command::TraceScan]->setEnabled(reason.isEmpty() && ui_.slices.hasScan());
 }
 
 void TracingController::setDraft(const core::VesselTracingOptions& draft)
 {
     draft_ = draft;
-    window_.tracing().showOptions(draft);
-    window_.slices().setPoints(ui::SliceMarkKind::Seed, marksAt(draft.seedsInPatient));
-    window_.slices().setPoints(ui::SliceMarkKind::Avoid, marksAt(draft.avoidInPatient));
+    ui_.panel.showOptions(draft);
+    ui_.slices.setPoints(ui::SliceMarkKind::Seed, marksAt(draft.seedsInPatient));
+    ui_.slices.setPoints(ui::SliceMarkKind::Avoid, marksAt(draft.avoidInPatient));
 }
 
 void TracingController::setPick(ui::TracingPick pick)
 {
     pick_ = pick;
-    window_.tracing().showPick(pick);
+    ui_.panel.showPick(pick);
 }
 
 void TracingController::addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient)
@@ -187,14 +188,14 @@ void TracingController::addPoint(ui::TracingPick kind, const Eigen::Vector3d& po
 
 void TracingController::showPreview()
 {
-    const ui::TracingPanel& panel = window_.tracing();
-    const bool isLarge = window_.actions()[ui::Command::SlicesLarge]->isChecked();
-    window_.slices().setPreviewFrom(isLarge && panel.isPreviewWanted() ? panel.thresholdShown() : std::nullopt);
+    const ui::TracingPanel& panel = ui_.panel;
+    const bool isLarge = ui_.actions[ui::Command::SlicesLarge]->isChecked();
+    ui_.slices.setPreviewFrom(isLarge && panel.isPreviewWanted() ? panel.thresholdShown() : std::nullopt);
 }
 
 void TracingController::findThreshold()
 {
-    if (!shownVolume_ || window_.tracing().thresholdShown() || level_.isRunning()) {
+    if (!shownVolume_ || ui_.panel.thresholdShown() || level_.isRunning()) {
         return;
     }
     level_.start([volume = shownVolume_](JobLink<double>&) -> core::Result<double> {
@@ -219,8 +220,8 @@ void TracingController::start()
     request.input.tracing = draft_;
     request.input.labels = labels_.draft();
     startedFrom_ = document_.state();
-    window_.tracing().setRunning(true);
-    window_.strip().showBusy(tr("Tracing the vessels of the scan …"));
+    ui_.panel.setRunning(true);
+    ui_.strip.showBusy(tr("Tracing the vessels of the scan …"));
     job_.start(std::move(request));
 }
 
@@ -235,7 +236,7 @@ void TracingController::finish(const VesselTrace& result)
         return;
     }
     if (!draft_.threshold) {
-        window_.tracing().showFound(result.threshold);
+        ui_.panel.showFound(result.threshold);
     }
     if (!document_.push(takeTrace(document_, {source_, result.input, result.lumen, result.tree},
                                   [] { return tr("Trace vessels"); }))) {
@@ -251,8 +252,8 @@ void TracingController::finish(const VesselTrace& result)
 
 void TracingController::ended()
 {
-    window_.tracing().setRunning(false);
-    window_.strip().showIdle(tr("Ready"));
+    ui_.panel.setRunning(false);
+    ui_.strip.showIdle(tr("Ready"));
 }
 
 }   // namespace angiopose::app

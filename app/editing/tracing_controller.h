@@ -8,8 +8,12 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class SliceModel;
+class SlicesPage;
+class TracingPanel;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -18,11 +22,20 @@ namespace angiopose::app {
 class TracingController : public QObject {
     Q_OBJECT
 public:
-    TracingController(CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::TracingPanel& panel;
+        ui::SliceModel& slices;
+        ui::SlicesPage& slicesPage;
+        ui::BottomStrip& strip;
+    };
+    TracingController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
     bool isRunning() const { return job_.isRunning(); }
     void start();
     void stop() { job_.stop(); }
+    void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< a click in a slice sets no point any more
     void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
 
 signals:
@@ -42,7 +55,7 @@ private:
     QString whyNot() const;
 
     CaseDocument& document_;
-    ui::MainWindow& window_;
+    Ui ui_;
     LabelController labels_;
     VesselTraceJob job_;
     core::VesselTracingOptions draft_;

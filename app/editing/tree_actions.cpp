@@ -1,10 +1,12 @@
 #include "app/editing/tree_actions.h"
 
 #include "core/vessel/edit_tree.h"
+#include "ui/actions/window_actions.h"
 #include "ui/dialogs/prune_dialog.h"
-#include "ui/main_window.h"
+#include "ui/panels/branch_panel.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/slices/corner_views.h"
+#include "ui/slices/slice_model.h"
 #include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/number.h"
@@ -57,13 +59,13 @@ void openMenu(QMenu* menu, const QPoint& globalPosition)
 
 }   // namespace
 
-TreeActions::TreeActions(CaseDocument& document, BranchController& branches, TracingController& tracing,
-                         ui::MainWindow& window, QObject* parent)
+TreeActions::TreeActions(CaseDocument& document, BranchController& branches, TracingController& tracing, const Ui& ui,
+                         QObject* parent)
     : QObject(parent),
       document_(document),
       branches_(branches),
       tracing_(tracing),
-      window_(window),
+      ui_(ui),
       tree_(document, branches),
       advice_(document)
 {
@@ -80,7 +82,7 @@ TreeActions::TreeActions(CaseDocument& document, BranchController& branches, Tra
 void TreeActions::connectCommands()
 {
     const auto on = [this](Command command, auto act) {
-        connect(window_.actions()[command], &QAction::triggered, this, act);
+        connect(ui_.actions[command], &QAction::triggered, this, act);
     };
     on(Command::DeleteBranches, [this] { tree_.deleteSelected(); });
     on(Command::DeleteSubtrees, [this] { tree_.deleteSelectedSubtrees(); });
@@ -92,11 +94,11 @@ void TreeActions::connectCommands()
     on(Command::ShowAllBranches, [this] { tree_.showAll(); });
     on(Command::PruneTree, [this] { askToPrune(); });
     on(Command::MendGap, [this] { mendGap(); });
-    on(Command::FindBranch, [this] { window_.branches().focusFilter(); });
+    on(Command::FindBranch, [this] { ui_.panel.focusFilter(); });
     on(Command::RenameBranch, [this] {
         const std::set<int>& selected = branches_.marks().selected;
         if (selected.size() == 1) {
-            window_.branches().editName(*selected.begin());
+            ui_.panel.editName(*selected.begin());
         } else {
             emit refused(tr("Select one branch: click it in the list or in a view."));
         }
@@ -105,10 +107,10 @@ void TreeActions::connectCommands()
 
 void TreeActions::connectList()
 {
-    ui::BranchPanel& panel = window_.branches();
+    ui::BranchPanel& panel = ui_.panel;
     QList<QAction*> actions;
     for (const Command command : branchCommands) {
-        actions << window_.actions()[command];
+        actions << ui_.actions[command];
     }
     panel.setEditActions(actions);
     connect(&panel, &ui::BranchPanel::renamed, &tree_, &TreeController::rename);
@@ -119,13 +121,11 @@ void TreeActions::connectList()
 
 void TreeActions::connectViews()
 {
-    connect(&window_, &ui::MainWindow::pointPicked, &tree_, &TreeController::setPlace);
-    connect(&window_.slices(), &ui::SliceModel::crosshairChanged, this,
-            [this] { tree_.setPlace(window_.slices().crosshair()); });
-    connect(&window_.treeView(), &ui::TreeView::branchMenuRequested, this, &TreeActions::openBranchMenu);
-    std::vector<ui::SliceView*> views{&window_.corner().slice()};
+    connect(&ui_.slices, &ui::SliceModel::crosshairChanged, this, [this] { tree_.setPlace(ui_.slices.crosshair()); });
+    connect(&ui_.treeView, &ui::TreeView::branchMenuRequested, this, &TreeActions::openBranchMenu);
+    std::vector<ui::SliceView*> views{&ui_.corner.slice()};
     for (const core::BodyPlane plane : core::bodyPlanes) {
-        views.push_back(&window_.slicesPage().view(plane));
+        views.push_back(&ui_.slicesPage.view(plane));
     }
     for (ui::SliceView* view : views) {
         connect(view, &ui::SliceView::menuRequested, this, &TreeActions::openSliceMenu);
@@ -136,11 +136,11 @@ void TreeActions::enableCommands()
 {
     const bool hasTree = document_.current().vessels.tree != nullptr;
     for (const Command command : branchCommands) {
-        window_.actions()[command]->setEnabled(hasTree);
+        ui_.actions[command]->setEnabled(hasTree);
     }
-    window_.actions()[Command::PruneTree]->setEnabled(hasTree);
-    window_.actions()[Command::FindBranch]->setEnabled(hasTree);
-    window_.actions()[Command::ShowAllBranches]->setEnabled(!document_.current().vessels.hiddenBranchIds.empty());
+    ui_.actions[Command::PruneTree]->setEnabled(hasTree);
+    ui_.actions[Command::FindBranch]->setEnabled(hasTree);
+    ui_.actions[Command::ShowAllBranches]->setEnabled(!document_.current().vessels.hiddenBranchIds.empty());
 }
 
 void TreeActions::askToPrune()
@@ -149,8 +149,8 @@ void TreeActions::askToPrune()
     if (!tree) {
         return;
     }
-    auto* dialog =
-        new ui::PruneDialog([tree](const ui::PruneLimits& limits) { return countGone(*tree, limits); }, &window_);
+    auto* dialog = new ui::PruneDialog([tree](const ui::PruneLimits& limits) { return countGone(*tree, limits); },
+                                       &ui_.dialogParent);
     connect(dialog, &ui::PruneDialog::pruneRequested, this,
             [this](const ui::PruneLimits& limits) { tree_.prune(limits.minLengthMm, limits.minRadiusMm); });
     dialog->open();
@@ -161,7 +161,7 @@ void TreeActions::showAdvice()
     const auto& tree = document_.current().vessels.tree;
     const bool isBroken = tree && advice_.pieceCount() > 1;
     const bool isMendable = isBroken && !advice_.gaps().empty();
-    window_.actions()[Command::MendGap]->setEnabled(isMendable);
+    ui_.actions[Command::MendGap]->setEnabled(isMendable);
     QString text;
     if (isMendable) {
         const core::TreeGap& gap = advice_.gaps().front();
@@ -175,7 +175,7 @@ void TreeActions::showAdvice()
     } else if (isBroken) {
         text = tr("%1 pieces, too far apart to belong together").arg(advice_.pieceCount());
     }
-    window_.branches().showAdvice(text, isMendable);
+    ui_.panel.showAdvice(text, isMendable);
     emit adviceChanged();
 }
 
@@ -184,7 +184,7 @@ void TreeActions::goToGap()
     if (!advice_.gaps().empty()) {
         const core::TreeGap& gap = advice_.gaps().front();
         branches_.select({gap.fromBranchId, gap.toBranchId});
-        window_.slices().setCrosshair(0.5 * (gap.fromInPatient + gap.toInPatient));
+        ui_.slices.setCrosshair(0.5 * (gap.fromInPatient + gap.toInPatient));
     }
 }
 
@@ -200,30 +200,30 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
     if (!branches_.marks().selected.contains(branchId)) {
         branches_.select({branchId});
     }
-    window_.slices().setCrosshair(pointInPatient);
+    ui_.slices.setCrosshair(pointInPatient);
     tree_.setPlace(pointInPatient);
-    auto* menu = new QMenu(&window_);
-    menu->addAction(window_.actions()[Command::ToggleAuxiliary]);
-    menu->addAction(window_.actions()[Command::ToggleExcluded]);
+    auto* menu = new QMenu(&ui_.dialogParent);
+    menu->addAction(ui_.actions[Command::ToggleAuxiliary]);
+    menu->addAction(ui_.actions[Command::ToggleExcluded]);
     menu->addAction(tr("Turn the vessels about this place"), this,
                     [this, pointInPatient] { emit pivotWanted(pointInPatient); });
     menu->addSeparator();
     for (const Command command : branchCommands) {
-        menu->addAction(window_.actions()[command]);
+        menu->addAction(ui_.actions[command]);
     }
     openMenu(menu, globalPosition);
 }
 
 void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition)
 {
-    window_.slices().setCrosshair(pointInPatient);
+    ui_.slices.setCrosshair(pointInPatient);
     const auto& tree = document_.current().vessels.tree;
     const auto branch = tree ? branchNear(*tree, pointInPatient) : std::nullopt;
     if (branch && !branches_.marks().selected.contains(*branch)) {
         branches_.select({*branch});
     }
-    auto* menu = new QMenu(&window_);
-    if (window_.actions()[Command::TraceScan]->isEnabled()) {
+    auto* menu = new QMenu(&ui_.dialogParent);
+    if (ui_.actions[Command::TraceScan]->isEnabled()) {
         menu->addAction(tr("Seed here"), this,
                         [this, pointInPatient] { tracing_.addPoint(ui::TracingPick::Seed, pointInPatient); });
         menu->addAction(tr("Avoid this place"), this,
@@ -232,16 +232,16 @@ void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPo
     }
     for (const ui::WindowPreset& preset : ui::windowPresets()) {
         menu->addAction(QCoreApplication::translate("angiopose::ui::WindowPreset", preset.name), this,
-                        [this, window = preset.window] { window_.slices().setWindow(window); });
+                        [this, window = preset.window] { ui_.slices.setWindow(window); });
     }
     if (branch) {
         menu->addSeparator();
         for (const Command command : branchCommands) {
-            menu->addAction(window_.actions()[command]);
+            menu->addAction(ui_.actions[command]);
         }
     }
     menu->addSeparator();
-    menu->addAction(window_.actions()[Command::SlicesLarge]);
+    menu->addAction(ui_.actions[Command::SlicesLarge]);
     openMenu(menu, globalPosition);
 }
 

@@ -4,13 +4,34 @@
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_controller.h"
 
+class QWidget;
+
+namespace angiopose::ui {
+class BranchPanel;
+class CornerViews;
+class SliceModel;
+class SlicesPage;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// How the user reaches the edits of the tree: menus, keys, the branch list, and clicks in the 3-D view and the slices.
 class TreeActions : public QObject {
     Q_OBJECT
 public:
-    TreeActions(CaseDocument& document, BranchController& branches, TracingController& tracing, ui::MainWindow& window,
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::BranchPanel& panel;
+        ui::TreeView& treeView;
+        ui::CornerViews& corner;
+        ui::SliceModel& slices;
+        ui::SlicesPage& slicesPage;
+        QWidget& dialogParent;
+    };
+    TreeActions(CaseDocument& document, BranchController& branches, TracingController& tracing, const Ui& ui,
                 QObject* parent = nullptr);
 
     TreeController& tree() { return tree_; }
@@ -36,7 +57,7 @@ private:
     CaseDocument& document_;
     BranchController& branches_;
     TracingController& tracing_;
-    ui::MainWindow& window_;
+    Ui ui_;
     TreeController tree_;
     RepairAdvice advice_;
 };

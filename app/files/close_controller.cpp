@@ -1,21 +1,18 @@
 #include "app/files/close_controller.h"
 
-#include "app/preferences/window_layout.h"
+#include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
-#include "ui/main_window.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace angiopose::app {
 
-CloseController::CloseController(ui::MainWindow& window, CaseDocument& document, SaveController& save,
-                                 RegistrationController& registration, QObject* parent)
-    : QObject(parent), window_(window), document_(document), save_(save), registration_(registration)
+CloseController::CloseController(CaseDocument& document, SaveController& save, RegistrationController& registration,
+                                 const ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
+    : QObject(parent), document_(document), save_(save), registration_(registration), dialogParent_(dialogParent)
 {
-    connect(&window_, &ui::MainWindow::closeRequested, this, [this] { requestClose(Closed::Window); });
-    connect(window_.actions()[ui::Command::CloseCase], &QAction::triggered, this,
-            [this] { requestClose(Closed::Case); });
+    connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(Closed::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
         if (!running && closing_ != Closing::No) {
             // The solver's best pose is applied by the same event: close once that is done.
@@ -26,7 +23,7 @@ CloseController::CloseController(ui::MainWindow& window, CaseDocument& document,
 
 void CloseController::requestClose(Closed closed)
 {
-    if (window_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
+    if (dialogParent_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
         return;
     }
     closed_ = closed;
@@ -40,7 +37,7 @@ void CloseController::requestClose(Closed closed)
     for (const auto& [verb, closing] : words.answers) {
         verbs << verb;
     }
-    auto* dialog = new ui::QuestionDialog(words.message, verbs, &window_);
+    auto* dialog = new ui::QuestionDialog(words.message, verbs, &dialogParent_);
     dialog->setObjectName(QStringLiteral("closeQuestion"));
     const auto stays = std::ranges::find(words.answers, Closing::No, &std::pair<QString, Closing>::second);
     dialog->setMeantByClosing(static_cast<int>(stays - words.answers.begin()));
@@ -109,8 +106,7 @@ void CloseController::close()
         document_.replace({}, {});
         return;
     }
-    storeWindowLayout(window_);
-    window_.closeNow();
+    emit windowMayClose();
 }
 
 }   // namespace angiopose::app

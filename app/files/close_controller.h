@@ -11,9 +11,11 @@
 #include <utility>
 #include <vector>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -22,11 +24,14 @@ namespace angiopose::app {
 class CloseController : public QObject {
     Q_OBJECT
 public:
-    CloseController(ui::MainWindow& window, CaseDocument& document, SaveController& save,
-                    RegistrationController& registration, QObject* parent = nullptr);
+    CloseController(CaseDocument& document, SaveController& save, RegistrationController& registration,
+                    const ui::WindowActions& actions, QWidget& dialogParent, QObject* parent = nullptr);
+
+    void closeWindow() { requestClose(Closed::Window); }
 
 signals:
     void aboutToClose();   ///< the user asked for it; what must not stay open ends now
+    void windowMayClose();   ///< nothing is lost with it
 
 private:
     enum class Closing { No, Now, AfterSaving };
@@ -42,10 +47,10 @@ private:
     void answerClose(Closing closing);
     void close();
 
-    ui::MainWindow& window_;
     CaseDocument& document_;
     SaveController& save_;
     RegistrationController& registration_;
+    QWidget& dialogParent_;
     Closing closing_ = Closing::No;
     Closed closed_ = Closed::Window;   ///< what is being closed
 };

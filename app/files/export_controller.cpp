@@ -15,7 +15,6 @@
 #include "io/support/atomic_file.h"
 #include "io/vessel_tree_file.h"
 #include "ui/dialogs/message_dialog.h"
-#include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
 
@@ -27,9 +26,9 @@
 
 namespace angiopose::app {
 
-ExportController::ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window,
-                                   QObject* parent)
-    : QObject(parent), document_(document), target_(target), window_(window)
+ExportController::ExportController(CaseDocument& document, TargetProvider& target, ui::AngiogramView& view,
+                                   QWidget& dialogParent, QObject* parent)
+    : QObject(parent), document_(document), target_(target), view_(view), dialogParent_(dialogParent)
 {
 }
 
@@ -38,7 +37,7 @@ void ExportController::askFile(const FileQuestion& question, const Write& write,
     const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
                                                     : QFileInfo(document_.path()).completeBaseName();
     const QString suggested = suggestedPath(document_.path(), base + QLatin1Char('.') + question.suffix);
-    auto* dialog = new QFileDialog(&window_, question.title, suggested, question.filter);
+    auto* dialog = new QFileDialog(&dialogParent_, question.title, suggested, question.filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(question.suffix);
@@ -77,11 +76,11 @@ void ExportController::askOverlay()
         emit failed(tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
         return;
     }
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = view_;
     const core::Angiogram& run = *current.shown().angiogram;
     const auto viewWidth = static_cast<int>(std::lround(view.zoom() * run.width() * view.devicePixelRatioF()));
     auto* dialog =
-        new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &window_);
+        new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &dialogParent_);
     dialog->offerCutout(view.cutout() != ui::Cutout::Shape::None);
     const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Choice::On : ui::Choice::Off; };
     dialog->showChoice({settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
@@ -98,7 +97,7 @@ void ExportController::askOverlay()
 
 OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) const
 {
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = view_;
     OverlayPictureOptions options{
         choice.widthPx,
         choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
@@ -146,7 +145,7 @@ void ExportController::askReport()
     }
     auto* question = new ui::QuestionDialog(
         {tr("Print who the patient is?"), tr("Reports are passed on. Without identity they name nobody."), {}},
-        {tr("Without identity"), tr("With identity"), tr("Cancel")}, &window_);
+        {tr("Without identity"), tr("With identity"), tr("Cancel")}, &dialogParent_);
     question->setObjectName(QStringLiteral("identityQuestion"));
     connect(
         question, &ui::QuestionDialog::answered, this,

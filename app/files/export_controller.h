@@ -10,9 +10,11 @@
 
 #include <functional>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -20,7 +22,8 @@ namespace angiopose::app {
 class ExportController : public QObject {
     Q_OBJECT
 public:
-    ExportController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window, QObject* parent = nullptr);
+    ExportController(CaseDocument& document, TargetProvider& target, ui::AngiogramView& view, QWidget& dialogParent,
+                     QObject* parent = nullptr);
 
     struct FileQuestion {
         QString title;
@@ -53,7 +56,8 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    ui::MainWindow& window_;
+    ui::AngiogramView& view_;
+    QWidget& dialogParent_;
     FileQueue files_;
 };
 

@@ -1,13 +1,10 @@
 #include "app/files/open_controller.h"
 
-#include "app/document/edit_case.h"
 #include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
 #include "app/preferences/settings.h"
 #include "core/case/case_patients.h"
-#include "core/case/case_views.h"
 #include "io/opening/assemble_case.h"
-#include "io/opening/view_from_inputs.h"
 #include "ui/words/message_text.h"
 
 #include <QFileInfo>
@@ -120,7 +117,7 @@ void OpenController::openWithoutOptional()
 void OpenController::addWaitingView()
 {
     if (auto opening = std::exchange(waiting_, std::nullopt)) {
-        opening->way = Way::AddView;
+        opening->way = Opening::Way::AddView;
         admit(*opening);
     }
 }
@@ -237,15 +234,15 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
         return;
     }
     const bool replaces = inputs.wholeCase || io::makesNewCase(inputs);
-    Opening opening{inputs, paths, replaces ? Way::Replace : Way::Join};
+    Opening opening{inputs, paths, replaces ? Opening::Way::Replace : Opening::Way::Join, original_};
     if (std::exchange(asView_, false)) {
-        opening.way = Way::AddView;
-    } else if (isAnotherView(inputs)) {
+        opening.way = Opening::Way::AddView;
+    } else if (isAnotherView(document_.current(), inputs)) {
         waiting_ = std::move(opening);
         emit viewChoiceNeeded(namesOf(paths));
         return;
     }
-    if (opening.way == Way::Replace && document_.isModified()) {
+    if (opening.way == Opening::Way::Replace && document_.isModified()) {
         waiting_ = std::move(opening);
         emit replacementNeedsConsent();
         return;
@@ -256,7 +253,7 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
 /// Nothing of another patient comes in unasked.
 void OpenController::admit(const Opening& opening)
 {
-    const auto wanted = caseWith(opening);
+    const auto wanted = caseWith(document_.current(), opening);
     const io::LoadedInputs& inputs = opening.inputs;
     const bool saysWhose = inputs.angiogram || inputs.volume || inputs.wholeCase;
     const core::Messages mismatch = wanted && saysWhose ? core::findMismatch(wanted.value()) : core::Messages();
@@ -268,79 +265,14 @@ void OpenController::admit(const Opening& opening)
     emit mismatchNeedsConsent(namesOf(opening.paths), mismatch);
 }
 
-/// The open case as it would be.
-core::Result<core::Case> OpenController::caseWith(const Opening& opening) const
-{
-    const io::LoadedInputs& inputs = opening.inputs;
-    if (opening.way == Way::Replace) {
-        return inputs.wholeCase ? *inputs.wholeCase : io::withInputs({}, inputs);
-    }
-    if (opening.way == Way::Join) {
-        return io::withInputs(document_.current(), inputs);
-    }
-    auto added = io::viewFrom(document_.current(), inputs, opening.paths.front().toStdString());
-    if (!added) {
-        return added.error();
-    }
-    core::Case wanted = document_.current();
-    wanted.views.push_back(std::move(added).value());
-    return wanted;
-}
-
 void OpenController::carryOut(const Opening& opening)
 {
-    const auto wanted = caseWith(opening);
-    if (!wanted) {
-        emit failed(ui::messageText(wanted.error().message), opening.paths);
-    } else if (opening.way == Way::Replace) {
-        replaceBy(wanted.value(), opening);
-    } else if (opening.way == Way::Join) {
-        join(wanted.value(), opening);
+    const auto notes = takeIn(document_, opening);
+    if (notes) {
+        emit opened(notes.value());
     } else {
-        addView(wanted.value(), opening);
+        emit failed(ui::messageText(notes.error().message), opening.paths);
     }
-}
-
-void OpenController::replaceBy(const core::Case& wanted, const Opening& opening)
-{
-    const io::LoadedInputs& inputs = opening.inputs;
-    const QString path = inputs.wholeCase ? original_.value_or(opening.paths.front()) : QString();
-    document_.replace(wanted, path);
-    if (!path.isEmpty()) {
-        rememberCase(path);
-    }
-    if (original_ || !inputs.moved.empty()) {
-        document_.markUnsaved();   // the file knows less than the window
-    }
-    emit opened(notesOf(inputs, document_.current()));
-}
-
-bool OpenController::isAnotherView(const io::LoadedInputs& inputs) const
-{
-    const core::Case& current = document_.current();
-    const bool isNew = inputs.imageFile.path != current.shown().imageFile.path;
-    return inputs.angiogram && !inputs.tree && !inputs.wholeCase && current.vessels.tree && current.shown().angiogram &&
-           isNew;
-}
-
-void OpenController::addView(const core::Case& wanted, const Opening& opening)
-{
-    const QStringList notes = notesOf(opening.inputs, core::showingView(wanted, wanted.views.size() - 1));
-    document_.push(
-        std::make_unique<ChangeViews>(document_, ChangeViews::valuesOf(wanted),
-                                      [names = namesOf(opening.paths)] { return tr("Add view %1").arg(names); }));
-    emit opened(notes + QStringList{tr("View added: a click in the strip above the image shows it.")});
-}
-
-void OpenController::join(const core::Case& wanted, const Opening& opening)
-{
-    if (document_.isEmpty()) {
-        document_.replace(wanted, {});
-    } else {
-        document_.push(
-            joinInputs(document_, wanted, [names = namesOf(opening.paths)] { return tr("Open %1").arg(names); }));
-    }
-    emit opened(notesOf(opening.inputs, document_.current()) + notesOnScan(opening.inputs, document_.current()));
 }
 
 }   // namespace angiopose::app

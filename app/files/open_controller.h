@@ -1,14 +1,15 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/files/opening.h"
 #include "app/jobs/load_job.h"
 
 #include <QObject>
 
 namespace angiopose::app {
 
-/// Opens files into the document: cases, or parts that make a case or join the open one. Reading happens on a worker;
-/// the open case stays as it is until everything has been read.
+/// Opens files: cases, or parts that make a case or join the open one. Reading happens on a worker; the open case stays
+/// as it is until everything has been read and whatever had to be asked is answered.
 class OpenController : public QObject {
     Q_OBJECT
 public:
@@ -66,24 +67,11 @@ public slots:
     void replaceOpenCase();
 
 private:
-    /// What becomes of files that have been read.
-    enum class Way { Replace, Join, AddView };
-    struct Opening {
-        io::LoadedInputs inputs;
-        QStringList paths;
-        Way way = Way::Join;
-    };
-
     void load(const QStringList& paths, const io::OpenHints& hints);
     bool asksFirst(const io::LoadedInputs& inputs, const QStringList& paths);
     void take(const io::LoadedInputs& inputs, const QStringList& paths);
     void admit(const Opening& opening);
-    core::Result<core::Case> caseWith(const Opening& opening) const;
     void carryOut(const Opening& opening);
-    void replaceBy(const core::Case& wanted, const Opening& opening);
-    void join(const core::Case& wanted, const Opening& opening);
-    void addView(const core::Case& wanted, const Opening& opening);
-    bool isAnotherView(const io::LoadedInputs& inputs) const;
     io::ScanUse scanUse() const;
     void finish();
 

@@ -4,9 +4,11 @@
 #include "app/files/sample_case.h"
 #include "app/files/series_rows.h"
 #include "app/preferences/settings.h"
+#include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/missing_inputs.h"
-#include "ui/main_window.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/welcome_page.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
@@ -50,9 +52,9 @@ std::vector<LengthUnit> unitsFor(double unitsAcross)
 
 }   // namespace
 
-OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenController& open, SaveController& save,
-                         Notices& notices, QObject* parent)
-    : QObject(parent), window_(window), document_(document), open_(open), save_(save), notices_(notices)
+OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notices& notices,
+                         const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), open_(open), save_(save), notices_(notices), ui_(ui)
 {
     connect(&open_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
     connect(&open_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
@@ -61,9 +63,9 @@ OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenCon
     connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
     connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::askAboutPatient);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
-    connect(&window_.welcome(), &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
-    connect(&window_.welcome(), &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
-    ui::WindowActions& actions = window_.actions();
+    connect(&ui_.welcome, &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
+    connect(&ui_.welcome, &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
+    ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::Open], &QAction::triggered, this, &OpenDialogs::askFiles);
     connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, &OpenDialogs::askFolder);
     connect(actions[ui::Command::OpenSample], &QAction::triggered, this, &OpenDialogs::openSample);
@@ -72,8 +74,8 @@ OpenDialogs::OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenCon
 
 void OpenDialogs::askFiles()
 {
-    auto* dialog =
-        new QFileDialog(&window_, tr("Open"), settings::lastFolder.read(), openFilters().join(QStringLiteral(";;")));
+    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open"), settings::lastFolder.read(),
+                                   openFilters().join(QStringLiteral(";;")));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
@@ -85,7 +87,7 @@ void OpenDialogs::askFiles()
 
 void OpenDialogs::askFolder()
 {
-    auto* dialog = new QFileDialog(&window_, tr("Open DICOM folder"), settings::lastFolder.read());
+    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open DICOM folder"), settings::lastFolder.read());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -98,14 +100,14 @@ void OpenDialogs::askFolder()
 
 void OpenDialogs::chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series)
 {
-    auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &window_);
+    auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &ui_.dialogParent);
     connect(chooser, &ui::SeriesChooser::chosen, &open_, &OpenController::openSeries);
     chooser->open();
 }
 
 void OpenDialogs::askView()
 {
-    auto* dialog = new QFileDialog(&window_, tr("Add a view"), settings::lastFolder.read(),
+    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Add a view"), settings::lastFolder.read(),
                                    openFilters().join(QStringLiteral(";;")));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
@@ -123,7 +125,7 @@ void OpenDialogs::askWhichView(const QString& name)
          tr("The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.")
              .arg(name),
          {}},
-        {tr("Add as a view"), tr("Replace the angiogram"), tr("Cancel")}, &window_);
+        {tr("Add as a view"), tr("Replace the angiogram"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("viewQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
@@ -144,7 +146,7 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
          ui::messagesText(mismatch) + QStringLiteral("\n\n") +
              tr("If “%1” is opened all the same, every picture and report of the case will say so.").arg(names),
          {}},
-        {tr("Do not open it"), tr("Open it all the same")}, &window_);
+        {tr("Do not open it"), tr("Open it all the same")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("patientQuestion"));
     question->setMeantByClosing(0);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
@@ -159,14 +161,14 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
 
 void OpenDialogs::askWhatScan(const QString& name)
 {
-    auto* question =
-        new ui::QuestionDialog({tr("A scan beside the vessels?"),
-                                tr("The case has its vessels from a file. “%1” can be shown in slices with them, or "
-                                   "its own vessels are traced "
-                                   "and take their place.")
-                                    .arg(name),
-                                {}},
-                               {tr("Show beside the vessels"), tr("Trace its vessels"), tr("Cancel")}, &window_);
+    auto* question = new ui::QuestionDialog(
+        {tr("A scan beside the vessels?"),
+         tr("The case has its vessels from a file. “%1” can be shown in slices with them, or "
+            "its own vessels are traced "
+            "and take their place.")
+             .arg(name),
+         {}},
+        {tr("Show beside the vessels"), tr("Trace its vessels"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("scanQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index < 2) {
@@ -193,7 +195,7 @@ void OpenDialogs::askUnit(const QString& name, double unitsAcross)
             "vessels. The case remembers what you choose.")
              .arg(name),
          {}},
-        verbs + QStringList{tr("Cancel")}, &window_);
+        verbs + QStringList{tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("unitQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this, units](int index) {
         if (index >= 0 && index < static_cast<int>(units.size())) {
@@ -206,7 +208,7 @@ void OpenDialogs::askUnit(const QString& name, double unitsAcross)
 void OpenDialogs::askForInputs(const QString& casePath, const QStringList& missing, bool areOptional)
 {
     const QFileInfo file(casePath);
-    auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &window_);
+    auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &ui_.dialogParent);
     dialog->offerWithout(areOptional);
     connect(dialog, &ui::MissingInputs::withoutRequested, &open_, &OpenController::openWithoutOptional);
     connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
@@ -226,9 +228,9 @@ void OpenDialogs::openSample()
     if (files_.isBusy()) {
         return;
     }
-    window_.strip().showBusy(tr("Making the sample case …"));
+    ui_.strip.showBusy(tr("Making the sample case …"));
     files_.run(writeSampleCase, [this](const core::Result<QString>& path) {
-        window_.strip().showIdle(tr("Ready"));
+        ui_.strip.showIdle(tr("Ready"));
         if (path) {
             open_.open({path.value()});
         } else {
@@ -252,7 +254,7 @@ void OpenDialogs::askToReplace()
          {}},
         isSavable ? QStringList{tr("Save"), tr("Discard changes"), tr("Keep the open case")}
                   : QStringList{tr("Keep the open case"), tr("Discard changes")},
-        &window_);
+        &ui_.dialogParent);
     const int keep = isSavable ? 2 : 0;
     question->setMeantByClosing(keep);
     connect(question, &ui::QuestionDialog::answered, this, [this, keep](int index) {

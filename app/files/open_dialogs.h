@@ -9,9 +9,13 @@
 #include <QObject>
 #include <QStringList>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class WelcomePage;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -20,8 +24,15 @@ namespace angiopose::app {
 class OpenDialogs : public QObject {
     Q_OBJECT
 public:
-    OpenDialogs(ui::MainWindow& window, CaseDocument& document, OpenController& open, SaveController& save,
-                Notices& notices, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::WelcomePage& welcome;
+        ui::BottomStrip& strip;
+        QWidget& dialogParent;
+    };
+    OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notices& notices, const Ui& ui,
+                QObject* parent = nullptr);
 
 private:
     void askFiles();
@@ -36,11 +47,11 @@ private:
     void askUnit(const QString& name, double unitsAcross);
     void askToReplace();
 
-    ui::MainWindow& window_;
     CaseDocument& document_;
     OpenController& open_;
     SaveController& save_;
     Notices& notices_;
+    Ui ui_;
     FileQueue files_;   ///< makes the sample case
 };
 

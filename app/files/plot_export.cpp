@@ -1,7 +1,6 @@
 #include "app/files/plot_export.h"
 
 #include "io/support/atomic_file.h"
-#include "ui/main_window.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/plots/histogram_plot.h"
@@ -20,7 +19,7 @@ namespace {
 
 constexpr double pngScale = 3.0;
 
-QList<QWidget*> plotsOf(const ui::MainWindow& window)
+QList<QWidget*> plotsOf(const QWidget& window)
 {
     QList<QWidget*> plots;
     for (auto* plot : window.findChildren<ui::HistogramPlot*>()) {
@@ -80,7 +79,7 @@ QByteArray plotAsPng(QWidget& plot)
     return bytes;
 }
 
-PlotExport::PlotExport(ui::MainWindow& window, ExportController& exporting, QObject* parent)
+PlotExport::PlotExport(QWidget& window, ExportController& exporting, QObject* parent)
     : QObject(parent), exporting_(exporting)
 {
     for (QWidget* plot : plotsOf(window)) {

@@ -18,7 +18,7 @@ QByteArray plotAsPng(QWidget& plot);
 class PlotExport : public QObject {
     Q_OBJECT
 public:
-    PlotExport(ui::MainWindow& window, ExportController& exporting, QObject* parent = nullptr);
+    PlotExport(QWidget& window, ExportController& exporting, QObject* parent = nullptr);
 
     void showMenu(QWidget& plot, const QPoint& position);
 

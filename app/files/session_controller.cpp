@@ -4,8 +4,10 @@
 #include "app/files/recent_cases.h"
 #include "app/messages/says.h"
 #include "app/preferences/settings.h"
+#include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
-#include "ui/main_window.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/welcome_page.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
@@ -17,23 +19,25 @@
 
 namespace angiopose::app {
 
-SessionController::SessionController(ui::MainWindow& window, CaseDocument& document, TargetProvider& target,
-                                     RegistrationController& registration, Notices& notices, QObject* parent)
+SessionController::SessionController(CaseDocument& document, TargetProvider& target,
+                                     RegistrationController& registration, Notices& notices, const Ui& ui,
+                                     QObject* parent)
     : QObject(parent),
-      window_(window),
       document_(document),
       notices_(notices),
+      ui_(ui),
       open_(document),
-      export_(document, target, window),
-      save_(document, export_, window),
-      dialogs_(window, document, open_, save_, notices),
-      close_(window, document, save_, registration)
+      export_(document, target, ui.view, ui.dialogParent),
+      save_(document, export_, ui.dialogParent),
+      dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
+      close_(document, save_, registration, ui.actions, ui.dialogParent)
 {
     connectFiles();
     connectOpening();
     connectSaving();
     connectExporting();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
+    connect(&close_, &CloseController::windowMayClose, this, &SessionController::windowMayClose);
     ui::speak(this, [this] { fillRecent(); });
 }
 
@@ -60,7 +64,7 @@ void SessionController::showNotice()
          tr("AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or "
             "navigation. Results can be wrong; one projection cannot tell everything about depth."),
          {}},
-        {tr("I understand")}, &window_);
+        {tr("I understand")}, &ui_.dialogParent);
     notice->setObjectName(QStringLiteral("noticeDialog"));
     connect(notice, &ui::QuestionDialog::answered, this, [this] {
         settings::noticeAccepted.write(true);
@@ -71,23 +75,22 @@ void SessionController::showNotice()
 
 void SessionController::connectFiles()
 {
-    connect(&window_, &ui::MainWindow::filesDropped, this, &SessionController::open);
-    connect(&window_.welcome(), &ui::WelcomePage::recentRequested, this, [this](const QString& path) { open({path}); });
-    connect(&window_.welcome(), &ui::WelcomePage::clearRequested, this, &SessionController::clearRecent,
+    connect(&ui_.welcome, &ui::WelcomePage::recentRequested, this, [this](const QString& path) { open({path}); });
+    connect(&ui_.welcome, &ui::WelcomePage::clearRequested, this, &SessionController::clearRecent,
             Qt::QueuedConnection);   // the button that asks for it goes away
-    connect(window_.actions()[ui::Command::Close], &QAction::triggered, &window_, &QWidget::close);
-    connect(window_.actions()[ui::Command::NewWindow], &QAction::triggered, this, &SessionController::openNewWindow);
+    connect(ui_.actions[ui::Command::Close], &QAction::triggered, &ui_.dialogParent, &QWidget::close);
+    connect(ui_.actions[ui::Command::NewWindow], &QAction::triggered, this, &SessionController::openNewWindow);
 }
 
 void SessionController::connectOpening()
 {
-    connect(&open_, &OpenController::started, this, [this](const QString& what) { window_.strip().showBusy(what); });
+    connect(&open_, &OpenController::started, this, [this](const QString& what) { ui_.strip.showBusy(what); });
     connect(&open_, &OpenController::advanced, this, [this](const QString& what, double fraction) {
         if (fraction > 0.0) {
-            window_.strip().showProgress(what, fraction);
+            ui_.strip.showProgress(what, fraction);
         }
     });
-    connect(&open_, &OpenController::ended, this, [this] { window_.strip().showIdle(tr("Ready")); });
+    connect(&open_, &OpenController::ended, this, [this] { ui_.strip.showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
         save_.noteOpened(open_.openedCopy());
         fillRecent();
@@ -102,7 +105,7 @@ void SessionController::connectOpening()
 
 void SessionController::connectSaving()
 {
-    ui::WindowActions& actions = window_.actions();
+    ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::Save], &QAction::triggered, this, [this] { save_.save(); });
     connect(actions[ui::Command::SaveAs], &QAction::triggered, this, [this] { save_.saveAs(); });
     connect(&save_, &SaveController::failed, this,
@@ -119,7 +122,7 @@ void SessionController::connectSaving()
 
 void SessionController::connectExporting()
 {
-    ui::WindowActions& actions = window_.actions();
+    ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::ExportOverlay], &QAction::triggered, &export_, &ExportController::askOverlay);
     connect(actions[ui::Command::ExportReport], &QAction::triggered, &export_, &ExportController::askReport);
     connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
@@ -146,7 +149,7 @@ void SessionController::openNewWindow()
 
 void SessionController::fillRecent()
 {
-    QMenu* menu = window_.actions().recentMenu();
+    QMenu* menu = ui_.actions.recentMenu();
     menu->clear();
     for (const QString& path : recentCases()) {
         const QFileInfo file(path);
@@ -165,7 +168,7 @@ void SessionController::fillRecent()
     for (const QString& path : recentCases()) {
         cases.push_back({path, casePicture(path)});
     }
-    window_.welcome().showRecent(cases);
+    ui_.welcome.showRecent(cases);
 }
 
 void SessionController::clearRecent()

@@ -13,9 +13,14 @@
 #include <QObject>
 #include <QStringList>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class BottomStrip;
+class WelcomePage;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -23,12 +28,21 @@ namespace angiopose::app {
 class SessionController : public QObject {
     Q_OBJECT
 public:
-    SessionController(ui::MainWindow& window, CaseDocument& document, TargetProvider& target,
-                      RegistrationController& registration, Notices& notices, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::WelcomePage& welcome;
+        ui::AngiogramView& view;
+        ui::BottomStrip& strip;
+        QWidget& dialogParent;
+    };
+    SessionController(CaseDocument& document, TargetProvider& target, RegistrationController& registration,
+                      Notices& notices, const Ui& ui, QObject* parent = nullptr);
 
     /// Notice, recovery offer and the files of the command line.
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { open_.open(paths); }
+    void closeWindow() { close_.closeWindow(); }   ///< asks first where something would be lost
     void abandonLoading() { open_.abandon(); }
     bool isLoading() const { return open_.isLoading(); }
 
@@ -39,6 +53,7 @@ signals:
     void noticeAccepted();   ///< on the first start
     void exported();
     void aboutToClose();   ///< the user asked for it; what must not stay open ends now
+    void windowMayClose();   ///< nothing is lost with it
 
 private:
     void connectFiles();
@@ -51,9 +66,9 @@ private:
     void clearRecent();
     void pictureOpened();   ///< the case that was opened gets its picture among the recent ones
 
-    ui::MainWindow& window_;
     CaseDocument& document_;
     Notices& notices_;
+    Ui ui_;
     OpenController open_;
     ExportController export_;
     SaveController save_;

@@ -1,15 +1,16 @@
 #include "app/files/title_controller.h"
 
-#include "ui/main_window.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/header_bar.h"
 #include "ui/words/spoken.h"
 
 namespace angiopose::app {
 
 using namespace std::chrono_literals;
 
-TitleController::TitleController(CaseDocument& document, SaveController& saving, ui::MainWindow& window,
-                                 QObject* parent)
-    : QObject(parent), document_(document), saving_(saving), window_(window)
+TitleController::TitleController(CaseDocument& document, SaveController& saving, ui::HeaderBar& header,
+                                 ui::BottomStrip& strip, QWidget& window, QObject* parent)
+    : QObject(parent), document_(document), saving_(saving), header_(header), strip_(strip), window_(window)
 {
     connect(&document_, &CaseDocument::changed, this, &TitleController::show);
     connect(&document_, &CaseDocument::stateChanged, this, &TitleController::show);
@@ -28,14 +29,14 @@ void TitleController::show()
     const QString shown = document_.isEmpty() ? QString() : (name.isEmpty() ? tr("Untitled case") : name) + star;
     window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
                                            : tr("%1 · AngioPose · not for clinical use").arg(shown));
-    window_.header().showTitle(shown);
-    window_.header().showStudy(studyLine());
+    header_.showTitle(shown);
+    header_.showStudy(studyLine());
     showSaveState();
 }
 
 void TitleController::showSaveState()
 {
-    window_.strip().showSaveState(saving_.saveState());
+    strip_.showSaveState(saving_.saveState());
 }
 
 QString TitleController::studyLine() const

@@ -6,9 +6,12 @@
 #include <QObject>
 #include <QTimer>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class HeaderBar;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -16,7 +19,8 @@ namespace angiopose::app {
 class TitleController : public QObject {
     Q_OBJECT
 public:
-    TitleController(CaseDocument& document, SaveController& saving, ui::MainWindow& window, QObject* parent = nullptr);
+    TitleController(CaseDocument& document, SaveController& saving, ui::HeaderBar& header, ui::BottomStrip& strip,
+                    QWidget& window, QObject* parent = nullptr);
 
 private:
     void show();
@@ -25,7 +29,9 @@ private:
 
     CaseDocument& document_;
     SaveController& saving_;
-    ui::MainWindow& window_;
+    ui::HeaderBar& header_;
+    ui::BottomStrip& strip_;
+    QWidget& window_;
     QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
 };
 

@@ -1,7 +1,7 @@
 #include "app/habits/color_controller.h"
 
 #include "app/preferences/settings.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
@@ -33,23 +33,25 @@ const ColorChoice& chosenColors()
 
 }   // namespace
 
-ColorController::ColorController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+ColorController::ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView,
+                                 QWidget& window, QObject* parent)
+    : QObject(parent), view_(view), treeView_(treeView), window_(window)
 {
     for (const ColorChoice& choice : colorChoices) {
-        connect(window.actions()[choice.command], &QAction::triggered, this, [this, &choice] {
+        connect(actions[choice.command], &QAction::triggered, this, [this, &choice] {
             settings::colors.write(QString::fromLatin1(choice.name));
             apply(choice.scheme);
         });
     }
-    window.actions()[chosenColors().command]->setChecked(true);
+    actions[chosenColors().command]->setChecked(true);
     apply(chosenColors().scheme);
 }
 
 void ColorController::apply(ui::ColorScheme scheme)
 {
     ui::setColorScheme(scheme);
-    window_.angiogramView().scene().recolor();
-    window_.treeView().setTheme(ui::activeTheme());
+    view_.scene().recolor();
+    treeView_.setTheme(ui::activeTheme());
     for (QWidget* part : window_.findChildren<QWidget*>()) {
         part->update();
     }

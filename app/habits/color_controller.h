@@ -2,22 +2,30 @@
 
 #include <QObject>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
 enum class ColorScheme;
+class AngiogramView;
+class TreeView;
+class WindowActions;
 }   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// The menu of colours for vessels and residuals, each readable with any colour vision.
 class ColorController : public QObject {
     Q_OBJECT
 public:
-    explicit ColorController(ui::MainWindow& window, QObject* parent = nullptr);
+    explicit ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView,
+                             QWidget& window, QObject* parent = nullptr);
 
 private:
     void apply(ui::ColorScheme scheme);
 
-    ui::MainWindow& window_;
+    ui::AngiogramView& view_;
+    ui::TreeView& treeView_;
+    QWidget& window_;
 };
 
 }   // namespace angiopose::app

@@ -12,13 +12,21 @@ namespace angiopose::app {
 /// How each user likes the program to be: everything here is remembered between sessions, nothing belongs to a case.
 class Habits {
 public:
-    Habits(BranchController& branches, ui::MainWindow& window)
-        : colors_(window),
-          language_(window),
-          mouse_(window),
-          shortcuts_(window),
-          menus_(branches, window),
-          pictures_(window)
+    /// What of the window they serve.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::BottomStrip& strip;
+        QWidget& window;
+    };
+    Habits(BranchController& branches, const Ui& ui)
+        : colors_(ui.actions, ui.view, ui.treeView, ui.window),
+          language_(ui.actions, ui.window),
+          mouse_(ui.actions, ui.view),
+          shortcuts_(ui.actions, ui.window),
+          menus_(branches, ui.actions, ui.view, ui.treeView, ui.window),
+          pictures_(ui.actions, ui.strip, ui.window)
     {
     }
 

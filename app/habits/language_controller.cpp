@@ -2,7 +2,7 @@
 
 #include "app/preferences/language_choice.h"
 #include "app/preferences/settings.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/words/spoken.h"
 
 #include <QDialog>
@@ -12,14 +12,15 @@
 
 namespace angiopose::app {
 
-LanguageController::LanguageController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+LanguageController::LanguageController(ui::WindowActions& actions, QWidget& window, QObject* parent)
+    : QObject(parent), window_(window)
 {
     const std::array choices{
         std::pair{ui::Command::LanguageSystem, "system"}, std::pair{ui::Command::LanguageEnglish, "en"},
         std::pair{ui::Command::LanguageGerman, "de"}, std::pair{ui::Command::LanguageChinese, "zh_CN"}};
     for (const auto& [command, name] : choices) {
         const QString code = QString::fromLatin1(name);
-        QAction* action = window_.actions()[command];
+        QAction* action = actions[command];
         action->setChecked(settings::language.read() == code);
         connect(action, &QAction::triggered, this, [this, code] { choose(code); });
     }

@@ -2,9 +2,11 @@
 
 #include <QObject>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -12,12 +14,12 @@ namespace angiopose::app {
 class LanguageController : public QObject {
     Q_OBJECT
 public:
-    explicit LanguageController(ui::MainWindow& window, QObject* parent = nullptr);
+    explicit LanguageController(ui::WindowActions& actions, QWidget& window, QObject* parent = nullptr);
 
 private:
     void choose(const QString& code);
 
-    ui::MainWindow& window_;
+    QWidget& window_;
 };
 
 }   // namespace angiopose::app

@@ -7,9 +7,13 @@
 class QMenu;
 class QPoint;
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -19,7 +23,8 @@ class BranchController;
 class MenuController : public QObject {
     Q_OBJECT
 public:
-    MenuController(BranchController& branches, ui::MainWindow& window, QObject* parent = nullptr);
+    MenuController(BranchController& branches, ui::WindowActions& actions, ui::AngiogramView& view,
+                   ui::TreeView& treeView, QWidget& menuParent, QObject* parent = nullptr);
 
 private:
     void showAngiogramMenu(const QPoint& globalPosition, std::optional<int> branchId);
@@ -27,7 +32,8 @@ private:
     QMenu* makeMenu(std::optional<int> branchId);
 
     BranchController& branches_;
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    QWidget& menuParent_;
 };
 
 }   // namespace angiopose::app

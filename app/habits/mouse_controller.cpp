@@ -1,7 +1,7 @@
 #include "app/habits/mouse_controller.h"
 
 #include "app/preferences/settings.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/views/angiogram_view.h"
 
 #include <algorithm>
@@ -35,16 +35,16 @@ ui::MousePreset chosenMouse()
     return chosenMouseChoice().preset;
 }
 
-MouseController::MouseController(ui::MainWindow& window, QObject* parent) : QObject(parent)
+MouseController::MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent) : QObject(parent)
 {
     for (const MouseChoice& choice : mouseChoices) {
-        connect(window.actions()[choice.command], &QAction::triggered, this, [&window, &choice] {
+        connect(actions[choice.command], &QAction::triggered, this, [&view, &choice] {
             settings::mouse.write(QString::fromLatin1(choice.name));
-            window.angiogramView().setMousePreset(choice.preset);
+            view.setMousePreset(choice.preset);
         });
     }
-    window.actions()[chosenMouseChoice().command]->setChecked(true);
-    window.angiogramView().setMousePreset(chosenMouse());
+    actions[chosenMouseChoice().command]->setChecked(true);
+    view.setMousePreset(chosenMouse());
 }
 
 }   // namespace angiopose::app

@@ -5,8 +5,9 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -17,7 +18,7 @@ ui::MousePreset chosenMouse();
 class MouseController : public QObject {
     Q_OBJECT
 public:
-    explicit MouseController(ui::MainWindow& window, QObject* parent = nullptr);
+    explicit MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
 };
 
 }   // namespace angiopose::app

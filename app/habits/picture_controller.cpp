@@ -1,8 +1,9 @@
 #include "app/habits/picture_controller.h"
 
 #include "app/preferences/save_folder.h"
+#include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
-#include "ui/main_window.h"
+#include "ui/panels/bottom_strip.h"
 
 #include <QClipboard>
 #include <QFileDialog>
@@ -12,16 +13,18 @@
 
 namespace angiopose::app {
 
-PictureController::PictureController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+PictureController::PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window,
+                                     QObject* parent)
+    : QObject(parent), strip_(strip), window_(window)
 {
-    connect(window.actions()[ui::Command::CopyWindow], &QAction::triggered, this, &PictureController::copy);
-    connect(window.actions()[ui::Command::SaveWindow], &QAction::triggered, this, &PictureController::askFile);
+    connect(actions[ui::Command::CopyWindow], &QAction::triggered, this, &PictureController::copy);
+    connect(actions[ui::Command::SaveWindow], &QAction::triggered, this, &PictureController::askFile);
 }
 
 void PictureController::copy()
 {
     QGuiApplication::clipboard()->setPixmap(window_.grab());
-    window_.strip().showStatus(tr("The window is in the clipboard as a picture"));
+    strip_.showStatus(tr("The window is in the clipboard as a picture"));
 }
 
 void PictureController::askFile()
@@ -41,7 +44,7 @@ void PictureController::askFileFor(const QPixmap& picture)
     connect(dialog, &QFileDialog::fileSelected, this, [this, picture](const QString& path) {
         if (picture.save(path, "PNG")) {
             rememberSaveFolder(path);
-            window_.strip().showStatus(tr("Written: %1").arg(QFileInfo(path).fileName()));
+            strip_.showStatus(tr("Written: %1").arg(QFileInfo(path).fileName()));
         } else {
             ui::MessageDialog::show(
                 {tr("Could not save the picture"), tr("%1 could not be written. Choose another folder.").arg(path), {}},

@@ -4,9 +4,12 @@
 
 class QPixmap;
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -14,14 +17,16 @@ namespace angiopose::app {
 class PictureController : public QObject {
     Q_OBJECT
 public:
-    explicit PictureController(ui::MainWindow& window, QObject* parent = nullptr);
+    explicit PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window,
+                               QObject* parent = nullptr);
 
 private:
     void copy();
     void askFile();
     void askFileFor(const QPixmap& picture);   ///< in an event of its own: either takes most of what one may take
 
-    ui::MainWindow& window_;
+    ui::BottomStrip& strip_;
+    QWidget& window_;
 };
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/habits/mouse_controller.h"
 #include "app/preferences/key_choice.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/words/spoken.h"
 
 #include <QSettings>
@@ -26,7 +26,8 @@ QList<QKeySequence> keysOf(const QString& stored)
 
 }   // namespace
 
-ShortcutController::ShortcutController(ui::MainWindow& window, QObject* parent) : QObject(parent), window_(window)
+ShortcutController::ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
+    : QObject(parent), actions_(actions), dialogParent_(dialogParent)
 {
     for (const ui::KeyLine& line : keyLines()) {
         if (line.action) {
@@ -34,12 +35,12 @@ ShortcutController::ShortcutController(ui::MainWindow& window, QObject* parent) 
         }
     }
     readStored();
-    connect(window_.actions()[ui::Command::Keys], &QAction::triggered, this, &ShortcutController::openSheet);
+    connect(actions_[ui::Command::Keys], &QAction::triggered, this, &ShortcutController::openSheet);
 }
 
 std::vector<ui::KeyLine> ShortcutController::keyLines() const
 {
-    return window_.actions().keySheet(chosenMouse());
+    return actions_.keySheet(chosenMouse());
 }
 
 void ShortcutController::readStored()
@@ -56,7 +57,7 @@ void ShortcutController::openSheet()
     if (sheet_) {
         return;
     }
-    sheet_ = new ui::KeySheet(keyLines(), &window_);
+    sheet_ = new ui::KeySheet(keyLines(), &dialogParent_);
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
     connect(sheet_, &QDialog::finished, this, [this] {

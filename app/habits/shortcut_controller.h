@@ -11,16 +11,19 @@
 
 class QAction;
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
+class WindowActions;
 }   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// The key sheet, and the keys that the user chose in it: kept between sessions, each command at most one user's key.
 class ShortcutController : public QObject {
     Q_OBJECT
 public:
-    explicit ShortcutController(ui::MainWindow& window, QObject* parent = nullptr);
+    explicit ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent = nullptr);
 
     void openSheet();
 
@@ -31,7 +34,8 @@ private:
     void resetAll();
     void refresh();
 
-    ui::MainWindow& window_;
+    ui::WindowActions& actions_;
+    QWidget& dialogParent_;
     std::map<QAction*, QList<QKeySequence>> usual_;   ///< as the program brings them
     ui::KeySheet* sheet_ = nullptr;
     bool areNew_ = false;   ///< since the sheet was opened

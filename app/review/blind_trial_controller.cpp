@@ -9,7 +9,8 @@
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
 #include "core/support/utc_time.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/trial_bar.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
@@ -36,16 +37,16 @@ std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
 
 }   // namespace
 
-BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window,
+BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvider& target, const Ui& ui,
                                            QObject* parent)
-    : QObject(parent), document_(document), target_(target), window_(window)
+    : QObject(parent), document_(document), target_(target), ui_(ui)
 {
-    connect(window_.actions()[ui::Command::BlindTrial], &QAction::triggered, this, &BlindTrialController::ask);
-    connect(window_.actions()[ui::Command::TrialDone], &QAction::triggered, this, &BlindTrialController::finish);
-    connect(&window_.trialBar(), &ui::TrialBar::doneRequested, this, &BlindTrialController::finish);
-    connect(&window_.trialBar(), &ui::TrialBar::abandonRequested, this, &BlindTrialController::abandon);
+    connect(ui_.actions[ui::Command::BlindTrial], &QAction::triggered, this, &BlindTrialController::ask);
+    connect(ui_.actions[ui::Command::TrialDone], &QAction::triggered, this, &BlindTrialController::finish);
+    connect(&ui_.bar, &ui::TrialBar::doneRequested, this, &BlindTrialController::finish);
+    connect(&ui_.bar, &ui::TrialBar::abandonRequested, this, &BlindTrialController::abandon);
     connect(&judge_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) { keep(judgement->result); });
-    window_.actions()[ui::Command::TrialDone]->setEnabled(false);
+    ui_.actions[ui::Command::TrialDone]->setEnabled(false);
 }
 
 void BlindTrialController::ask()
@@ -65,7 +66,7 @@ void BlindTrialController::ask()
     if (suggested.logPath.isEmpty()) {
         suggested.logPath = suggestedPath(document_.path(), QStringLiteral("observer-trials.csv"));
     }
-    auto* dialog = new ui::BlindTrialDialog(suggested, &window_);
+    auto* dialog = new ui::BlindTrialDialog(suggested, &ui_.dialogParent);
     connect(dialog, &ui::BlindTrialDialog::startRequested, this, &BlindTrialController::start);
     dialog->open();
 }
@@ -101,7 +102,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
         document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}},
         [] { return tr("Blind trial"); }));
     showRunning(true);
-    if (QAction* nudge = window_.actions()[ui::Command::Nudge]; !nudge->isChecked()) {
+    if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {
         nudge->trigger();   // the keys are to move the vessels
     }
     clock_.start();
@@ -140,20 +141,20 @@ void BlindTrialController::end(bool isAbandoned)
 void BlindTrialController::showRunning(bool running)
 {
     if (running) {
-        window_.trialBar().showTrial(setup_.observer);
+        ui_.bar.showTrial(setup_.observer);
     } else {
-        window_.trialBar().hideTrial();
+        ui_.bar.hideTrial();
     }
     for (const ui::Command command : hiddenCommands) {
-        window_.actions()[command]->setEnabled(!running);
+        ui_.actions[command]->setEnabled(!running);
     }
-    window_.actions()[ui::Command::TrialDone]->setEnabled(running);
-    window_.snapshots().setVisible(!running);
-    window_.result().setVisible(!running);
+    ui_.actions[ui::Command::TrialDone]->setEnabled(running);
     if (running) {
-        window_.actions()[ui::Command::Landmarks]->setChecked(false);
+        ui_.actions[ui::Command::Landmarks]->setChecked(false);
     }
-    window_.landmarks().setVisible(!running);   // it tells how far the pairs are apart
+    for (QWidget* part : ui_.telling) {
+        part->setVisible(!running);
+    }
 }
 
 void BlindTrialController::log(const io::ObserverTrial& trial)

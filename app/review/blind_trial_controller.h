@@ -10,9 +10,14 @@
 #include <QElapsedTimer>
 #include <QObject>
 
+#include <vector>
+
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class TrialBar;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -21,8 +26,14 @@ namespace angiopose::app {
 class BlindTrialController : public QObject {
     Q_OBJECT
 public:
-    BlindTrialController(CaseDocument& document, TargetProvider& target, ui::MainWindow& window,
-                         QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::TrialBar& bar;
+        std::vector<QWidget*> telling;   ///< how good a pose is: out of sight during a trial
+        QWidget& dialogParent;
+    };
+    BlindTrialController(CaseDocument& document, TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
     void ask();
     void start(const ui::BlindTrialSetup& setup);
@@ -46,7 +57,7 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    ui::MainWindow& window_;
+    Ui ui_;
     ui::BlindTrialSetup setup_;
     io::ObserverTrial trial_;
     int caseNumber_ = 0;

@@ -1,7 +1,6 @@
 #include "app/review/brightness_memory.h"
 
 #include "app/preferences/settings.h"
-#include "ui/main_window.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QCryptographicHash>
@@ -28,14 +27,14 @@ QString seriesKey(const core::Case& current)
 
 }   // namespace
 
-BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), window_(window), remembered_(settings::brightness.read())
+BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent)
+    : QObject(parent), document_(document), view_(view), remembered_(settings::brightness.read())
 {
     storing_.setSingleShot(true);
     storing_.setInterval(2s);
     connect(&storing_, &QTimer::timeout, this, [this] { settings::brightness.write(remembered_); });
     connect(&document_, &CaseDocument::changed, this, &BrightnessMemory::followDocument);
-    connect(&window_.angiogramView(), &ui::AngiogramView::windowLevelChanged, this, &BrightnessMemory::remember);
+    connect(&view_, &ui::AngiogramView::windowLevelChanged, this, &BrightnessMemory::remember);
 }
 
 BrightnessMemory::~BrightnessMemory()
@@ -62,12 +61,12 @@ void BrightnessMemory::recall()
         const QStringList parts = line.split(QLatin1Char(' '));
         if (parts.size() == 3 && parts[0] == series) {
             isKnown = true;
-            window_.angiogramView().setWindowLevel(parts[1].toDouble(), parts[2].toDouble());
+            view_.setWindowLevel(parts[1].toDouble(), parts[2].toDouble());
             break;
         }
     }
     if (!isKnown && shown_) {
-        window_.angiogramView().autoWindowLevel();
+        view_.autoWindowLevel();
     }
     series_ = series;
 }

@@ -9,8 +9,8 @@
 #include <memory>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -19,7 +19,7 @@ namespace angiopose::app {
 class BrightnessMemory : public QObject {
     Q_OBJECT
 public:
-    BrightnessMemory(const CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    BrightnessMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent = nullptr);
     ~BrightnessMemory() override;
 
 private:
@@ -28,7 +28,7 @@ private:
     void remember(double window, double level);
 
     const CaseDocument& document_;
-    ui::MainWindow& window_;
+    ui::AngiogramView& view_;
     std::shared_ptr<const core::Angiogram> shown_;
     QString series_;   ///< empty: nothing to remember it by
     QStringList remembered_;   ///< "series window level", the last used first

@@ -2,7 +2,9 @@
 
 #include "core/geometry/pose_difference.h"
 #include "io/pose_table.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/result_panel.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
@@ -20,20 +22,20 @@ bool isFollowedPose(const core::RigidTransform& a, const core::RigidTransform& b
 
 FollowController::FollowController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
 {
-    const ui::WindowActions& actions = on_.window.actions();
+    const ui::WindowActions& actions = on_.actions;
     connect(actions[ui::Command::FollowFrames], &QAction::triggered, this, &FollowController::start);
     connect(actions[ui::Command::ExportFollowed], &QAction::triggered, this, &FollowController::exportPoses);
-    connect(&on_.window.strip(), &ui::BottomStrip::stopRequested, &job_, &FollowJob::requestStop);
-    connect(&on_.window.result().motion(), &ui::MotionPlot::frameRequested, &on_.review, &ReviewController::showFrame);
+    connect(&on_.strip, &ui::BottomStrip::stopRequested, &job_, &FollowJob::requestStop);
+    connect(&on_.panel.motion(), &ui::MotionPlot::frameRequested, &on_.review, &ReviewController::showFrame);
     connect(&job_, &FollowJob::advanced, this, [this](double fraction) {
         if (job_.isRunning()) {
-            on_.window.strip().showProgress(
+            on_.strip.showProgress(
                 tr("Following the vessels through the run: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
         }
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
-        on_.window.strip().showIdle(tr("Ready"));
+        on_.strip.showIdle(tr("Ready"));
         on_.notices.showProblem(tr("The vessels cannot be followed"), ui::messageText(reason));
     });
     connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
@@ -64,13 +66,13 @@ void FollowController::start()
     on_.review.stopMotion();
     forget();
     startedFrom_ = on_.document.current();
-    on_.window.strip().showBusy(tr("Following the vessels through the run …"));
+    on_.strip.showBusy(tr("Following the vessels through the run …"));
     job_.start(startedFrom_);
 }
 
 void FollowController::take(const std::vector<core::FollowedFrame>& frames)
 {
-    on_.window.strip().showIdle(tr("Ready"));
+    on_.strip.showIdle(tr("Ready"));
     frames_ = frames;
     if (!holds()) {
         forget();
@@ -109,25 +111,25 @@ void FollowController::followDocument()
 {
     const auto& angiogram = on_.document.current().shown().angiogram;
     const bool isRun = angiogram && angiogram->frameCount() > 1 && on_.document.current().vessels.tree;
-    on_.window.actions()[ui::Command::FollowFrames]->setEnabled(isRun);
+    on_.actions[ui::Command::FollowFrames]->setEnabled(isRun);
     if (!frames_.empty() && !holds()) {
         forget();
     }
-    on_.window.actions()[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
+    on_.actions[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
 }
 
 /// While frames play, each is shown with its pose; the document's own frame has it already.
 void FollowController::showFrame(int frame)
 {
-    on_.window.result().motion().showCurrent(frame);
+    on_.panel.motion().showCurrent(frame);
     if (frames_.empty() || on_.document.isLocked()) {
         return;
     }
     const auto pose = poseOf(frame);
     if (frame == on_.document.current().shown().frame || !pose) {
-        on_.sync.endPreview();
+        on_.preview.end(PreviewOf::Frame);
     } else {
-        on_.sync.showPreview(*pose, ResidualColors::Hidden);
+        on_.preview.show(PreviewOf::Frame, *pose, ResidualColors::Hidden);
     }
 }
 
@@ -142,14 +144,15 @@ void FollowController::showMotion()
             core::differenceBetween(startedFrom_.shown().cameraFromPatient, each.tracked.cameraFromPatient, pivot);
         motion.push_back({each.frame, from.inPlaneMm, from.depthMm, from.rotationDeg, each.tracked.isTrustworthy});
     }
-    on_.window.result().showMotion(motion);
-    on_.window.result().motion().showCurrent(on_.sync.shownFrame());
-    on_.window.actions()[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
+    on_.panel.showMotion(motion);
+    on_.panel.motion().showCurrent(on_.sync.shownFrame());
+    on_.actions[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
 }
 
 void FollowController::forget()
 {
     frames_.clear();
+    on_.preview.end(PreviewOf::Frame);
     startedFrom_ = {};   // a run is large
     showMotion();
 }

@@ -12,6 +12,12 @@
 #include <optional>
 #include <vector>
 
+namespace angiopose::ui {
+class BottomStrip;
+class ResultPanel;
+class WindowActions;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// Follows the vessels through the frames of the run from the frame and pose that are shown, then shows each frame with
@@ -25,9 +31,12 @@ public:
         ReviewController& review;
         JudgementController& judgement;
         ViewSync& sync;
+        PosePreview& preview;
         ExportController& exporting;
         Notices& notices;
-        ui::MainWindow& window;
+        ui::WindowActions& actions;
+        ui::ResultPanel& panel;
+        ui::BottomStrip& strip;
     };
     explicit FollowController(const Parts& parts, QObject* parent = nullptr);
 

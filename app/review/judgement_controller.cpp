@@ -3,7 +3,6 @@
 #include "app/messages/says.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
-#include "ui/main_window.h"
 #include "ui/words/message_text.h"
 
 #include <algorithm>
@@ -58,7 +57,7 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent) : 
     connect(&job_, &JudgeJob::failed, this, [this](const core::Message& reason) {
         judgement_.reset();
         show();
-        on_.window.result().showNothing(ui::messageText(reason));
+        on_.panel.showNothing(ui::messageText(reason));
     });
 }
 
@@ -79,8 +78,8 @@ void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
 void JudgementController::show()
 {
     const core::Case& current = on_.document.current();
-    on_.window.result().showHistory(current.shown().result ? current.shown().result->history
-                                                           : std::vector<core::IterationReport>{});
+    on_.panel.showHistory(current.shown().result ? current.shown().result->history
+                                                 : std::vector<core::IterationReport>{});
     const auto camera = core::cameraOf(current.shown());
     if (!judgement_ || !camera || !current.vessels.tree || on_.registration.isRunning()) {
         showNothing();
@@ -90,7 +89,7 @@ void JudgementController::show()
     on_.sync.showJudgement(judgement_);
     on_.look.knowResiduals(judged.result.branches, judged.millimetresPerPixel);
     on_.replay.knowUncertainty(judged.result.uncertainty);
-    on_.window.result().showJudgement(judged, *current.vessels.tree);
+    on_.panel.showJudgement(judged, *current.vessels.tree);
 }
 
 void JudgementController::showNothing()
@@ -100,7 +99,7 @@ void JudgementController::showNothing()
     on_.sync.showJudgement(nullptr);
     if (!on_.registration.isRunning()) {
         const auto& problem = on_.target.problem();
-        on_.window.result().showNothing(problem ? ui::messageText(*problem) : tr("nothing to judge yet"));
+        on_.panel.showNothing(problem ? ui::messageText(*problem) : tr("nothing to judge yet"));
     }
 }
 

@@ -13,8 +13,8 @@
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class ResultPanel;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -31,7 +31,7 @@ public:
         ViewSync& sync;
         LookController& look;
         ReplayController& replay;
-        ui::MainWindow& window;
+        ui::ResultPanel& panel;
     };
     explicit JudgementController(const Parts& parts, QObject* parent = nullptr);
 

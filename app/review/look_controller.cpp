@@ -1,7 +1,9 @@
 #include "app/review/look_controller.h"
 
 #include "app/preferences/settings.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/angiogram_panel.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/number.h"
 
@@ -14,8 +16,8 @@ constexpr double opacityStep = 0.1;
 
 }   // namespace
 
-LookController::LookController(const CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), window_(window), brightness_(document, window)
+LookController::LookController(const CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), ui_(ui), brightness_(document, ui.view)
 {
     connectOverlay();
     connectBrightness();
@@ -23,25 +25,20 @@ LookController::LookController(const CaseDocument& document, ViewSync& sync, ui:
 
 void LookController::connectOverlay()
 {
-    ui::WindowActions& actions = window_.actions();
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::WindowActions& actions = ui_.actions;
+    ui::AngiogramView& view = ui_.view;
     connect(actions[ui::Command::Fit], &QAction::triggered, &view, &ui::AngiogramView::fitToWindow);
     connect(actions[ui::Command::Outline], &QAction::triggered, this, &LookController::nextStyle);
     connect(actions[ui::Command::Swipe], &QAction::triggered, this, &LookController::nextCutout);
     connect(actions[ui::Command::WorstBranch], &QAction::triggered, this, &LookController::showNextWorst);
-    connect(&window_, &ui::MainWindow::hideKeyHeld, this, [this](bool held) {
-        heldHidden_ = held;
-        showStyle();
-    });
     connect(actions[ui::Command::FromSource], &QAction::toggled, this, [this, &view](bool on) {
         view.setFromSource(on);
-        window_.strip().showStatus(on ? tr("Seen from the source: only the view is mirrored")
-                                      : tr("Seen from the detector"));
+        ui_.strip.showStatus(on ? tr("Seen from the source: only the view is mirrored") : tr("Seen from the detector"));
     });
     connect(actions[ui::Command::DepthCue], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().setDepthCue(on ? ui::DepthCue::NearBright : ui::DepthCue::None);
         view.update();
-        window_.strip().showStatus(on ? tr("Near vessels bright, far ones dim") : tr("Depth cue off"));
+        ui_.strip.showStatus(on ? tr("Near vessels bright, far ones dim") : tr("Depth cue off"));
     });
     connect(actions[ui::Command::ShowTrace], &QAction::toggled, &view, [&view](bool on) {
         view.scene().showTracedCenterline(on);
@@ -61,20 +58,20 @@ void LookController::connectOverlay()
 
 void LookController::connectBrightness()
 {
-    ui::WindowActions& actions = window_.actions();
-    ui::AngiogramView& view = window_.angiogramView();
-    ui::AngiogramPanel& panel = window_.angiogramPanel();
+    ui::WindowActions& actions = ui_.actions;
+    ui::AngiogramView& view = ui_.view;
+    ui::AngiogramPanel& panel = ui_.panel;
     connect(&view, &ui::AngiogramView::windowLevelChanged, &panel, &ui::AngiogramPanel::showWindowLevel);
     connect(&panel, &ui::AngiogramPanel::windowLevelTyped, &view, &ui::AngiogramView::setWindowLevel);
     connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
     connect(actions[ui::Command::VesselWindow], &QAction::triggered, this, [this] {
         const auto& angiogram = document_.current().shown().angiogram;
         const core::Polarity polarity = angiogram ? angiogram->polarity : core::Polarity::VesselsDark;
-        showRange(core::vesselRange(window_.angiogramView().scene().frame(), polarity));
+        showRange(core::vesselRange(ui_.view.scene().frame(), polarity));
     });
     connect(actions[ui::Command::SoftWindow], &QAction::triggered, this, [this] {
         constexpr double soft = 1.8;
-        window_.angiogramView().autoWindowLevel();
+        ui_.view.autoWindowLevel();
         scaleWindow(soft);
     });
     connect(actions[ui::Command::FullRange], &QAction::triggered, this, &LookController::showFullRange);
@@ -86,10 +83,16 @@ void LookController::connectBrightness()
     });
 }
 
+void LookController::holdHidden(bool held)
+{
+    heldHidden_ = held;
+    showStyle();
+}
+
 void LookController::showStyle()
 {
-    window_.angiogramView().scene().setMode(heldHidden_ || isRadiograph_ ? ui::OverlayMode::Hidden : style_);
-    window_.angiogramView().update();
+    ui_.view.scene().setMode(heldHidden_ || isRadiograph_ ? ui::OverlayMode::Hidden : style_);
+    ui_.view.update();
     emit radiographWanted(isRadiograph_ && !heldHidden_);
 }
 
@@ -113,47 +116,47 @@ void LookController::nextStyle()
     const bool isLast = style_ == Tube || !hasRadii();   // without radii there are no outlines and tubes
     style_ = isRadiograph_ || isLast ? Centerline : style_ == Centerline ? Outline : Tube;
     isRadiograph_ = !isRadiograph_ && isLast;
-    window_.strip().showStatus(isRadiograph_          ? radiographWords()
-                               : style_ == Centerline ? tr("Vessels as centrelines")
-                               : style_ == Outline    ? tr("Vessels as outlines")
-                                                      : tr("Vessels as tubes"));
+    ui_.strip.showStatus(isRadiograph_          ? radiographWords()
+                         : style_ == Centerline ? tr("Vessels as centrelines")
+                         : style_ == Outline    ? tr("Vessels as outlines")
+                                                : tr("Vessels as tubes"));
     showStyle();
 }
 
 void LookController::nextCutout()
 {
     using enum ui::Cutout::Shape;
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = ui_.view;
     view.setCutout(view.cutout() == None ? RightOf : view.cutout() == RightOf ? Disc : None);
-    window_.strip().showStatus(view.cutout() == RightOf ? tr("Swipe: the overlay ends at the mouse")
-                               : view.cutout() == Disc  ? tr("Lens: the bare angiogram under the mouse")
-                                                        : tr("Swipe and lens off"));
+    ui_.strip.showStatus(view.cutout() == RightOf ? tr("Swipe: the overlay ends at the mouse")
+                         : view.cutout() == Disc  ? tr("Lens: the bare angiogram under the mouse")
+                                                  : tr("Swipe and lens off"));
 }
 
 void LookController::changeOpacity(double by)
 {
     const double opacity = std::clamp(settings::overlayOpacity.read() + by, opacityStep, 1.0);
     settings::overlayOpacity.write(opacity);
-    window_.angiogramView().scene().setOpacity(opacity);
-    window_.angiogramView().update();
-    window_.strip().showStatus(tr("Overlay opacity %1 %").arg(ui::numberText(100.0 * opacity, 0)));
+    ui_.view.scene().setOpacity(opacity);
+    ui_.view.update();
+    ui_.strip.showStatus(tr("Overlay opacity %1 %").arg(ui::numberText(100.0 * opacity, 0)));
 }
 
 void LookController::scaleWindow(double factor)
 {
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = ui_.view;
     const core::DisplayRange shown = view.shownRange();
     view.setWindowLevel(factor * shown.window(), shown.level());
 }
 
 void LookController::showRange(const core::DisplayRange& range)
 {
-    window_.angiogramView().setWindowLevel(range.window(), range.level());
+    ui_.view.setWindowLevel(range.window(), range.level());
 }
 
 void LookController::showFullRange()
 {
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = ui_.view;
     const std::vector<float>& pixels = view.scene().frame().pixels;
     if (!pixels.empty()) {
         const auto [low, high] = std::ranges::minmax(pixels);
@@ -172,20 +175,20 @@ void LookController::knowResiduals(std::vector<core::BranchResidual> branches, d
 void LookController::showNextWorst()
 {
     if (worstFirst_.empty()) {
-        window_.strip().showStatus(tr("No residuals yet"));
+        ui_.strip.showStatus(tr("No residuals yet"));
         return;
     }
     const std::size_t rank = nextWorst_ % worstFirst_.size();
     const core::BranchResidual& branch = worstFirst_[rank];
     nextWorst_ = rank + 1;
-    if (const auto extent = window_.angiogramView().scene().extentOf(branch.branchId)) {
-        window_.angiogramView().zoomTo(*extent);
+    if (const auto extent = ui_.view.scene().extentOf(branch.branchId)) {
+        ui_.view.zoomTo(*extent);
     }
     emit branchWanted(branch.branchId);
-    window_.strip().showStatus(tr("Worst %1 of %2: %3 mm median · W next · 1 fits")
-                                   .arg(rank + 1)
-                                   .arg(worstFirst_.size())
-                                   .arg(ui::numberText(branch.medianPx * millimetresPerPixel_, 2)));
+    ui_.strip.showStatus(tr("Worst %1 of %2: %3 mm median · W next · 1 fits")
+                             .arg(rank + 1)
+                             .arg(worstFirst_.size())
+                             .arg(ui::numberText(branch.medianPx * millimetresPerPixel_, 2)));
 }
 
 }   // namespace angiopose::app

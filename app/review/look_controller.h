@@ -11,8 +11,11 @@
 #include <vector>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramPanel;
+class AngiogramView;
+class BottomStrip;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -21,8 +24,16 @@ namespace angiopose::app {
 class LookController : public QObject {
     Q_OBJECT
 public:
-    LookController(const CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::AngiogramPanel& panel;
+        ui::AngiogramView& view;
+        ui::BottomStrip& strip;
+    };
+    LookController(const CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
 
+    void holdHidden(bool held);   ///< the vessels, while the key is held
     /// What W goes through, from the worst branch on.
     void knowResiduals(std::vector<core::BranchResidual> branches, double millimetresPerPixel);
 
@@ -47,7 +58,7 @@ private:
 
     const CaseDocument& document_;
     ViewSync& sync_;
-    ui::MainWindow& window_;
+    Ui ui_;
     BrightnessMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
     bool isRadiograph_ = false;   ///< in place of `style_`

@@ -1,6 +1,8 @@
 #include "app/review/pose_gestures.h"
 
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/pose_panel.h"
+#include "ui/panels/registration_panel.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 
@@ -26,7 +28,7 @@ QString matrixText(const core::RigidTransform& transform)
 }   // namespace
 
 PoseGestures::PoseGestures(const Parts& parts, QObject* parent)
-    : QObject(parent), on_(parts), tool_(new ui::NudgeTool(parts.window.angiogramView()))
+    : QObject(parent), on_(parts), tool_(new ui::NudgeTool(parts.view))
 {
     connectPanel();
     connectTool();
@@ -37,31 +39,30 @@ PoseGestures::PoseGestures(const Parts& parts, QObject* parent)
 
 void PoseGestures::show()
 {
-    on_.window.pose().showOffset(on_.pose.currentOffset());
-    on_.window.pose().showLocks(on_.pose.locks());
+    on_.panel.showOffset(on_.pose.currentOffset());
+    on_.panel.showLocks(on_.pose.locks());
 }
 
 void PoseGestures::connectPanel()
 {
-    const ui::PosePanel& panel = on_.window.pose();
+    const ui::PosePanel& panel = on_.panel;
     connect(&panel, &ui::PosePanel::offsetEdited, &on_.pose, &PoseController::setOffset);
     connect(&panel, &ui::PosePanel::locksEdited, &on_.pose, &PoseController::setLocks);
     connect(&panel, &ui::PosePanel::resetRequested, &on_.pose, &PoseController::reset);
-    connect(&on_.window.registration(), &ui::RegistrationPanel::allViewsToggled, &on_.pose,
-            &PoseController::setMovesAllViews);
-    const ui::WindowActions& actions = on_.window.actions();
+    connect(&on_.registration, &ui::RegistrationPanel::allViewsToggled, &on_.pose, &PoseController::setMovesAllViews);
+    const ui::WindowActions& actions = on_.actions;
     connect(actions[ui::Command::ResetPose], &QAction::triggered, &on_.pose, &PoseController::reset);
     connect(actions[ui::Command::CopyPose], &QAction::triggered, this, &PoseGestures::copyMatrix);
 }
 
 void PoseGestures::connectTool()
 {
-    QAction* nudge = on_.window.actions()[ui::Command::Nudge];
-    ui::bindTool(*nudge, on_.window.angiogramView(), *tool_);
+    QAction* nudge = on_.actions[ui::Command::Nudge];
+    ui::bindTool(*nudge, on_.view, *tool_);
     connect(nudge, &QAction::toggled, this, &PoseGestures::showNudgeMode);
     connect(tool_, &ui::NudgeTool::keyNudged, this, [this](const ui::Nudge& step) {
         on_.review.stopMotion();
-        on_.window.pose().setActiveAxis(step.axis);
+        on_.panel.setActiveAxis(step.axis);
         on_.pose.nudge(step);
     });
     connect(tool_, &ui::NudgeTool::dragStarted, &on_.pose, &PoseController::startDrag);
@@ -73,22 +74,22 @@ void PoseGestures::connectTool()
 void PoseGestures::showNudgeMode(bool on)
 {
     on_.review.stopMotion();
-    on_.window.pose().showNudgeMode(on);
-    on_.window.pose().setActiveAxis(std::nullopt);
+    on_.panel.showNudgeMode(on);
+    on_.panel.setActiveAxis(std::nullopt);
     on_.notices.showNote(on ? tr("Nudge mode: arrows move, drag moves or rolls, N ends") : tr("Nudge mode off"));
 }
 
 void PoseGestures::preview(const core::RigidTransform& pose)
 {
-    on_.sync.showPreview(pose, ResidualColors::Kept);
-    on_.window.pose().showOffset(on_.pose.currentOffset());
+    on_.preview.show(PreviewOf::Drag, pose, ResidualColors::Kept);
+    on_.panel.showOffset(on_.pose.currentOffset());
     on_.judgement.judge(pose);
 }
 
 void PoseGestures::endPreview()
 {
-    on_.sync.endPreview();
-    on_.window.pose().showOffset(on_.pose.currentOffset());
+    on_.preview.end(PreviewOf::Drag);
+    on_.panel.showOffset(on_.pose.currentOffset());
     on_.judgement.judge(on_.document.current().shown().cameraFromPatient);
 }
 

@@ -3,15 +3,18 @@
 #include "app/editing/pose_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/showing/notices.h"
+#include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
-#include "app/showing/view_sync.h"
 #include "ui/views/tools/nudge_tool.h"
 
 #include <QObject>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class PosePanel;
+class RegistrationPanel;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -25,9 +28,12 @@ public:
         PoseController& pose;
         ReviewController& review;
         JudgementController& judgement;
-        ViewSync& sync;
+        PosePreview& preview;
         Notices& notices;
-        ui::MainWindow& window;
+        ui::WindowActions& actions;
+        ui::PosePanel& panel;
+        ui::RegistrationPanel& registration;
+        ui::AngiogramView& view;
     };
     explicit PoseGestures(const Parts& parts, QObject* parent = nullptr);
 

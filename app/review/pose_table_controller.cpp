@@ -4,7 +4,9 @@
 #include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
 #include "io/snapshot_table.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
 
 #include <algorithm>
@@ -21,17 +23,17 @@ const std::vector<std::string> usualMethods{"angiopose", "dt-icp", "iterative-pn
 }   // namespace
 
 PoseTableController::PoseTableController(CaseDocument& document, TargetProvider& target, SnapshotController& snapshots,
-                                         ExportController& exporting, ui::MainWindow& window, QObject* parent)
+                                         ExportController& exporting, const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
       target_(target),
       snapshots_(snapshots),
       exporting_(exporting),
-      window_(window),
+      ui_(ui),
       chosen_(usualMethods)
 {
-    connect(window_.actions()[ui::Command::ComparePoses], &QAction::triggered, this, &PoseTableController::open);
-    connect(&window_.snapshots(), &ui::SnapshotPanel::compareRequested, this, &PoseTableController::open);
+    connect(ui_.actions[ui::Command::ComparePoses], &QAction::triggered, this, &PoseTableController::open);
+    connect(&ui_.panel, &ui::SnapshotPanel::compareRequested, this, &PoseTableController::open);
     connect(&document_, &CaseDocument::changed, this, &PoseTableController::refresh);
     connect(&snapshots_, &SnapshotController::poseWasJudged, this, &PoseTableController::refresh);
     connect(&document_, &CaseDocument::stateChanged, this, &PoseTableController::flush);
@@ -41,11 +43,11 @@ PoseTableController::PoseTableController(CaseDocument& document, TargetProvider&
 void PoseTableController::open()
 {
     if (!document_.current().vessels.tree || document_.isInTrial()) {
-        window_.strip().showStatus(tr("There are no poses to compare yet."));
+        ui_.strip.showStatus(tr("There are no poses to compare yet."));
         return;
     }
     if (!table_) {
-        table_ = new ui::PoseTable(&window_);
+        table_ = new ui::PoseTable(&ui_.dialogParent);
         connectTable();
         table_->showChosenMethods(chosen_);
         refresh();

@@ -12,14 +12,29 @@
 
 #include <vector>
 
+class QWidget;
+
+namespace angiopose::ui {
+class BottomStrip;
+class SnapshotPanel;
+class WindowActions;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// The comparison table: kept poses, runs and the pose as it is side by side; runs several methods to fill it.
 class PoseTableController : public QObject {
     Q_OBJECT
 public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::SnapshotPanel& panel;
+        ui::BottomStrip& strip;
+        QWidget& dialogParent;
+    };
     PoseTableController(CaseDocument& document, TargetProvider& target, SnapshotController& snapshots,
-                        ExportController& exporting, ui::MainWindow& window, QObject* parent = nullptr);
+                        ExportController& exporting, const Ui& ui, QObject* parent = nullptr);
 
     void open();
     void close();
@@ -49,7 +64,7 @@ private:
     TargetProvider& target_;
     SnapshotController& snapshots_;
     ExportController& exporting_;
-    ui::MainWindow& window_;
+    Ui ui_;
     QPointer<ui::PoseTable> table_;
     MethodSeriesJob job_;
     Origin origin_;

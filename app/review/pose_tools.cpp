@@ -1,6 +1,7 @@
 #include "app/review/pose_tools.h"
 
-#include "ui/main_window.h"
+#include "ui/panels/landmark_panel.h"
+#include "ui/panels/result_panel.h"
 
 #include <QFileInfo>
 
@@ -8,12 +9,14 @@ namespace angiopose::app {
 
 PoseTools::PoseTools(const Parts& on, QObject* parent)
     : QObject(parent),
-      solutions_(on.document, on.window),
-      snapshots_(on.document, on.sync, on.window),
-      table_(on.document, on.target, snapshots_, on.session.exporting(), on.window),
-      blindTrial_(on.document, on.target, on.window),
-      auxiliary_(on.document, on.branches, on.window),
-      plots_(on.window, on.session.exporting())
+      solutions_(on.document, on.result.solutions()),
+      snapshots_(on.document, on.preview, on.actions, on.snapshotPanel, on.strip),
+      table_(on.document, on.target, snapshots_, on.session.exporting(),
+             {on.actions, on.snapshotPanel, on.strip, on.dialogParent}),
+      blindTrial_(on.document, on.target,
+                  {on.actions, on.trialBar, {&on.snapshotPanel, &on.result, &on.landmarks}, on.dialogParent}),
+      auxiliary_(on.document, on.branches, on.actions, on.view, on.dialogParent),
+      plots_(on.dialogParent, on.session.exporting())
 {
     connectLooks(on);
     connectTrial(on);
@@ -32,7 +35,6 @@ void PoseTools::connectLooks(const Parts& on)
     connect(replay, &ReplayController::solutionChanged, &solutions_, &SolutionController::showCurrent);
     connect(replay, &ReplayController::solutionShown, &snapshots_, &SnapshotController::showItself);
     connect(&snapshots_, &SnapshotController::wasShown, &on.review, &ReviewController::stopMotion);
-    connect(&snapshots_, &SnapshotController::wasShown, replay, &ReplayController::showItself);
     connect(&on.judgement, &JudgementController::judged, &snapshots_, &SnapshotController::knowJudgement);
 }
 

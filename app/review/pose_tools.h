@@ -14,6 +14,18 @@
 
 #include <QObject>
 
+class QWidget;
+
+namespace angiopose::ui {
+class AngiogramView;
+class BottomStrip;
+class LandmarkPanel;
+class ResultPanel;
+class SnapshotPanel;
+class TrialBar;
+class WindowActions;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// What can be done with poses beside moving them: solutions, snapshots, comparison, blind trials, advice on branches.
@@ -30,9 +42,16 @@ public:
         ReviewController& review;
         ReplayController& replay;
         JudgementController& judgement;
-        ViewSync& sync;
+        PosePreview& preview;
         Notices& notices;
-        ui::MainWindow& window;
+        ui::WindowActions& actions;
+        ui::AngiogramView& view;
+        ui::ResultPanel& result;
+        ui::SnapshotPanel& snapshotPanel;
+        ui::LandmarkPanel& landmarks;
+        ui::TrialBar& trialBar;
+        ui::BottomStrip& strip;
+        QWidget& dialogParent;
     };
     explicit PoseTools(const Parts& on, QObject* parent = nullptr);
 

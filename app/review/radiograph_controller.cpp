@@ -1,7 +1,7 @@
 #include "app/review/radiograph_controller.h"
 
 #include "core/case/registration_input.h"
-#include "ui/main_window.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
 
@@ -22,7 +22,7 @@ RadiographController::RadiographController(const Parts& parts, QObject* parent) 
         }
     });
     connect(&job_, &RadiographJob::failed, this,
-            [this](const core::Message& reason) { on_.window.strip().showStatus(ui::messageText(reason)); });
+            [this](const core::Message& reason) { on_.strip.showStatus(ui::messageText(reason)); });
 }
 
 void RadiographController::setWanted(bool wanted)
@@ -76,8 +76,8 @@ void RadiographController::followDocument()
 
 void RadiographController::show(const core::ImageF& picture)
 {
-    on_.window.angiogramView().scene().setRadiograph(picture);
-    on_.window.angiogramView().update();
+    on_.view.scene().setRadiograph(picture);
+    on_.view.update();
 }
 
 }   // namespace angiopose::app

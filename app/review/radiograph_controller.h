@@ -7,6 +7,11 @@
 
 #include <QObject>
 
+namespace angiopose::ui {
+class AngiogramView;
+class BottomStrip;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
 /// The vessels as X-rays would show them, over the angiogram: a radiograph made anew wherever the pose moves.
@@ -19,7 +24,8 @@ public:
         const TargetProvider& target;
         const ViewSync& sync;
         const LookController& look;
-        ui::MainWindow& window;
+        ui::AngiogramView& view;
+        ui::BottomStrip& strip;
     };
     explicit RadiographController(const Parts& parts, QObject* parent = nullptr);
 

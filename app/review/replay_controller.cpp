@@ -5,7 +5,8 @@
 #include "app/document/edit_case.h"
 #include "app/preferences/settings.h"
 #include "core/registration/pose/centroid_pose.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/words/number.h"
 
 #include <array>
@@ -46,10 +47,10 @@ QString nameOfAxis(Eigen::Index axis)
 
 }   // namespace
 
-ReplayController::ReplayController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), window_(window)
+ReplayController::ReplayController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
+                                   ui::BottomStrip& strip, QObject* parent)
+    : QObject(parent), document_(document), preview_(preview), actions_(actions), strip_(strip)
 {
-    ui::WindowActions& actions = window_.actions();
     replayTimer_.setInterval(80ms);
     swingTimer_.setInterval(40ms);
     connect(&replayTimer_, &QTimer::timeout, this, &ReplayController::showStep);
@@ -63,33 +64,32 @@ ReplayController::ReplayController(CaseDocument& document, ViewSync& sync, ui::M
         actions[ui::Command::Swing]->setChecked(false);
         showItself();
     });
+    connect(&preview_, &PosePreview::gaveWay, this, [this](PreviewOf whose) {
+        if (whose == PreviewOf::Solution) {
+            showItself();
+        }
+    });
 }
 
 void ReplayController::showItself()
 {
     if (std::exchange(solution_, 0) != 0) {
-        sync_.endPreview();
+        preview_.end(PreviewOf::Solution);
         emit solutionChanged(0);
     }
-}
-
-void ReplayController::endPreview()
-{
-    replayTimer_.stop();
-    swingTimer_.stop();
-    sync_.endPreview();
 }
 
 void ReplayController::setReplaying(bool on)
 {
     if (!on) {
-        endPreview();
+        replayTimer_.stop();
+        preview_.end(PreviewOf::Replay);
         return;
     }
     if (!document_.current().shown().result || document_.current().shown().result->history.empty() ||
         document_.isLocked()) {
-        window_.actions()[ui::Command::Replay]->setChecked(false);
-        window_.strip().showStatus(tr("There is no run to replay. Register first (R)."));
+        actions_[ui::Command::Replay]->setChecked(false);
+        strip_.showStatus(tr("There is no run to replay. Register first (R)."));
         return;
     }
     step_ = 0;
@@ -101,16 +101,16 @@ void ReplayController::showStep()
 {
     const auto& result = document_.current().shown().result;
     if (!result || step_ >= result->history.size()) {
-        window_.actions()[ui::Command::Replay]->setChecked(false);
-        window_.strip().showStatus(tr("Replay ended"));
+        actions_[ui::Command::Replay]->setChecked(false);
+        strip_.showStatus(tr("Replay ended"));
         return;
     }
     const core::IterationReport& report = result->history[step_++];
-    sync_.showPreview(report.cameraFromPatient, ResidualColors::Hidden);
-    window_.strip().showStatus(tr("Replay: step %1 of %2, %3 px")
-                                   .arg(step_)
-                                   .arg(result->history.size())
-                                   .arg(ui::numberText(report.medianDistancePx, 2)));
+    preview_.show(PreviewOf::Replay, report.cameraFromPatient, ResidualColors::Hidden);
+    strip_.showStatus(tr("Replay: step %1 of %2, %3 px")
+                          .arg(step_)
+                          .arg(result->history.size())
+                          .arg(ui::numberText(report.medianDistancePx, 2)));
 }
 
 std::optional<ReplayController::Swing> ReplayController::swing() const
@@ -135,12 +135,13 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
 void ReplayController::setSwinging(bool on)
 {
     if (!on) {
-        endPreview();
+        swingTimer_.stop();
+        preview_.end(PreviewOf::Swing);
         return;
     }
     if (!swing() || document_.isLocked()) {
-        window_.actions()[ui::Command::Swing]->setChecked(false);
-        window_.strip().showStatus(tr("The uncertainty of this pose is not known yet."));
+        actions_[ui::Command::Swing]->setChecked(false);
+        strip_.showStatus(tr("The uncertainty of this pose is not known yet."));
         return;
     }
     phase_ = settings::reduceMotion.read() ? phasesPerSwing / 4 : 0;   // without motion: one end of the swing
@@ -154,25 +155,25 @@ void ReplayController::showSwing()
 {
     const auto weakest = swing();
     if (!weakest) {
-        window_.actions()[ui::Command::Swing]->setChecked(false);
+        actions_[ui::Command::Swing]->setChecked(false);
         return;
     }
     const double sigmas = swingSigmas * std::sin(2.0 * std::numbers::pi * phase_++ / phasesPerSwing);
     const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().vessels.tree);
     const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
-    sync_.showPreview(core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
-                      ResidualColors::Hidden);
-    window_.strip().showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
-                                   .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
-                                   .arg(weakest->words));
+    preview_.show(PreviewOf::Swing, core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
+                  ResidualColors::Hidden);
+    strip_.showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
+                          .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
+                          .arg(weakest->words));
 }
 
 void ReplayController::showNextSolution()
 {
     const auto& result = document_.current().shown().result;
     if (!result || result->alternatives.empty() || document_.isLocked()) {
-        window_.strip().showStatus(result ? tr("The run found no other solution.")
-                                          : tr("There is no run yet. Register first (R)."));
+        strip_.showStatus(result ? tr("The run found no other solution.")
+                                 : tr("There is no run yet. Register first (R)."));
         return;
     }
     showSolution(solution_ < result->alternatives.size() ? solution_ + 1 : 0);
@@ -187,17 +188,17 @@ void ReplayController::showSolution(std::size_t index)
     emit solutionShown();
     if (index == 0) {
         showItself();
-        window_.strip().showStatus(tr("The solution itself"));
+        strip_.showStatus(tr("The solution itself"));
         return;
     }
     solution_ = index;
     const core::Hypothesis& other = result->alternatives[index - 1];
-    sync_.showPreview(other.cameraFromPatient, ResidualColors::Hidden);
-    window_.strip().showStatus(tr("Other solution %1 of %2, score %3 · %4 takes it")
-                                   .arg(index)
-                                   .arg(result->alternatives.size())
-                                   .arg(ui::numberText(other.score, 2))
-                                   .arg(ui::keyOf(ui::Command::TakeSolution)));
+    preview_.show(PreviewOf::Solution, other.cameraFromPatient, ResidualColors::Hidden);
+    strip_.showStatus(tr("Other solution %1 of %2, score %3 · %4 takes it")
+                          .arg(index)
+                          .arg(result->alternatives.size())
+                          .arg(ui::numberText(other.score, 2))
+                          .arg(ui::keyOf(ui::Command::TakeSolution)));
     emit solutionChanged(index);
 }
 
@@ -205,7 +206,7 @@ void ReplayController::takeSolution()
 {
     const auto& result = document_.current().shown().result;
     if (solution_ == 0 || !result || solution_ > result->alternatives.size()) {
-        window_.strip().showStatus(tr("J shows the other solutions first."));
+        strip_.showStatus(tr("J shows the other solutions first."));
         return;
     }
     const core::RigidTransform pose = result->alternatives[solution_ - 1].cameraFromPatient;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/showing/view_sync.h"
+#include "app/showing/pose_preview.h"
 
 #include <QObject>
 #include <QTimer>
@@ -9,8 +9,9 @@
 #include <optional>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -19,7 +20,8 @@ namespace angiopose::app {
 class ReplayController : public QObject {
     Q_OBJECT
 public:
-    ReplayController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+    ReplayController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions, ui::BottomStrip& strip,
+                     QObject* parent = nullptr);
 
     void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
 
@@ -43,11 +45,11 @@ private:
     void setSwinging(bool on);
     void showSwing();
     void showNextSolution();
-    void endPreview();
 
     CaseDocument& document_;
-    ViewSync& sync_;
-    ui::MainWindow& window_;
+    PosePreview& preview_;
+    ui::WindowActions& actions_;
+    ui::BottomStrip& strip_;
     std::optional<core::PoseUncertainty> uncertainty_;
     QTimer replayTimer_;
     QTimer swingTimer_;

@@ -1,8 +1,9 @@
 #include "app/review/slice_controller.h"
 
 #include "app/preferences/settings.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
 #include "ui/slices/corner_views.h"
+#include "ui/slices/slice_model.h"
 #include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
 
@@ -22,32 +23,31 @@ int settingOf(std::optional<core::BodyPlane> plane)
 
 }   // namespace
 
-SliceController::SliceController(CaseDocument& document, BranchController& branches, ui::MainWindow& window,
-                                 QObject* parent)
-    : QObject(parent), document_(document), branches_(branches), window_(window)
+SliceController::SliceController(CaseDocument& document, BranchController& branches, const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), branches_(branches), ui_(ui)
 {
-    connectView(window.corner().slice());
+    connectView(ui_.corner.slice());
     for (const core::BodyPlane plane : core::bodyPlanes) {
-        connectView(window.slicesPage().view(plane));
+        connectView(ui_.slicesPage.view(plane));
     }
     connect(&document, &CaseDocument::changed, this, &SliceController::followDocument);
     connect(&branches, &BranchController::marksChanged, this, &SliceController::followBranches);
-    connect(&window.treeView(), &ui::TreeView::pointPicked, &window.slices(), &ui::SliceModel::setCrosshair);
+    connect(&ui_.treeView, &ui::TreeView::pointPicked, &ui_.slices, &ui::SliceModel::setCrosshair);
     const auto showInTree = [this] {
-        const ui::SliceModel& slices = window_.slices();
-        window_.treeView().setCrosshair(slices.hasScan() ? std::optional(slices.crosshair()) : std::nullopt);
+        const ui::SliceModel& slices = ui_.slices;
+        ui_.treeView.setCrosshair(slices.hasScan() ? std::optional(slices.crosshair()) : std::nullopt);
     };
-    connect(&window.slices(), &ui::SliceModel::crosshairChanged, this, showInTree);
-    connect(&window.slices(), &ui::SliceModel::scanChanged, this, showInTree);
+    connect(&ui_.slices, &ui::SliceModel::crosshairChanged, this, showInTree);
+    connect(&ui_.slices, &ui::SliceModel::scanChanged, this, showInTree);
 
-    ui::WindowActions& actions = window.actions();
+    ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::SlicesLarge], &QAction::toggled, this, &SliceController::setLarge);
-    connect(actions[ui::Command::NextCornerView], &QAction::triggered, &window.corner(), &ui::CornerViews::showNext);
-    connect(&window.corner(), &ui::CornerViews::roomRequested, actions[ui::Command::SlicesLarge], &QAction::toggle);
-    connect(&window.slicesPage(), &ui::SlicesPage::closeRequested, actions[ui::Command::SlicesLarge],
+    connect(actions[ui::Command::NextCornerView], &QAction::triggered, &ui_.corner, &ui::CornerViews::showNext);
+    connect(&ui_.corner, &ui::CornerViews::roomRequested, actions[ui::Command::SlicesLarge], &QAction::toggle);
+    connect(&ui_.slicesPage, &ui::SlicesPage::closeRequested, actions[ui::Command::SlicesLarge],
             [action = actions[ui::Command::SlicesLarge]] { action->setChecked(false); });
-    window.corner().showPlane(planeOf(settings::cornerView.read()));
-    connect(&window.corner(), &ui::CornerViews::planeChanged, this,
+    ui_.corner.showPlane(planeOf(settings::cornerView.read()));
+    connect(&ui_.corner, &ui::CornerViews::planeChanged, this,
             [](std::optional<core::BodyPlane> plane) { settings::cornerView.write(settingOf(plane)); });
     followDocument();
 }
@@ -60,12 +60,12 @@ void SliceController::connectView(ui::SliceView& view)
 
 void SliceController::setLarge(bool large)
 {
-    const bool isPossible = window_.slices().hasScan();
+    const bool isPossible = ui_.slices.hasScan();
     if (large && !isPossible) {
-        window_.actions()[ui::Command::SlicesLarge]->setChecked(false);
+        ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
         return;
     }
-    window_.setSlicesLarge(large);
+    emit largeShown(large);
 }
 
 void SliceController::followDocument()
@@ -77,19 +77,19 @@ void SliceController::followDocument()
     const core::InputFile labels = hasLabels ? current.vessels.file : core::InputFile();
     const bool isNewLabels = labels != shownLabels_ && hasLabels;
     shownLabels_ = labels;
-    window_.slices().setTree(current.vessels.tree);
-    window_.slices().setScan(current.vessels.scan, current.vessels.lumen);
-    const bool hasScan = window_.slices().hasScan();
-    window_.actions()[ui::Command::SlicesLarge]->setEnabled(hasScan);
-    window_.actions()[ui::Command::NextCornerView]->setEnabled(hasScan);
+    ui_.slices.setTree(current.vessels.tree);
+    ui_.slices.setScan(current.vessels.scan, current.vessels.lumen);
+    const bool hasScan = ui_.slices.hasScan();
+    ui_.actions[ui::Command::SlicesLarge]->setEnabled(hasScan);
+    ui_.actions[ui::Command::NextCornerView]->setEnabled(hasScan);
     if (!hasScan) {
-        window_.actions()[ui::Command::SlicesLarge]->setChecked(false);
+        ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
     } else if ((isNew && current.vessels.scan) || isNewLabels) {
         if (current.vessels.tree && !current.vessels.tree->branches.empty()) {
             goToBranch(current.vessels.tree->branches.front().id);
         }
         if (!current.shown().angiogram) {   // nothing else to look at yet
-            window_.actions()[ui::Command::SlicesLarge]->setChecked(true);
+            ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         }
     }
 }
@@ -112,13 +112,13 @@ void SliceController::goToBranch(int branchId)
         return;
     }
     constexpr double nearMm = 3.0;
-    const Eigen::Vector3d& now = window_.slices().crosshair();
+    const Eigen::Vector3d& now = ui_.slices.crosshair();
     for (const Eigen::Vector3d& point : branch->pointsInPatient) {
         if ((point - now).norm() < nearMm) {
             return;
         }
     }
-    window_.slices().setCrosshair(branch->pointsInPatient[branch->pointsInPatient.size() / 2]);
+    ui_.slices.setCrosshair(branch->pointsInPatient[branch->pointsInPatient.size() / 2]);
 }
 
 }   // namespace angiopose::app

@@ -3,7 +3,8 @@
 #include "app/document/edit_case.h"
 #include "app/words/snapshot_texts.h"
 #include "core/support/utc_time.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -31,18 +32,23 @@ QString freeName(const std::vector<core::PoseSnapshot>& snapshots)
 
 }   // namespace
 
-SnapshotController::SnapshotController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), window_(window)
+SnapshotController::SnapshotController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
+                                       ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent)
+    : QObject(parent), document_(document), preview_(preview), actions_(actions), panel_(panel), strip_(strip)
 {
     connectWindow();
-    ui::speak(this, [this] { window_.snapshots().showSnapshots(document_.current().shown().snapshots); });
+    ui::speak(this, [this] { panel_.showSnapshots(document_.current().shown().snapshots); });
     connect(&document_, &CaseDocument::changed, this, &SnapshotController::followDocument);
-    connect(&window_, &ui::MainWindow::escapePressed, this, &SnapshotController::showItself);
+    connect(&preview_, &PosePreview::gaveWay, this, [this](PreviewOf whose) {
+        if (whose == PreviewOf::Snapshot) {
+            showItself();
+        }
+    });
 }
 
 void SnapshotController::connectWindow()
 {
-    ui::SnapshotPanel& panel = window_.snapshots();
+    ui::SnapshotPanel& panel = panel_;
     connect(&panel, &ui::SnapshotPanel::keepRequested, this, &SnapshotController::keep);
     connect(&panel, &ui::SnapshotPanel::wasPicked, this, &SnapshotController::show);
     connect(&panel, &ui::SnapshotPanel::restoreRequested, this, &SnapshotController::restore);
@@ -50,8 +56,8 @@ void SnapshotController::connectWindow()
     connect(&panel, &ui::SnapshotPanel::renamed, this, &SnapshotController::rename, Qt::QueuedConnection);
     connect(&panel, &ui::SnapshotPanel::removeRequested, this, &SnapshotController::remove);
     connect(&panel, &ui::SnapshotPanel::markRequested, this, &SnapshotController::mark);
-    connect(window_.actions()[ui::Command::KeepPose], &QAction::triggered, this, &SnapshotController::keep);
-    connect(window_.actions()[ui::Command::SwitchPoses], &QAction::triggered, this, &SnapshotController::switchSides);
+    connect(actions_[ui::Command::KeepPose], &QAction::triggered, this, &SnapshotController::keep);
+    connect(actions_[ui::Command::SwitchPoses], &QAction::triggered, this, &SnapshotController::switchSides);
 }
 
 void SnapshotController::knowJudgement(const SharedJudgement& judgement)
@@ -83,7 +89,7 @@ void SnapshotController::keep()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
-        window_.strip().showStatus(tr("There is no pose to keep yet."));
+        strip_.showStatus(tr("There is no pose to keep yet."));
         return;
     }
     core::PoseSnapshot kept;
@@ -97,7 +103,7 @@ void SnapshotController::keep()
     kept.runMs = current.shown().result ? current.shown().result->time.totalMs : 0.0;
     const QString name = QString::fromStdString(kept.name);
     push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Keep %1").arg(name); });
-    window_.strip().showStatus(tr("Kept as “%1” · Y compares").arg(name));
+    strip_.showStatus(tr("Kept as “%1” · Y compares").arg(name));
 }
 
 void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const ui::Words& name)
@@ -113,11 +119,11 @@ void SnapshotController::show(int snapshotId)
         return;
     }
     emit wasShown();
-    sync_.showPreview(snapshot->cameraFromPatient, ResidualColors::Hidden);
+    preview_.show(PreviewOf::Snapshot, snapshot->cameraFromPatient, ResidualColors::Hidden);
     marks_.shown = snapshotId;
     showMarks();
     const QString name = QString::fromStdString(snapshot->name);
-    window_.strip().showStatus(
+    strip_.showStatus(
         snapshot->metrics
             ? tr("“%1”: median %2 mm · Esc goes back").arg(name).arg(ui::numberText(snapshot->metrics->medianMm, 2))
             : tr("“%1” · Esc goes back").arg(name));
@@ -126,7 +132,7 @@ void SnapshotController::show(int snapshotId)
 void SnapshotController::showItself()
 {
     if (std::exchange(marks_.shown, std::nullopt)) {
-        sync_.endPreview();
+        preview_.end(PreviewOf::Snapshot);
         showMarks();
     }
 }
@@ -135,7 +141,7 @@ void SnapshotController::switchSides()
 {
     const auto& snapshots = document_.current().shown().snapshots;
     if (snapshots.empty()) {
-        window_.strip().showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
+        strip_.showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
         return;
     }
     if (!marks_.b) {
@@ -147,7 +153,7 @@ void SnapshotController::switchSides()
         show(*side);
     } else {
         showItself();
-        window_.strip().showStatus(tr("A: the pose as it is"));
+        strip_.showStatus(tr("A: the pose as it is"));
     }
 }
 
@@ -222,14 +228,14 @@ void SnapshotController::followDocument()
         listed.push_back(std::to_string(each.id) + "\n" + each.name + "\n" + each.author + "\n" + each.note);
     }
     if (std::exchange(listed_, listed) != listed) {   // most changes are of the pose
-        window_.snapshots().showSnapshots(snapshots);
+        panel_.showSnapshots(snapshots);
     }
     showMarks();
 }
 
 void SnapshotController::showMarks()
 {
-    window_.snapshots().showMarks(marks_);
+    panel_.showMarks(marks_);
 }
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/jobs/judge_job.h"
-#include "app/showing/view_sync.h"
+#include "app/showing/pose_preview.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/spoken.h"
 
@@ -11,8 +11,10 @@
 #include <set>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+class SnapshotPanel;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -21,7 +23,8 @@ namespace angiopose::app {
 class SnapshotController : public QObject {
     Q_OBJECT
 public:
-    SnapshotController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+    SnapshotController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
+                       ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent = nullptr);
 
     /// The numbers that a pose kept now gets; null while they are not known.
     void knowJudgement(const SharedJudgement& judgement);
@@ -50,8 +53,10 @@ private:
     void showMarks();
 
     CaseDocument& document_;
-    ViewSync& sync_;
-    ui::MainWindow& window_;
+    PosePreview& preview_;
+    ui::WindowActions& actions_;
+    ui::SnapshotPanel& panel_;
+    ui::BottomStrip& strip_;
     SharedJudgement judgement_;
     ui::SnapshotMarks marks_;
     bool isOnB_ = false;

@@ -3,7 +3,7 @@
 #include "app/messages/says.h"
 #include "app/texts/overlay_picture.h"
 #include "core/geometry/pose_difference.h"
-#include "ui/main_window.h"
+#include "ui/panels/solution_strip.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -63,13 +63,12 @@ std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t cou
 
 }   // namespace
 
-SolutionController::SolutionController(const CaseDocument& document, ui::MainWindow& window, QObject* parent)
+SolutionController::SolutionController(const CaseDocument& document, ui::SolutionStrip& strip, QObject* parent)
     : QObject(parent),
       document_(document),
-      window_(window),
+      strip_(strip),
       pictures_([this](const Pictures& pictures) { showPictures(pictures); })
 {
-    ui::SolutionStrip& strip = window_.result().solutions();
     ui::speak(this, [this] {
         shown_.clear();
         followDocument();
@@ -84,13 +83,13 @@ SolutionController::SolutionController(const CaseDocument& document, ui::MainWin
 void SolutionController::showPictures(const Pictures& pictures)
 {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        window_.result().solutions().showPicture(static_cast<int>(i), pictures[i]);
+        strip_.showPicture(static_cast<int>(i), pictures[i]);
     }
 }
 
 void SolutionController::showCurrent(std::size_t index)
 {
-    window_.result().solutions().showCurrent(static_cast<int>(index));
+    strip_.showCurrent(static_cast<int>(index));
 }
 
 void SolutionController::followDocument()
@@ -100,8 +99,8 @@ void SolutionController::followDocument()
         return;
     }
     shown_ = std::move(poses);
-    window_.result().solutions().showSolutions(shown_.empty() ? std::vector<ui::SolutionLine>{}
-                                                              : linesOf(document_.current(), shown_.size()));
+    strip_.showSolutions(shown_.empty() ? std::vector<ui::SolutionLine>{}
+                                        : linesOf(document_.current(), shown_.size()));
     draw(shown_);
 }
 
@@ -111,7 +110,7 @@ void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
     if (poses.empty()) {
         return;
     }
-    const int widthPx = window_.result().solutions().pictureWidthPx();
+    const int widthPx = strip_.pictureWidthPx();
     pictures_.start([theCase = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Pictures> {
         core::Case snapshot = theCase;
         Pictures pictures;

@@ -11,8 +11,8 @@
 #include <vector>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class SolutionStrip;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -21,7 +21,7 @@ namespace angiopose::app {
 class SolutionController : public QObject {
     Q_OBJECT
 public:
-    SolutionController(const CaseDocument& document, ui::MainWindow& window, QObject* parent = nullptr);
+    SolutionController(const CaseDocument& document, ui::SolutionStrip& strip, QObject* parent = nullptr);
 
     void showCurrent(std::size_t index);   ///< the one that is on screen now
 
@@ -36,7 +36,7 @@ private:
     void showPictures(const Pictures& pictures);
 
     const CaseDocument& document_;
-    ui::MainWindow& window_;
+    ui::SolutionStrip& strip_;
     std::vector<core::RigidTransform> shown_;   ///< poses in the strip
     Job<Pictures> pictures_;
 };

@@ -18,6 +18,8 @@ ViewPlacesController::ViewPlacesController(ui::MainWindow& window, QObject* pare
     connectWindow(Command::CornerWindow, MovableView::Corner);
     connectWindow(Command::SlicesWindow, MovableView::Slices);
     connectSlices();
+    connect(window.actions()[Command::FullScreen], &QAction::toggled, this,
+            [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); });
     ui::WindowActions& actions = window.actions();
     connect(&window.angiogramView(), &ui::AngiogramView::roomRequested, actions[Command::ImageOnly], &QAction::toggle);
     connect(&window.corner(), &ui::CornerViews::aloneRequested, actions[Command::CornerOnly], &QAction::toggle);

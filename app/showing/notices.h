@@ -7,9 +7,11 @@
 
 #include <functional>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class BottomStrip;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -18,13 +20,14 @@ class Notices : public QObject {
     Q_OBJECT
 public:
     /// While `isBusy` says so the strip shows the progress of a task; notes stand beside it.
-    Notices(ui::MainWindow& window, std::function<bool()> isBusy, QObject* parent = nullptr);
+    Notices(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy, QObject* parent = nullptr);
 
     void showNote(const QString& note);   ///< in the strip, for a while
     void showProblem(const QString& heading, const QString& reason, const QStringList& paths = {});
 
 private:
-    ui::MainWindow& window_;
+    ui::BottomStrip& strip_;
+    QWidget& dialogParent_;
     std::function<bool()> isBusy_;
     QTimer noteTimer_;
 };

@@ -3,7 +3,8 @@
 #include "app/document/edit_case.h"
 #include "app/preferences/settings.h"
 #include "app/preferences/theme_choice.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
@@ -25,8 +26,9 @@ constexpr qint64 reviewBurstPauseMs = 1500;
 
 }   // namespace
 
-ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), window_(window)
+ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, PosePreview& preview, const Ui& ui,
+                                   QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
 {
     connectMotion();
     connectWindow();
@@ -34,7 +36,7 @@ ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, ui::M
 
 void ReviewController::connectMotion()
 {
-    ui::WindowActions& actions = window_.actions();
+    ui::WindowActions& actions = ui_.actions;
     flickerTimer_.setInterval(600ms);
     connect(&flickerTimer_, &QTimer::timeout, this, &ReviewController::flick);
     connect(actions[ui::Command::Flicker], &QAction::toggled, this, &ReviewController::setFlickering);
@@ -63,12 +65,10 @@ void ReviewController::connectMotion()
 
 void ReviewController::connectWindow()
 {
-    ui::WindowActions& actions = window_.actions();
-    connect(&window_.angiogramView(), &ui::AngiogramView::frameStepRequested, this, &ReviewController::stepFrame);
-    connect(&window_.strip(), &ui::BottomStrip::frameRequested, this, &ReviewController::showFrame);
-    connect(actions[ui::Command::ResetTreeView], &QAction::triggered, &window_.treeView(), &ui::TreeView::nextView);
-    connect(actions[ui::Command::FullScreen], &QAction::toggled, this,
-            [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); });
+    ui::WindowActions& actions = ui_.actions;
+    connect(&ui_.view, &ui::AngiogramView::frameStepRequested, this, &ReviewController::stepFrame);
+    connect(&ui_.strip, &ui::BottomStrip::frameRequested, this, &ReviewController::showFrame);
+    connect(actions[ui::Command::ResetTreeView], &QAction::triggered, &ui_.treeView, &ui::TreeView::nextView);
     const std::array themes{std::pair{ui::Command::ThemeDark, "dark"}, std::pair{ui::Command::ThemeLight, "light"},
                             std::pair{ui::Command::ThemeSystem, "system"}};
     for (const auto& [command, name] : themes) {
@@ -76,7 +76,7 @@ void ReviewController::connectWindow()
         actions[command]->setChecked(settings::theme.read() == stored);
         connect(actions[command], &QAction::triggered, this, [this, stored] { applyTheme(stored); });
     }
-    window_.treeView().setTheme(ui::activeTheme());
+    ui_.treeView.setTheme(ui::activeTheme());
 }
 
 void ReviewController::stepFrame(int step)
@@ -95,7 +95,7 @@ void ReviewController::stepFrame(int step)
 
 void ReviewController::showFrame(int frame)
 {
-    window_.actions()[ui::Command::Cine]->setChecked(false);
+    ui_.actions[ui::Command::Cine]->setChecked(false);
     if (frame == document_.current().shown().frame) {
         sync_.showFrame(frame);
         return;
@@ -120,7 +120,7 @@ void ReviewController::setFlickering(bool on)
     if (!on) {
         flickerTimer_.stop();
         showsStart_ = false;
-        sync_.endPreview();
+        preview_.end(PreviewOf::Start);
         return;
     }
     flick();
@@ -138,11 +138,11 @@ void ReviewController::flick()
     }
     showsStart_ = !showsStart_;
     if (showsStart_) {
-        sync_.showPreview(start.value(), ResidualColors::Hidden);
+        preview_.show(PreviewOf::Start, start.value(), ResidualColors::Hidden);
     } else {
-        sync_.endPreview();
+        preview_.end(PreviewOf::Start);
     }
-    window_.strip().showStatus(showsStart_ ? tr("Before: start pose") : tr("After: pose as it is"));
+    ui_.strip.showStatus(showsStart_ ? tr("Before: start pose") : tr("After: pose as it is"));
 }
 
 void ReviewController::setPlaying(bool on)
@@ -156,7 +156,7 @@ void ReviewController::setPlaying(bool on)
     cineTimer_.stop();
     sync_.showFrame(document_.current().shown().frame);
     if (on) {
-        window_.actions()[ui::Command::Cine]->setChecked(false);
+        ui_.actions[ui::Command::Cine]->setChecked(false);
     }
 }
 
@@ -164,7 +164,7 @@ void ReviewController::stopMotion()
 {
     for (const ui::Command motion :
          {ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing}) {
-        window_.actions()[motion]->setChecked(false);
+        ui_.actions[motion]->setChecked(false);
     }
 }
 
@@ -172,7 +172,7 @@ void ReviewController::applyTheme(const QString& name)
 {
     settings::theme.write(name);
     applyChosenTheme(*qApp);
-    window_.treeView().setTheme(ui::activeTheme());
+    ui_.treeView.setTheme(ui::activeTheme());
 }
 
 }   // namespace angiopose::app

@@ -11,8 +11,11 @@
 #include <utility>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class BottomStrip;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -20,10 +23,18 @@ namespace angiopose::app {
 class ReviewController : public QObject {
     Q_OBJECT
 public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::BottomStrip& strip;
+    };
     /// The pose of a frame, where following the vessels through the run has found it.
     using PoseOfFrame = std::function<std::optional<core::RigidTransform>(int frame)>;
 
-    ReviewController(CaseDocument& document, ViewSync& sync, ui::MainWindow& window, QObject* parent = nullptr);
+    ReviewController(CaseDocument& document, ViewSync& sync, PosePreview& preview, const Ui& ui,
+                     QObject* parent = nullptr);
 
     void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
     void showFrame(int frame);
@@ -40,7 +51,8 @@ private:
 
     CaseDocument& document_;
     ViewSync& sync_;
-    ui::MainWindow& window_;
+    PosePreview& preview_;
+    Ui ui_;
     PoseOfFrame poseOfFrame_;
     QTimer flickerTimer_;
     QTimer cineTimer_;

@@ -6,7 +6,10 @@
 #include "app/words/corner_words.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"
-#include "ui/main_window.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/panels/branch_panel.h"
+#include "ui/panels/registration_panel.h"
+#include "ui/slices/slice_model.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/spoken.h"
@@ -60,12 +63,14 @@ std::vector<double> relativeToFullest(std::vector<double> shares)
 
 }   // namespace
 
-ViewSync::ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent)
+ViewSync::ViewSync(const CaseDocument& document, const PosePreview& preview, const Ui& ui, QObject* parent)
     : QObject(parent),
-      window_(window),
       document_(document),
+      preview_(preview),
+      ui_(ui),
       opacification_([this](const Measured& measured) { takeMeasured(measured); })
 {
+    connect(&preview, &PosePreview::changed, this, &ViewSync::followPreview);
     ui::speak(this, [this] {
         showFrameNote();
         showCornerTexts();
@@ -85,16 +90,11 @@ void ViewSync::refresh()
     if (current.shown().frame != shownFrame_) {
         showFrame(current.shown().frame);
     }
-    if (!previewing_) {
-        showPose(current.shown().cameraFromPatient);
+    if (!preview_.shown()) {
+        showPose();
     }
-    window_.angiogramView().setOrientationKnown(shownCamera_ && isOrientationKnown(current));
+    ui_.view.setOrientationKnown(shownCamera_ && isOrientationKnown(current));
     showCornerTexts();
-    if (document_.isEmpty() && !current.vessels.scan) {
-        window_.showWelcomePage();
-    } else {
-        window_.showImagePage();
-    }
 }
 
 void ViewSync::showTree()
@@ -103,12 +103,12 @@ void ViewSync::showTree()
     shownHidden_ = document_.current().vessels.hiddenBranchIds;
     const core::VesselTree tree = shownTree_ ? *shownTree_ : core::VesselTree{};
     const core::VesselTree drawn = core::without(tree, shownHidden_);
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = ui_.view;
     view.scene().clearResiduals();
     view.scene().setTree(drawn);
     view.setPivot(shownTree_ ? core::centroidInPatient(tree) : Eigen::Vector3d::Zero());
-    window_.treeView().scene().setTree(drawn);
-    window_.branches().showTree(tree);
+    ui_.treeView.scene().setTree(drawn);
+    ui_.branches.showTree(tree);
 }
 
 void ViewSync::showAngiogram()
@@ -133,19 +133,19 @@ void ViewSync::showCamera()
         return;
     }
     shownCamera_ = known;
-    window_.angiogramView().setCamera(known.value_or(core::ProjectionCamera()));
-    window_.treeView().scene().setCamera(known.value_or(core::ProjectionCamera()),
-                                         known ? sourceToDetectorMm(document_.current()) : 0.0);
-    window_.treeView().requestRender();
+    ui_.view.setCamera(known.value_or(core::ProjectionCamera()));
+    ui_.treeView.scene().setCamera(known.value_or(core::ProjectionCamera()),
+                                   known ? sourceToDetectorMm(document_.current()) : 0.0);
+    ui_.treeView.requestRender();
 }
 
 /// Nothing of an image that the case does not have any more.
 void ViewSync::clearFrame()
 {
-    window_.angiogramView().setFrame({});
-    window_.angiogramView().setFramePosition(0, 0);
-    window_.treeView().scene().setFrame({});
-    window_.treeView().requestRender();
+    ui_.view.setFrame({});
+    ui_.view.setFramePosition(0, 0);
+    ui_.treeView.scene().setFrame({});
+    ui_.treeView.requestRender();
 }
 
 void ViewSync::showFrame(int frame)
@@ -153,63 +153,54 @@ void ViewSync::showFrame(int frame)
     shownFrame_ = frame;
     if (shownAngiogram_ && frame >= 0 && frame < shownAngiogram_->frameCount()) {
         const core::ImageF& image = shownAngiogram_->frames[static_cast<std::size_t>(frame)];
-        window_.angiogramView().setFrame(image);
+        ui_.view.setFrame(image);
         if (std::exchange(isGreyNew_, false)) {
-            window_.angiogramView().autoWindowLevel();
+            ui_.view.autoWindowLevel();
         }
-        window_.angiogramView().setFramePosition(frame, shownAngiogram_->frameCount());
-        window_.treeView().scene().setFrame(image);
-        window_.treeView().requestRender();
+        ui_.view.setFramePosition(frame, shownAngiogram_->frameCount());
+        ui_.treeView.scene().setFrame(image);
+        ui_.treeView.requestRender();
     }
-    window_.strip().showCurrentFrame(frame);
+    ui_.strip.showCurrentFrame(frame);
     showFrameNote();
     emit frameShown(frame);
 }
 
-void ViewSync::showPose(const core::RigidTransform& cameraFromPatient)
+void ViewSync::showPose()
 {
-    window_.angiogramView().setPose(cameraFromPatient);
-    window_.treeView().scene().setPose(cameraFromPatient);
-    window_.angiogramView().update();
-    window_.treeView().requestRender();
+    const core::RigidTransform& cameraFromPatient = preview_.pose();
+    ui_.view.setPose(cameraFromPatient);
+    ui_.treeView.scene().setPose(cameraFromPatient);
+    ui_.view.update();
+    ui_.treeView.requestRender();
     emit poseShown(cameraFromPatient);
 }
 
-void ViewSync::showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors)
+void ViewSync::followPreview()
 {
-    previewing_ = true;
-    const bool areHidden = colors == ResidualColors::Hidden;
+    const bool areHidden = preview_.colors() == ResidualColors::Hidden;
     if (std::exchange(colorsHidden_, areHidden) != areHidden) {
         showResidualColors();
     }
-    showPose(cameraFromPatient);
-}
-
-void ViewSync::endPreview()
-{
-    previewing_ = false;
-    if (std::exchange(colorsHidden_, false)) {
-        showResidualColors();
-    }
-    showPose(document_.current().shown().cameraFromPatient);
+    showPose();
 }
 
 void ViewSync::showMarks(const ui::BranchMarks& marks)
 {
-    window_.angiogramView().scene().setMarks(marks);
-    window_.angiogramView().update();
-    window_.treeView().scene().setMarks(marks);
-    window_.treeView().requestRender();
-    window_.branches().showMarks(marks);
-    window_.slices().setMarks(marks);
+    ui_.view.scene().setMarks(marks);
+    ui_.view.update();
+    ui_.treeView.scene().setMarks(marks);
+    ui_.treeView.requestRender();
+    ui_.branches.showMarks(marks);
+    ui_.slices.setMarks(marks);
     const auto isUsed = [&marks](int id) { return !marks.excluded.contains(id); };
-    window_.registration().showAuxiliary(static_cast<int>(std::ranges::count_if(marks.auxiliary, isUsed)));
+    ui_.registration.showAuxiliary(static_cast<int>(std::ranges::count_if(marks.auxiliary, isUsed)));
 }
 
 void ViewSync::showTarget(const SharedCenterline& target)
 {
-    window_.angiogramView().scene().setTracedCenterline(target ? *target : core::Centerline2d{});
-    window_.angiogramView().update();
+    ui_.view.scene().setTracedCenterline(target ? *target : core::Centerline2d{});
+    ui_.view.update();
 }
 
 void ViewSync::showJudgement(const SharedJudgement& judgement)
@@ -218,7 +209,7 @@ void ViewSync::showJudgement(const SharedJudgement& judgement)
     showResidualColors();
     const core::Case& current = document_.current();
     if (!judgement_ || !shownCamera_ || !current.vessels.tree) {
-        window_.branches().showResiduals({}, 0.0);
+        ui_.branches.showResiduals({}, 0.0);
         return;
     }
     const double depthMm = depthOfTreeMm(current);
@@ -227,12 +218,12 @@ void ViewSync::showJudgement(const SharedJudgement& judgement)
     for (const core::BranchResidual& branch : judgement_->result.branches) {
         residualMm[branch.branchId] = branch.medianPx * mmPerPx;
     }
-    window_.branches().showResiduals(residualMm, residualScaleMaximumPx(*shownCamera_, depthMm) * mmPerPx);
+    ui_.branches.showResiduals(residualMm, residualScaleMaximumPx(*shownCamera_, depthMm) * mmPerPx);
 }
 
 void ViewSync::showResidualColors()
 {
-    ui::AngiogramView& view = window_.angiogramView();
+    ui::AngiogramView& view = ui_.view;
     const core::Case& current = document_.current();
     if (!judgement_ || !shownCamera_ || !current.vessels.tree || colorsHidden_) {
         view.scene().clearResiduals();
@@ -255,22 +246,22 @@ void ViewSync::setIdentityHidden(bool hidden)
 void ViewSync::showCornerTexts()
 {
     const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
-    window_.angiogramView().setCornerTexts(windowTexts(cornerLines(document_.current(), identity)));
+    ui_.view.setCornerTexts(windowTexts(cornerLines(document_.current(), identity)));
 }
 
 void ViewSync::showFrameNote()
 {
     if (!shownAngiogram_) {
-        window_.strip().showFrameNote({});
+        ui_.strip.showFrameNote({});
         return;
     }
     const int count = shownAngiogram_->frameCount();
-    window_.strip().showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4")
-                                                  .arg(shownFrame_)
-                                                  .arg(count - 1)
-                                                  .arg(shownAngiogram_->suggestedFrame)
-                                                  .arg(ui::keyOf(ui::Command::Cine))
-                                            : tr("Single frame"));
+    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4")
+                                            .arg(shownFrame_)
+                                            .arg(count - 1)
+                                            .arg(shownAngiogram_->suggestedFrame)
+                                            .arg(ui::keyOf(ui::Command::Cine))
+                                      : tr("Single frame"));
 }
 
 void ViewSync::measureOpacification()
@@ -278,7 +269,7 @@ void ViewSync::measureOpacification()
     measuredRun_ = core::storedRunOf(document_.current().shown());
     frameCurve_ = {};
     suggestedMasks_.clear();
-    window_.strip().showFrames(frameCurve_);
+    ui_.strip.showFrames(frameCurve_);
     opacification_.drop();
     if (measuredRun_ && measuredRun_->frameCount() > 1) {
         opacification_.start([run = measuredRun_](JobLink<double>&) -> core::Result<Measured> {
@@ -293,7 +284,7 @@ void ViewSync::takeMeasured(const Measured& measured)
 {
     frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs};
     suggestedMasks_ = measured.masks;
-    window_.strip().showFrames(frameCurve_);
+    ui_.strip.showFrames(frameCurve_);
     emit runMeasured();
 }
 

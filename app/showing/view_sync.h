@@ -4,6 +4,7 @@
 #include "app/jobs/job.h"
 #include "app/jobs/judge_job.h"
 #include "app/jobs/trace_job.h"
+#include "app/showing/pose_preview.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/scenes/overlay_scene.h"
 
@@ -12,25 +13,32 @@
 #include <optional>
 
 namespace angiopose::ui {
-class MainWindow;
-}
+class AngiogramView;
+class BottomStrip;
+class BranchPanel;
+class RegistrationPanel;
+class SliceModel;
+class TreeView;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
-/// Whether residual colours hold for a pose that is shown for a while: a drag is judged as it moves, a look at another
-/// pose is not, and colours of one pose on another would lie.
-enum class ResidualColors { Kept, Hidden };
-
-/// Keeps the window's views showing the document: redraws only what changed. Also shows poses that are not in the
-/// document yet (a drag, a running registration, the start pose while flickering).
+/// Keeps the window's views showing the document, with the pose that the preview says: redraws only what changed.
 class ViewSync : public QObject {
     Q_OBJECT
 public:
-    ViewSync(ui::MainWindow& window, const CaseDocument& document, QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::SliceModel& slices;
+        ui::BranchPanel& branches;
+        ui::RegistrationPanel& registration;
+        ui::BottomStrip& strip;
+    };
+    ViewSync(const CaseDocument& document, const PosePreview& preview, const Ui& ui, QObject* parent = nullptr);
 
     void refresh();
-    void showPreview(const core::RigidTransform& cameraFromPatient, ResidualColors colors);
-    void endPreview();
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
     void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colours
@@ -54,22 +62,23 @@ private:
     void showAngiogram();
     void clearFrame();
     void showCamera();
-    void showPose(const core::RigidTransform& cameraFromPatient);
+    void followPreview();
+    void showPose();
     void showResidualColors();
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
     void takeMeasured(const Measured& measured);
 
-    ui::MainWindow& window_;
     const CaseDocument& document_;
+    const PosePreview& preview_;
+    Ui ui_;
     std::shared_ptr<const core::VesselTree> shownTree_;
     std::vector<int> shownHidden_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
     bool isGreyNew_ = false;   ///< the next frame has other grey values than the last
-    bool previewing_ = false;
     SharedJudgement judgement_;
     bool colorsHidden_ = false;
     bool identityHidden_ = false;

@@ -3,7 +3,8 @@
 #include "app/document/edit_case.h"
 #include "app/texts/number_text.h"
 #include "core/case/case_views.h"
-#include "ui/main_window.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/registration_panel.h"
 #include "ui/panels/view_strip.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -50,12 +51,11 @@ QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
 
 }   // namespace
 
-ViewController::ViewController(CaseDocument& document, const TargetProvider& target, ui::MainWindow& window,
-                               QObject* parent)
+ViewController::ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
       target_(target),
-      window_(window),
+      ui_(ui),
       looking_([this](const std::vector<ViewLook>& looks) { showPictures(looks); })
 {
     pause_.setSingleShot(true);
@@ -70,13 +70,13 @@ ViewController::ViewController(CaseDocument& document, const TargetProvider& tar
 
 void ViewController::connectWindow()
 {
-    const ui::WindowActions& actions = window_.actions();
-    ui::ViewStrip& strip = window_.views();
+    const ui::WindowActions& actions = ui_.actions;
+    ui::ViewStrip& strip = ui_.panel;
     connect(&strip, &ui::ViewStrip::viewPicked, this, &ViewController::show);
     connect(&strip, &ui::ViewStrip::removeRequested, this, &ViewController::remove);
     connect(&strip, &ui::ViewStrip::addRequested, actions[ui::Command::AddView], &QAction::trigger);
     connect(&strip, &ui::ViewStrip::menuRequested, this, [this](int line, const QPoint& at) {
-        auto* menu = new QMenu(&window_);
+        auto* menu = new QMenu(&ui_.dialogParent);
         menu->setObjectName(QStringLiteral("viewMenu"));
         menu->setAttribute(Qt::WA_DeleteOnClose);
         menu->addAction(tr("Show this view"), this, [this, line] { show(line); });
@@ -93,10 +93,10 @@ void ViewController::followDocument()
     const core::Vessels& vessels = current.vessels;
     const bool hasImage = current.shown().angiogram != nullptr;
     const bool areSeveral = current.views.size() > 1 && hasImage;
-    window_.actions()[ui::Command::NextView]->setEnabled(areSeveral && !document_.isInTrial());
-    window_.actions()[ui::Command::AddView]->setEnabled(hasImage && vessels.tree && !document_.isInTrial());
-    window_.views().setEnabled(!document_.isLocked() && !document_.isInTrial());
-    window_.registration().showViewCount(areSeveral ? static_cast<int>(core::registeredViews(current).size()) : 1);
+    ui_.actions[ui::Command::NextView]->setEnabled(areSeveral && !document_.isInTrial());
+    ui_.actions[ui::Command::AddView]->setEnabled(hasImage && vessels.tree && !document_.isInTrial());
+    ui_.panel.setEnabled(!document_.isLocked() && !document_.isInTrial());
+    ui_.registration.showViewCount(areSeveral ? static_cast<int>(core::registeredViews(current).size()) : 1);
     lineCount_ = areSeveral ? current.views.size() : 0;
     showLines();
     Seen seen;
@@ -145,7 +145,7 @@ void ViewController::showLines()
                              ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(view))
                              : nameOf(view) + QStringLiteral(": ") + problem});
     }
-    window_.views().showViews(lines, static_cast<int>(current.shownView));
+    ui_.panel.showViews(lines, static_cast<int>(current.shownView));
 }
 
 void ViewController::look()
@@ -157,11 +157,10 @@ void ViewController::look()
     if (seen_.views.empty()) {
         return;
     }
-    looking_.start(
-        [snapshot = document_.current(), target = target_.current(), known = looks_,
-         widthPx = window_.views().pictureWidthPx()](JobLink<double>&) -> core::Result<std::vector<ViewLook>> {
-            return lookAtViews(snapshot, target, known, widthPx);
-        });
+    looking_.start([snapshot = document_.current(), target = target_.current(), known = looks_,
+                    widthPx = ui_.panel.pictureWidthPx()](JobLink<double>&) -> core::Result<std::vector<ViewLook>> {
+        return lookAtViews(snapshot, target, known, widthPx);
+    });
 }
 
 void ViewController::showPictures(std::vector<ViewLook> looks)
@@ -174,7 +173,7 @@ void ViewController::showPictures(std::vector<ViewLook> looks)
     for (std::size_t place = 0; place < lineCount_; ++place) {
         const ViewLook* look = lookOf(place);
         if (look && look->picture) {
-            window_.views().showPicture(static_cast<int>(place), *look->picture);
+            ui_.panel.showPicture(static_cast<int>(place), *look->picture);
         }
     }
 }
@@ -206,7 +205,7 @@ void ViewController::showNext()
 void ViewController::askName(int line)
 {
     const auto place = static_cast<std::size_t>(line);
-    auto* dialog = new QInputDialog(&window_);
+    auto* dialog = new QInputDialog(&ui_.dialogParent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Name this view"));
     dialog->setLabelText(tr("Name of the view %1 (empty: its angles)")

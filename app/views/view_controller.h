@@ -11,9 +11,13 @@
 #include <cstddef>
 #include <vector>
 
+class QWidget;
+
 namespace angiopose::ui {
-class MainWindow;
-}
+class RegistrationPanel;
+class ViewStrip;
+class WindowActions;
+}   // namespace angiopose::ui
 
 namespace angiopose::app {
 
@@ -22,8 +26,14 @@ namespace angiopose::app {
 class ViewController : public QObject {
     Q_OBJECT
 public:
-    ViewController(CaseDocument& document, const TargetProvider& target, ui::MainWindow& window,
-                   QObject* parent = nullptr);
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::ViewStrip& panel;
+        ui::RegistrationPanel& registration;
+        QWidget& dialogParent;
+    };
+    ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
     bool isLooking() const { return looking_.isRunning(); }   ///< making pictures and numbers of the views
     void showNext();
@@ -54,7 +64,7 @@ private:
 
     CaseDocument& document_;
     const TargetProvider& target_;
-    ui::MainWindow& window_;
+    Ui ui_;
     std::size_t lineCount_ = 0;   ///< the lines are the case's views, in their order; none while there is only one
     Seen seen_;
     std::vector<ViewLook> looks_;

@@ -97,6 +97,19 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), nudged);   // frames share the pose again
 }
 
+TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    OpenWindow w;
+    openRegisteredRun(w);
+    follow(w);
+    w.window.actions()[ui::Command::Cine]->setChecked(true);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.controller.preview().shown() == PreviewOf::Frame; }, test::patienceMs));
+    w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id});   // they hold no longer
+    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_FALSE(w.controller.preview().shown());
+}
+
 TEST(WindowFollow, StopKeepsTheFramesItCameTo)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");

@@ -65,6 +65,28 @@ TEST(WindowReview, SwingsUntilEscapeAndEndsOtherMotions)
     EXPECT_EQ(w.history().count(), 0);
 }
 
+TEST(WindowReview, AReplayThatEndsASwingGoesOn)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    QAction* swing = w.window.actions()[ui::Command::Swing];
+    QAction* replay = w.window.actions()[ui::Command::Replay];
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            w.press(Qt::Key_U);
+            return swing->isChecked();   // once the uncertainty is known
+        },
+        test::patienceMs));
+    w.press(Qt::Key_P);
+    EXPECT_FALSE(swing->isChecked());
+    EXPECT_TRUE(replay->isChecked());
+    EXPECT_EQ(w.controller.preview().shown(), PreviewOf::Replay);
+    EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));   // it came to its end
+    EXPECT_FALSE(w.controller.preview().shown());
+}
+
 TEST(WindowReview, GoesFromSwipeToLensToNothing)
 {
     OpenWindow w;

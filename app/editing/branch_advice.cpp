@@ -1,0 +1,77 @@
+#include "app/editing/branch_advice.h"
+
+#include "core/registration/pose/start_prior.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+constexpr int branchesPerStep = 2;   ///< named per step of the pose
+
+core::Vector6d inDegrees(core::Vector6d std)
+{
+    std.head<3>() *= 180.0 / std::numbers::pi;
+    return std;
+}
+
+/// `chosen` are the auxiliary branches; `priorStd` is what the solver believes of a start pose.
+BranchAdvice adviceFrom(const std::vector<core::BranchInformation>& branches, const std::vector<int>& chosen,
+                        const core::Vector6d& priorStd)
+{
+    std::vector<int> all(branches.size());
+    std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
+    BranchAdvice advice;
+    advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
+    advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
+    for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
+        advice.pinnedBy[step] = core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
+    }
+    advice.suggested = core::mostInformativeBranches(branches, priorStd);
+    return advice;
+}
+
+}   // namespace
+
+BranchAdviser::BranchAdviser(const CaseDocument& document, QObject* parent)
+    : QObject(parent), document_(document), job_([this](const BranchAdvice& advice) { take(advice); })
+{
+}
+
+void BranchAdviser::ask()
+{
+    if (job_.isRunning()) {
+        isAskedAgain_ = true;
+    } else {
+        start();
+    }
+}
+
+void BranchAdviser::start()
+{
+    const core::Case& current = document_.current();
+    const auto camera = core::cameraOf(current.shown());
+    if (!current.vessels.tree || !camera) {
+        advice_.reset();
+        return;
+    }
+    job_.start([tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
+                excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds,
+                priorStd = core::Vector6d(core::startPrior({}, current.options).std())](
+                   JobLink<double>&) -> core::Result<BranchAdvice> {
+        return adviceFrom(core::branchInformation(core::without(*tree, excluded), camera, pose), chosen, priorStd);
+    });
+}
+
+void BranchAdviser::take(const BranchAdvice& advice)
+{
+    advice_ = advice;
+    if (std::exchange(isAskedAgain_, false)) {
+        start();
+    }
+    emit answered();
+}
+
+}   // namespace angiopose::app

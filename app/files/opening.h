@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "core/support/result.h"
+#include "io/opening/read_inputs.h"
+
+#include <QStringList>
+
+#include <optional>
+
+namespace angiopose::app {
+
+/// Files that have been read, and what becomes of them.
+struct Opening {
+    enum class Way { Replace, Join, AddView };   ///< the open case gives way, gets more, gets a further view
+
+    io::LoadedInputs inputs;
+    QStringList paths;
+    Way way = Way::Join;
+    std::optional<QString> original;   ///< of a copy of a case: where that lives; empty: it was never saved
+};
+
+/// An angiogram alone, and not the one that a case with vessels has.
+bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs);
+
+/// The open case as it would be.
+core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening);
+
+/// Takes it into the document, as one step of undo where a case is open that stays. What to know about it, in words.
+core::Result<QStringList> takeIn(CaseDocument& document, const Opening& opening);
+
+}   // namespace angiopose::app
