@@ -3,8 +3,15 @@
 #include "core/case/case_patients.h"
 #include "ui/words/spoken.h"
 
+#include <QCoreApplication>
+
 namespace angiopose::app {
 namespace {
+
+/// The words of this file.
+struct PatientWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
+};
 
 QString readableName(const std::string& name)
 {
@@ -16,11 +23,10 @@ QString inputsOf(const core::CasePatient& patient, std::size_t viewCount)
 {
     QStringList inputs;
     if (patient.isOfScan) {
-        inputs << PatientController::tr("scan");
+        inputs << PatientWords::tr("scan");
     }
     for (const std::size_t place : patient.views) {
-        inputs << (viewCount > 1 ? PatientController::tr("view %1").arg(place + 1)
-                                 : PatientController::tr("angiogram"));
+        inputs << (viewCount > 1 ? PatientWords::tr("view %1").arg(place + 1) : PatientWords::tr("angiogram"));
     }
     return inputs.join(QStringLiteral(", "));
 }
@@ -30,10 +36,10 @@ QString detailsOf(const core::CasePatient& patient)
     const core::StudyIdentity& identity = patient.identity;
     QStringList parts;
     if (!identity.patientId.empty()) {
-        parts << PatientController::tr("ID %1").arg(QString::fromStdString(identity.patientId));
+        parts << PatientWords::tr("ID %1").arg(QString::fromStdString(identity.patientId));
     }
     if (!identity.birthDate.empty()) {
-        parts << PatientController::tr("born %1").arg(QString::fromStdString(identity.birthDate));
+        parts << PatientWords::tr("born %1").arg(QString::fromStdString(identity.birthDate));
     }
     if (!identity.sex.empty()) {
         parts << QString::fromStdString(identity.sex);
@@ -49,20 +55,20 @@ QString oneOfSeveral(const core::CasePatient& patient, std::size_t viewCount)
     return QStringLiteral("%1 (%2)").arg(parts.join(QStringLiteral(" · ")), inputsOf(patient, viewCount));
 }
 
-ui::PatientLine lineOf(const core::Case& theCase, bool isHidden)
+auto lineOf(const core::Case& theCase, bool isHidden)
 {
     const std::vector<core::CasePatient> patients = core::patientsOf(theCase);
     ui::PatientLine line;
     if (patients.size() > 1) {
-        line.doubt = PatientController::tr("Not the same patient in all inputs");
+        line.doubt = PatientWords::tr("Not the same patient in all inputs");
     } else if (!core::findMismatch(theCase).empty()) {
-        line.doubt = PatientController::tr("The inputs do not belong together");
+        line.doubt = PatientWords::tr("The inputs do not belong together");
     }
     if (patients.empty()) {
         return line;
     }
     if (isHidden) {
-        line.details = PatientController::tr("Identity hidden (Shift+P shows it)");
+        line.details = PatientWords::tr("Identity hidden (Shift+P shows it)");
     } else if (patients.size() == 1) {
         line.name = readableName(patients.front().identity.patientName);
         const QString details = detailsOf(patients.front());
