@@ -17,8 +17,8 @@ namespace angiopose::app {
 class ColorController : public QObject {
     Q_OBJECT
 public:
-    explicit ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView,
-                             QWidget& window, QObject* parent = nullptr);
+    ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView, QWidget& window,
+                    QObject* parent = nullptr);
 
 private:
     void apply(ui::ColorScheme scheme);

@@ -14,7 +14,7 @@ namespace angiopose::app {
 class LanguageController : public QObject {
     Q_OBJECT
 public:
-    explicit LanguageController(ui::WindowActions& actions, QWidget& window, QObject* parent = nullptr);
+    LanguageController(ui::WindowActions& actions, QWidget& window, QObject* parent = nullptr);
 
 private:
     void choose(const QString& code);

@@ -18,7 +18,7 @@ ui::MousePreset chosenMouse();
 class MouseController : public QObject {
     Q_OBJECT
 public:
-    explicit MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
+    MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
 };
 
 }   // namespace angiopose::app

@@ -17,8 +17,7 @@ namespace angiopose::app {
 class PictureController : public QObject {
     Q_OBJECT
 public:
-    explicit PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window,
-                               QObject* parent = nullptr);
+    PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window, QObject* parent = nullptr);
 
 private:
     void copy();

@@ -23,7 +23,7 @@ namespace angiopose::app {
 class ShortcutController : public QObject {
     Q_OBJECT
 public:
-    explicit ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent = nullptr);
+    ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent = nullptr);
 
     void openSheet();
 
