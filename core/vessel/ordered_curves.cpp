@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t leastTold = 8;   // points from which a curve has an order to speak of
 constexpr std::size_t askedPoints = 48;
-constexpr double leastInOrder = 0.6;   // curves have nearly 1, pixels row by row about a half
+constexpr double leastInOrder = 0.8;   // curves have nearly 1, pixels row by row 0.4 to 0.7
 constexpr double nearlyNearest = 1.5;   // steps along the pixel grid are 1 or √2
 constexpr std::size_t leastLonePoints = 20;
 

@@ -146,6 +146,19 @@ std::vector<std::size_t> withoutLeaves(const RootedTree& tree, double share, For
     return kept;
 }
 
+std::vector<std::size_t> wayToAnEnd(const RootedTree& tree, ForeignRandom& random)
+{
+    std::size_t end = random.index(tree.parent.size());
+    while (!tree.isLeaf(end)) {
+        end = random.index(tree.parent.size());
+    }
+    std::vector<std::size_t> way;
+    for (int at = static_cast<int>(end); at >= 0; at = tree.parent[static_cast<std::size_t>(at)]) {
+        way.push_back(static_cast<std::size_t>(at));
+    }
+    return {way.rbegin(), way.rend()};
+}
+
 std::vector<std::size_t> filledIn(const RootedTree& tree, ForeignScene scene, ForeignRandom& random)
 {
     switch (scene) {
@@ -154,6 +167,8 @@ std::vector<std::size_t> filledIn(const RootedTree& tree, ForeignScene scene, Fo
             return territory(tree, 0.1, 0.5, random);
         case ForeignScene::TwoTerritories:
             return twoTerritories(tree, random);
+        case ForeignScene::OneVessel:
+            return wayToAnEnd(tree, random);
         case ForeignScene::LeavesMissing:
             return withoutLeaves(tree, 0.2, random);
         default:

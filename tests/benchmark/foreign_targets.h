@@ -13,6 +13,7 @@ enum class ForeignScene {
     WholeTree,
     OneTerritory,   ///< a subtree of a tenth to a half of the tree's length
     TwoTerritories,   ///< two subtrees apart from each other
+    OneVessel,   ///< the way of the blood to one free end: what a catheter or wire shows, here on its axis
     LeavesMissing,   ///< a fifth of the free ends not filled, foreign curves instead
     ShuffledPoints,   ///< the whole tree, all points in one curve in any order
     SkeletonPixels,   ///< the whole tree, pixels row by row
@@ -26,10 +27,11 @@ struct NamedScene {
     std::string_view key;   ///< for the command line
     std::string_view words;
 };
-inline constexpr std::array<NamedScene, 9> foreignScenes{{
+inline constexpr std::array<NamedScene, 10> foreignScenes{{
     {ForeignScene::WholeTree, "whole", "whole tree"},
     {ForeignScene::OneTerritory, "one", "one territory filled"},
     {ForeignScene::TwoTerritories, "two", "two territories filled"},
+    {ForeignScene::OneVessel, "vessel", "one vessel of the tree"},
     {ForeignScene::LeavesMissing, "leaves", "1/5 of leaves missing, foreign curves"},
     {ForeignScene::ShuffledPoints, "points", "whole tree, points in any order"},
     {ForeignScene::SkeletonPixels, "pixels", "whole tree, pixels row by row"},
