@@ -55,7 +55,7 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     root["version"] = 1;
     root["title"] = theCase.title;
     root.update(writeFields(result, resultFields(), {}));
-    for (const char* list : {"perBranch", "alternatives"}) {   // there even where they are empty
+    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // there even where they are empty
         if (!root.contains(list)) {
             root[list] = Json::array();
         }
@@ -64,6 +64,7 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
         root["programVersion"] = ANGIOPOSE_VERSION;
     }
     nameBranches(root["perBranch"], theCase);
+    nameBranches(root["unfilled"], theCase);
     root["warnings"] = sentencesOf(result.warnings);
     root["inputs"] = inputsJson(theCase);
     if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {

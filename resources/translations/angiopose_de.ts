@@ -3180,6 +3180,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild hat nicht die Größe der Kamera. Die zum Bild gehörende Kamera verwenden.</translation>
     </message>
     <message>
+        <source>%1 points of the traced vessels came in no order: each was joined to its neighbours.</source>
+        <comment>input.target-reordered</comment>
+        <translation>%1 Punkte der verfolgten Gefäße kamen ohne Reihenfolge: jeder wurde mit seinen Nachbarn verbunden.</translation>
+    </message>
+    <message>
         <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
         <comment>input.start-pose-not-rigid</comment>
         <translation>Die Startlage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. cameraFromPatient berichtigen oder die Startlage aus den Winkeln ableiten.</translation>
@@ -3318,6 +3323,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The registration was stopped before its end.</source>
         <comment>trust.stopped</comment>
         <translation>Die Registrierung wurde vor ihrem Ende angehalten.</translation>
+    </message>
+    <message>
+        <source>The image shows %1 of the vessel tree. These branches seem not to be filled: %2. The pose rests on the others.</source>
+        <comment>trust.part-filled</comment>
+        <translation>Das Bild zeigt %1 des Gefäßbaums. Diese Äste scheinen nicht gefüllt zu sein: %2. Die Lage beruht auf den übrigen.</translation>
+    </message>
+    <message>
+        <source>The image shows %1 of the vessel tree: %2 of %3 branches seem not to be filled. The pose rests on the others.</source>
+        <comment>trust.few-filled</comment>
+        <translation>Das Bild zeigt %1 des Gefäßbaums: %2 von %3 Ästen scheinen nicht gefüllt zu sein. Die Lage beruht auf den übrigen.</translation>
+    </message>
+    <message>
+        <source>Only a part of the vessel tree seems to be filled, and it explains the image too little to be sure of it.</source>
+        <comment>trust.filled-doubtful</comment>
+        <translation>Nur ein Teil des Gefäßbaums scheint gefüllt zu sein, und er erklärt das Bild zu wenig, um sicher zu sein.</translation>
     </message>
     <message>
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>

@@ -3180,6 +3180,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像尺寸与相机不符。请使用该图像对应的相机。</translation>
     </message>
     <message>
+        <source>%1 points of the traced vessels came in no order: each was joined to its neighbours.</source>
+        <comment>input.target-reordered</comment>
+        <translation>描迹血管的 %1 个点没有顺序：每个点已与其相邻点相连。</translation>
+    </message>
+    <message>
         <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
         <comment>input.start-pose-not-rigid</comment>
         <translation>初始位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。请更正 cameraFromPatient 或由角度推导初始位姿。</translation>
@@ -3318,6 +3323,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The registration was stopped before its end.</source>
         <comment>trust.stopped</comment>
         <translation>配准在结束前被停止。</translation>
+    </message>
+    <message>
+        <source>The image shows %1 of the vessel tree. These branches seem not to be filled: %2. The pose rests on the others.</source>
+        <comment>trust.part-filled</comment>
+        <translation>图像显示了血管树的 %1。以下分支似乎未充盈：%2。位姿依据其余分支。</translation>
+    </message>
+    <message>
+        <source>The image shows %1 of the vessel tree: %2 of %3 branches seem not to be filled. The pose rests on the others.</source>
+        <comment>trust.few-filled</comment>
+        <translation>图像显示了血管树的 %1：%3 个分支中有 %2 个似乎未充盈。位姿依据其余分支。</translation>
+    </message>
+    <message>
+        <source>Only a part of the vessel tree seems to be filled, and it explains the image too little to be sure of it.</source>
+        <comment>trust.filled-doubtful</comment>
+        <translation>似乎只有部分血管树充盈，而它对图像的解释不足以确定位姿。</translation>
     </message>
     <message>
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>

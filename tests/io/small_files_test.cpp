@@ -125,6 +125,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     result.metrics.medianPx = 0.75;
     result.uncertainty.covariance(2, 5) = 0.125;
     result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
+    result.unfilled.push_back({7, 0.75});
     result.stopReason = core::StopReason::StoppedByUser;
     result.warnings = {core::says::trustDepthUnknown()};
     const nlohmann::json json = nlohmann::json::parse(io::resultJson(theCase, result));
@@ -136,6 +137,8 @@ TEST(ResultJson, HasEveryPromisedKey)
     EXPECT_TRUE(json["metrics"].contains("reverseDistanceMm"));
     EXPECT_EQ(json["uncertainty"]["covariance"][2][5], 0.125);
     EXPECT_EQ(json["perBranch"][0]["branch"], 4);
+    EXPECT_EQ(json["unfilled"][0]["branch"], 7);
+    EXPECT_EQ(json["unfilled"][0]["share"], 0.75);
     EXPECT_EQ(json["trustworthy"], false);
     EXPECT_EQ(json["warnings"][0], core::says::trustDepthUnknown().text());
     EXPECT_EQ(json["messages"][0]["id"], "trust.depth-unknown");

@@ -3,6 +3,7 @@
 #include "core/support/cell_index.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace angiopose::core {
 namespace {
@@ -12,10 +13,31 @@ constexpr std::size_t pointStride = 2;
 constexpr std::size_t mostPoints = 4000;
 constexpr int agreementCellPx = 3;
 
+// Of a tree that is filled in parts.
+constexpr double filledAgreement =
+    0.35;   // pieces that agree less look empty: by chance it is 0.1, on vessels 0.6 to 1
+constexpr double changeCostMm = 6.0;   // as much vessel must speak for another state than the neighbours'
+constexpr double leastTerritoryMm = 15.0;
+constexpr double costOfTerritory = 0.02;
+
+/// Of the points that lie along traced vessels.
+double shareOn(const Alignment& alignment, const CentroidPose& pose)
+{
+    const double missing = alignment.loss(pose, toleranceScalePx) / (2.0 * toleranceScalePx * toleranceScalePx);
+    return 1.0 - missing / static_cast<double>(alignment.size());
+}
+
+double harmonicMean(double a, double b)
+{
+    return a + b > 0.0 ? 2.0 * a * b / (a + b) : 0.0;
+}
+
 }   // namespace
 
 AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetLines& target)
-    : points_(alignmentPoints(problem.tree, std::max(pointStride, strideFor(problem.tree.size(), mostPoints)))),
+    : tree_(problem.tree),
+      stride_(std::max(pointStride, strideFor(problem.tree.size(), mostPoints))),
+      points_(alignmentPoints(problem.tree, stride_)),
       camera_(problem.camera),
       target_(&target),
       lineStride_(strideFor(target.lines().size(), mostPoints)),
@@ -31,37 +53,88 @@ AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetL
 
 double AgreementScore::of(const CentroidPose& pose)
 {
-    const double tree = treeShare(pose);
-    const double target = coveredTargetShare(pose);
-    return tree + target > 0.0 ? 2.0 * tree * target / (tree + target) : 0.0;
+    forgetCovered();
+    for (const AlignmentPoint& point : points_) {
+        coverAround(point, pose);
+    }
+    return harmonicMean(treeShare(pose), coveredTargetShare());
+}
+
+const VesselFilling& AgreementScore::filling()
+{
+    if (!filling_) {
+        filling_.emplace(tree_);
+        for (std::size_t i = stride_ / 2; i < tree_.size(); i += stride_) {
+            pieceOfPoint_.push_back(filling_->pieceOfPoint()[i]);
+        }
+    }
+    return *filling_;
+}
+
+FilledAgreement AgreementScore::ofFilled(const CentroidPose& pose)
+{
+    const VesselFilling& filling = this->filling();
+    all_.collectAgreement(pose, toleranceScalePx, pointAgreement_);
+    std::vector<double> gain(filling.pieces().size(), 0.0);
+    std::vector<double> count(filling.pieces().size(), 0.0);
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+        const auto piece = static_cast<std::size_t>(pieceOfPoint_[k]);
+        count[piece] += 1.0;
+        gain[piece] += std::isnan(pointAgreement_[k]) ? 0.0 : pointAgreement_[k] - filledAgreement;
+    }
+    for (std::size_t piece = 0; piece < gain.size(); ++piece) {
+        gain[piece] *= filling.lengthMm(piece) / std::max(1.0, count[piece]);
+    }
+    FilledAgreement found;
+    found.isFilled = filling.likeliest(gain, changeCostMm);
+    double agreeing = 0.0;
+    double asked = 0.0;
+    forgetCovered();
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+        if (found.isFilled[static_cast<std::size_t>(pieceOfPoint_[k])] != 0) {
+            agreeing += std::isnan(pointAgreement_[k]) ? 0.0 : pointAgreement_[k];
+            asked += 1.0;
+            coverAround(points_[k], pose);
+        }
+    }
+    const int territories = filling.emptyTerritories(found.isFilled, leastTerritoryMm);
+    double treeShare = agreeing / std::max(1.0, asked);
+    if (chosen_) {
+        treeShare = std::min(treeShare, shareOn(*chosen_, pose));   // the user knows that these are filled
+    }
+    found.agreement = harmonicMean(treeShare, coveredTargetShare()) / (1.0 + costOfTerritory * territories);
+    return found;
 }
 
 double AgreementScore::treeShare(const CentroidPose& pose)
 {
-    const auto share = [&](const Alignment& alignment) {
-        const double missing = alignment.loss(pose, toleranceScalePx) / (2.0 * toleranceScalePx * toleranceScalePx);
-        return 1.0 - missing / static_cast<double>(alignment.size());
-    };
-    return chosen_ ? 0.5 * (share(all_) + share(*chosen_)) : share(all_);
+    const double all = shareOn(all_, pose);
+    return chosen_ ? 0.5 * (all + shareOn(*chosen_, pose)) : all;
 }
 
-double AgreementScore::coveredTargetShare(const CentroidPose& pose)
+void AgreementScore::forgetCovered()
 {
     std::fill(covered_.begin(), covered_.end(), std::uint8_t{0});
-    for (const AlignmentPoint& point : points_) {
-        const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
-        if (!pixel) {
-            continue;
-        }
-        const Eigen::Vector2d cell = pixel->array() / agreementCellPx;
-        if (!(cell.minCoeff() >= 1.0 && cell.x() < columns_ - 2.0 && cell.y() < rows_ - 2.0)) {
-            continue;
-        }
-        std::uint8_t* centre = &covered_[cellIndex(static_cast<int>(cell.y()), columns_, static_cast<int>(cell.x()))];
-        for (int row = -1; row <= 1; ++row) {
-            std::fill_n(centre + static_cast<std::ptrdiff_t>(row) * columns_ - 1, 3, std::uint8_t{1});
-        }
+}
+
+void AgreementScore::coverAround(const AlignmentPoint& point, const CentroidPose& pose)
+{
+    const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
+    if (!pixel) {
+        return;
     }
+    const Eigen::Vector2d cell = pixel->array() / agreementCellPx;
+    if (!(cell.minCoeff() >= 1.0 && cell.x() < columns_ - 2.0 && cell.y() < rows_ - 2.0)) {
+        return;
+    }
+    std::uint8_t* centre = &covered_[cellIndex(static_cast<int>(cell.y()), columns_, static_cast<int>(cell.x()))];
+    for (int row = -1; row <= 1; ++row) {
+        std::fill_n(centre + static_cast<std::ptrdiff_t>(row) * columns_ - 1, 3, std::uint8_t{1});
+    }
+}
+
+double AgreementScore::coveredTargetShare() const
+{
     std::size_t hits = 0;
     const auto& lines = target_->lines();
     for (std::size_t i = 0; i < lines.size(); i += lineStride_) {

@@ -17,6 +17,12 @@ AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
     return {tree.points[i] - tree.centroid, tree.tangents[i], tree.branchIndex[i]};
 }
 
+bool isInImage(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
+{
+    return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() <= camera.width - 0.5 &&
+           pixel.y() <= camera.height - 0.5;
+}
+
 /// Adds w r² to the model; only the lower triangle of its Hessian.
 inline void addRow(double weight, double residual, const Vector6d& J, NormalEquations& sum)
 {
@@ -225,6 +231,24 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
             row.gradient = residualGradient(found);
         }
         rows.push_back(row);
+    }
+}
+
+void Alignment::collectAgreement(const CentroidPose& pose, double scalePx, std::vector<double>& agreement) const
+{
+    agreement.clear();
+    agreement.reserve(points_.size());
+    const double perSquaredScale = -0.5 / (scalePx * scalePx);
+    Match found;
+    for (const AlignmentPoint& point : points_) {
+        const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
+        if (!pixel || !isInImage(camera_, *pixel)) {
+            agreement.push_back(std::numeric_limits<double>::quiet_NaN());
+        } else if (match(point, pose, cutOff * scalePx, found)) {
+            agreement.push_back(found.gate * std::exp(perSquaredScale * found.squaredDistance));
+        } else {
+            agreement.push_back(0.0);
+        }
     }
 }
 

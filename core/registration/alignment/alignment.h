@@ -57,6 +57,10 @@ public:
     void setVisibility(const Agreement& agreement) { visibility_ = agreement.branchWeight; }
     void resetVisibility() { std::fill(visibility_.begin(), visibility_.end(), 1.0); }
 
+    /// How well each point agrees with the target at a scale, 0…1, whatever its branch's visibility; NaN outside the
+    /// image.
+    void collectAgreement(const CentroidPose& pose, double scalePx, std::vector<double>& agreement) const;
+
     /// Residual across the line (px) of every point; NaN where no line is within `limitPx` in a like direction.
     void collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const;
 

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <tuple>
 
 namespace angiopose::core {
@@ -23,12 +24,24 @@ constexpr int leastLikeWays = 2;   // of the three at a bifurcation
 constexpr double endOn = 0.3;   // ways nearly along the ray say nothing in the image
 constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
+constexpr std::size_t mostBaseTrials = 60'000'000;   // bases compared and nodes looked up: well below a second
+constexpr std::size_t mostJunctions = 200;   // between which bases are laid
 constexpr std::size_t fitsPerTilt = 6;
 constexpr std::size_t usedJunctionPoints = 90;
 constexpr double closenessPx = 11.0;
 constexpr double tiltStepDeg = 10.0;
 constexpr double leastRollDeg = 5.0;   // junctions lie beside their vessels by some px: no fit is exactly upright
 constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
+
+/// Near the golden section of the count, so that any first part of the walk is spread evenly.
+std::size_t strideCoprimeTo(std::size_t count)
+{
+    auto step = static_cast<std::size_t>(0.618 * static_cast<double>(count)) + 1;
+    while (std::gcd(step, count) != 1 && count > 1) {
+        ++step;
+    }
+    return step;
+}
 
 double sectorsOf(const Eigen::Vector2d& direction)
 {
@@ -126,8 +139,9 @@ void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
 
 void JunctionSearch::listBases()
 {
-    for (int from = 0; from < static_cast<int>(junctions_.size()); ++from) {
-        for (int to = 0; to < static_cast<int>(junctions_.size()); ++to) {
+    const auto stride = static_cast<int>(strideFor(junctions_.size(), mostJunctions));
+    for (int from = 0; from < static_cast<int>(junctions_.size()); from += stride) {
+        for (int to = 0; to < static_cast<int>(junctions_.size()); to += stride) {
             if (from != to) {
                 bases_.push_back(baseOf(junctions_, from, to));
             }
@@ -171,16 +185,18 @@ int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) co
     return count;
 }
 
-/// Lays the base between two nodes on every one of like length between junctions.
-void JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
-                             std::vector<Fit>& fits) const
+/// Lays the base between two nodes on every one of like length between junctions; tells what that cost.
+std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
+                                    std::vector<Fit>& fits) const
 {
     const Place& a = nodes[static_cast<std::size_t>(base.from)];
     const Place& b = nodes[static_cast<std::size_t>(base.to)];
     const double leastCosine = std::cos(longestRoll);
     auto other = std::lower_bound(bases_.begin(), bases_.end(), base.lengthPx / largestZoom,
                                   [](const Base& one, double length) { return one.lengthPx < length; });
+    std::size_t cost = 0;
     for (; other != bases_.end() && other->lengthPx <= base.lengthPx * largestZoom; ++other) {
+        ++cost;
         const auto roll = static_cast<int>(std::lrint(other->sectors - base.sectors));
         const Place& i = junctions_[static_cast<std::size_t>(other->from)];
         const Place& j = junctions_[static_cast<std::size_t>(other->to)];
@@ -196,6 +212,7 @@ void JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, 
         }
         fit.centroidPx = 0.5 * (i.px + j.px - fit.zoom * turned(a.px + b.px, fit.turn));
         fit.meetings = meetings(nodes, fit);
+        cost += nodes.size();
         if (fits.size() == fitsPerTilt && fit.meetings <= fits.back().meetings) {
             continue;
         }
@@ -204,17 +221,24 @@ void JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, 
         fits.insert(place, fit);
         fits.resize(std::min(fits.size(), fitsPerTilt));
     }
+    return cost;
 }
 
-std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>& nodes, double longestRoll) const
+/// Every base once, far ones of the list in turn, until the budget is spent.
+std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>& nodes, double longestRoll,
+                                                        std::size_t budget) const
 {
     std::vector<Fit> fits;
-    for (int from = 0; from < static_cast<int>(nodes.size()); ++from) {
-        for (int to = from + 1; to < static_cast<int>(nodes.size()); ++to) {
-            const Base base = baseOf(nodes, from, to);
-            if (base.lengthPx >= shortestBasePx) {
-                tryBase(base, nodes, longestRoll, fits);
-            }
+    const std::size_t count = nodes.size();
+    const std::size_t pairs = count * (count - std::min<std::size_t>(1, count));
+    const std::size_t step = strideCoprimeTo(pairs);
+    std::size_t spent = 0;
+    for (std::size_t k = 0, pair = 0; k < pairs && spent < budget; ++k, pair = (pair + step) % pairs) {
+        const std::size_t from = pair / (count - 1);
+        const std::size_t to = from + 1 + pair % (count - 1);
+        if (to < count) {   // each pair once
+            const Base base = baseOf(nodes, static_cast<int>(from), static_cast<int>(to));
+            spent += base.lengthPx >= shortestBasePx ? tryBase(base, nodes, longestRoll, fits) : 1;
         }
     }
     return fits;
@@ -256,7 +280,7 @@ std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, con
     const std::vector<Eigen::Vector3d> tilts = tiltsWithin(reach);
     for (std::size_t k = 0; k < tilts.size(); ++k) {
         const Eigen::Matrix3d view = expSo3(tilts[k]) * startView;
-        for (const Fit& fit : fitsOf(nodesSeen(view, depthMm), longestRoll)) {
+        for (const Fit& fit : fitsOf(nodesSeen(view, depthMm), longestRoll, mostBaseTrials / tilts.size())) {
             const CentroidPose pose = reach.freedom.held(poseOf(fit, view, depthMm));
             const Eigen::Vector3d shift = pose.centroidInCamera - start.centroidInCamera;
             if (shift.head<2>().norm() <= reach.radiusMm) {

@@ -10,7 +10,8 @@ namespace angiopose::core {
 /// Start poses from bifurcations (ALGORITHMS §6.9): for every tilt in reach, two nodes of the tree laid on two
 /// junctions of the traced vessels fix roll, both shifts and, by their distance, the depth. Where branches leave both
 /// in like directions, the other nodes are asked how many of them meet a junction too; the best are ranked by how near
-/// the whole tree comes to the vessels. Reaches farther than CoarseSearch, which knows no depth, for less time.
+/// the whole tree comes to the vessels. So many bases are tried in all, however many there are: the same on every run,
+/// spread evenly over the tree's. Reaches farther than CoarseSearch, which knows no depth, for less time.
 class JunctionSearch {
 public:
     JunctionSearch(const RegistrationProblem& problem, const TargetLines& target);
@@ -48,8 +49,9 @@ private:
     void drawMeetings(std::span<const Junction<2>> found);
     void listBases();
     std::vector<Place> nodesSeen(const Eigen::Matrix3d& rotation, double depthMm) const;
-    std::vector<Fit> fitsOf(const std::vector<Place>& nodes, double longestRoll) const;
-    void tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll, std::vector<Fit>& fits) const;
+    std::vector<Fit> fitsOf(const std::vector<Place>& nodes, double longestRoll, std::size_t budget) const;
+    std::size_t tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
+                        std::vector<Fit>& fits) const;
     int meetings(const std::vector<Place>& nodes, const Fit& fit) const;
     CentroidPose poseOf(const Fit& fit, const Eigen::Matrix3d& view, double depthMm) const;
     double closeness(const CentroidPose& pose) const;

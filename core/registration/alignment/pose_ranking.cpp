@@ -9,6 +9,8 @@ namespace {
 constexpr std::size_t usedRankingPoints = 200;
 constexpr std::size_t mostHypotheses = 64;   // no search finds as many
 constexpr double perUnitOfPrior = 0.01;   // a start off by 2σ in all six parameters costs a fifth of the score
+constexpr double wholeTreeEnough = 0.65;   // what is conclusive needs no part left out
+constexpr double clearlyBetter = 0.1;
 constexpr double sameTurn = 0.02;
 constexpr double sameShiftMm = 3.0;
 
@@ -20,8 +22,10 @@ bool isSame(const CentroidPose& a, const CentroidPose& b)
 
 }   // namespace
 
-PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior)
+PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+                         TreeFilling filling)
     : prior_(prior),
+      filling_(filling),
       points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedRankingPoints)), problem.camera, target),
       agreement_(problem, target)
 {
@@ -32,6 +36,17 @@ PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& 
 void PoseRanking::add(const CentroidPose& hypothesis)
 {
     points_.resetVisibility();
+    file(hypothesis);
+}
+
+void PoseRanking::addFilled(const CentroidPose& hypothesis)
+{
+    points_.setVisibility(points_.look(hypothesis, schedule.startScalePx));
+    file(hypothesis);
+}
+
+void PoseRanking::file(const CentroidPose& hypothesis)
+{
     const RefinementResult refined = refine(points_, prior_, hypothesis, schedule);
     const ScoredPose candidate = scored(refined.pose, refined.stopReason);
     const auto isBetter = [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; };
@@ -40,8 +55,19 @@ void PoseRanking::add(const CentroidPose& hypothesis)
 
 ScoredPose PoseRanking::scored(const CentroidPose& pose, StopReason stopReason)
 {
-    const double agreement = agreement_.of(pose);
-    return {pose, agreement / (1.0 + perUnitOfPrior * prior_.cost(pose)), agreement, stopReason};
+    ScoredPose scored{pose, 0.0, agreement_.of(pose), stopReason};
+    if (filling_ == TreeFilling::InParts && scored.agreement < wholeTreeEnough) {
+        const FilledAgreement filled = agreement_.ofFilled(pose);
+        if (filled.agreement > scored.agreement + clearlyBetter) {
+            scored.agreement = filled.agreement;
+            scored.filledForks = agreement_.filling().forks(filled.isFilled);
+            for (const int piece : agreement_.filling().pieceOfPoint()) {
+                scored.isFilled.push_back(filled.isFilled[static_cast<std::size_t>(piece)]);
+            }
+        }
+    }
+    scored.score = scored.agreement / (1.0 + perUnitOfPrior * prior_.cost(pose));
+    return scored;
 }
 
 std::vector<ScoredPose> PoseRanking::distinct(double share, std::size_t count) const

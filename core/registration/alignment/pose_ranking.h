@@ -8,9 +8,14 @@ namespace angiopose::core {
 struct ScoredPose {
     CentroidPose pose;
     double score = 0.0;   ///< agreement both ways, lowered by distance from the start pose; 0…1
-    double agreement = 0.0;   ///< not lowered
+    double agreement = 0.0;   ///< not lowered; of the filled parts where these explain the image clearly better
     StopReason stopReason = StopReason::Converged;
+    std::vector<std::uint8_t> isFilled{};   ///< per tree point; empty: all of the tree is looked for
+    int filledForks = 0;   ///< places where three filled pieces or more meet
 };
+
+/// Whether parts of the tree may be empty (ALGORITHMS §6.17).
+enum class TreeFilling { Whole, InParts };
 
 /// Hypotheses refined roughly, on few points and down to a few pixels, in the order of how well they explain the image.
 /// What the scores mean was measured on 60 wrong optima for each of 60 simulated trees: none of them scored above 0.56,
@@ -20,10 +25,14 @@ class PoseRanking {
 public:
     static constexpr RefinementSchedule schedule{14.0, 2.5, 0.6, 2, 0, 40};
 
-    PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior);
+    PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+                TreeFilling filling = TreeFilling::Whole);
 
     /// Refines the hypothesis and files it.
     void add(const CentroidPose& hypothesis);
+
+    /// The same for a pose that lays parts of the tree on the vessels: branches that lie on nothing do not pull.
+    void addFilled(const CentroidPose& hypothesis);
 
     ScoredPose scored(const CentroidPose& pose, StopReason stopReason);
 
@@ -44,9 +53,11 @@ public:
     double medianDistancePx(const CentroidPose& pose) { return points_.medianDistancePx(pose, distances_); }
 
 private:
+    void file(const CentroidPose& hypothesis);
     bool reaches(double score) const { return !ranked_.empty() && best().score >= score; }
 
     StartPrior prior_;
+    TreeFilling filling_;
     Alignment points_;
     AgreementScore agreement_;
     std::vector<ScoredPose> ranked_;   ///< best first

@@ -2,6 +2,7 @@
 
 #include "core/registration/alignment/coarse_search.h"
 #include "core/registration/alignment/junction_search.h"
+#include "core/registration/alignment/territory_search.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t searchPoints = 90;
+constexpr std::size_t territoryPoints = 800;
 constexpr std::size_t auxiliaryCandidates = 4;
 
 // 3σ of the start poses that headers give (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
@@ -16,6 +18,7 @@ const SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
 constexpr double nearbyClosenessPx = 11.0;
 constexpr double anyDistance = 1e9;
 const SearchReach wideReach{anyDistance, 30.0, 30.0, 7.5};
+const SearchReach territoryReach{60.0, 20.0, 15.0, 5.0};
 const SearchReach farthestReach{anyDistance, 90.0, 180.0};
 constexpr double wideClosenessPx = 16.0;
 
@@ -57,6 +60,14 @@ std::vector<CentroidPose> PoseSearch::wide(const CentroidPose& start, const Sear
     const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
     const CoarseSearch search(problem_.camera, target_, wideClosenessPx);
     return posesOf(search.find(points, start, within(wideReach, options_, problem_.freedom), observe), points.size());
+}
+
+std::vector<CentroidPose> PoseSearch::ofTerritories(const CentroidPose& start, const SearchObserver& observe) const
+{
+    const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), territoryPoints));
+    TerritorySearch search(problem_.camera, target_);
+    return posesOf(search.find(points, start, within(territoryReach, options_, problem_.freedom), observe),
+                   points.size());
 }
 
 std::vector<CentroidPose> PoseSearch::byJunctions(const CentroidPose& start, const SearchObserver& observe) const

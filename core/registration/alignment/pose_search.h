@@ -21,6 +21,9 @@ public:
     /// All of the shifts and turns of up to 30°, in coarse steps.
     std::vector<CentroidPose> wide(const CentroidPose& start, const SearchObserver& observe) const;
 
+    /// By the vessels of the image alone, whatever of the tree they show; a middling reach in middling steps.
+    std::vector<CentroidPose> ofTerritories(const CentroidPose& start, const SearchObserver& observe) const;
+
     /// All of the reach, by bifurcations.
     std::vector<CentroidPose> byJunctions(const CentroidPose& start, const SearchObserver& observe) const;
 

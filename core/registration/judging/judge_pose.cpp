@@ -5,19 +5,33 @@
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/judging/trust.h"
+#include "core/registration/judging/unfilled_branches.h"
 #include "core/registration/matching/target_lines.h"
 
 #include <algorithm>
 
 namespace angiopose::core {
 
-RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
+namespace {
+
+bool anyIsFilled(const MethodSolution& solution)
+{
+    return std::ranges::count(solution.isFilled, std::uint8_t{1}) > 0;
+}
+
+}   // namespace
+
+RegistrationResult judgePose(const RegistrationProblem& whole, const RegistrationOptions& options,
                              const MethodSolution& solution)
 {
+    const std::optional<RegistrationProblem> filled =
+        anyIsFilled(solution) ? std::optional(partOf(whole, solution.isFilled)) : std::nullopt;
+    const RegistrationProblem& problem = filled ? *filled : whole;
     const RigidTransform& pose = solution.cameraFromPatient;
     const auto lines = solution.targetLines ? solution.targetLines
                                             : std::make_shared<const TargetLines>(problem.target, problem.camera);
-    const ProjectedTree projected = projectTree(problem, pose, GridIndex(problem.target.points));
+    const GridIndex target(problem.target.points);
+    const ProjectedTree projected = projectTree(problem, pose, target);
     const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options, problem.freedom);
 
     RegistrationResult result;
@@ -25,12 +39,15 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     result.stopReason = solution.stopReason;
     result.iterations = solution.iterations;
     result.metrics = distanceMetrics(problem, pose, projected);
-    result.branches = branchResiduals(problem.tree, projected);
+    const ProjectedTree projectedWhole = filled ? projectTree(whole, pose, target) : projected;
+    result.branches = branchResiduals(whole.tree, projectedWhole);
     result.uncertainty = poseUncertainty(problem, *lines, pose, prior);
     result.alternatives = solution.alternatives;
     result.time = solution.time;
 
     Evidence evidence{problem, projected, result, *lines};
+    evidence.isFilledInParts = filled.has_value();
+    evidence.filledForks = solution.filledForks;
     evidence.agreement = solution.agreement
                              ? *solution.agreement
                              : AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
@@ -41,7 +58,13 @@ RegistrationResult judgePose(const RegistrationProblem& problem, const Registrat
     }
     Trust trust = judgeTrust(evidence);
     result.trustworthy = trust.isTrustworthy;
-    result.warnings = solution.warnings;
+    if (filled) {
+        result.unfilled = unfilledBranches(whole.tree, solution.isFilled, projectedWhole.isInView);
+        const Messages told = wordsOf(result.unfilled, shareFilled(solution.isFilled), whole.tree.branchIds.size());
+        trust.warnings.insert(trust.warnings.end(), told.begin(), told.end());
+    }
+    result.warnings = whole.notes;
+    result.warnings.insert(result.warnings.end(), solution.warnings.begin(), solution.warnings.end());
     result.warnings.insert(result.warnings.end(), trust.warnings.begin(), trust.warnings.end());
     return result;
 }

@@ -11,6 +11,8 @@ struct Evidence {
     const RegistrationResult& result;
     const TargetLines& target;
     double agreement = 1.0;   ///< both ways, 0…1, see AgreementScore
+    bool isFilledInParts = false;   ///< all of this is about the filled parts of the tree
+    int filledForks = 0;   ///< places where three filled pieces or more meet; of a tree filled in parts
     double settlingMm = 0.0;   ///< see settlingShiftMm
     double expectedErrorMm = 0.0;   ///< see expectedShiftMm
     double rivalMm = 0.0;   ///< how far the farthest alternative puts the tree elsewhere

@@ -51,10 +51,15 @@ public:
     std::vector<Hypothesis> alternatives() const;
     std::shared_ptr<const TargetLines> target() const { return target_; }
     std::optional<double> agreement() const;
+    std::vector<std::uint8_t> filledPoints() const;
+    int filledForks() const { return refined_.empty() ? 0 : refined_.front().filledForks; }
 
 private:
     using Search = std::vector<CentroidPose> (PoseSearch::*)(const CentroidPose&, const SearchObserver&) const;
-    void refineRoughly(const std::vector<CentroidPose>& hypotheses);
+    using Filing = void (PoseRanking::*)(const CentroidPose&);
+    void refineRoughly(const std::vector<CentroidPose>& hypotheses, Filing file = &PoseRanking::add);
+    void searchTerritories();
+    ScoredPose refineFinely(const ScoredPose& candidate, FinalRefinement& ofWholeTree);
     void search(Search reach, const CentroidPose& start, double progress);
     std::vector<CentroidPose> auxiliaryHypotheses();
     const CentroidPose& bestPose() const;
@@ -81,7 +86,7 @@ AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptio
       start_(aboutCentroid(problem.start, problem.tree.centroid)),
       prior_(startPrior(start_, options, problem.freedom)),
       search_(problem, *target_, options),
-      ranking_(problem, *target_, prior_)
+      ranking_(problem, *target_, prior_, TreeFilling::InParts)
 {
 }
 
@@ -112,6 +117,9 @@ void AngioPose::searchFurther()
     if (options_.angiopose.search && !ranking_.isConclusive()) {
         search(&PoseSearch::nearby, start_, 0.05);
     }
+    if (options_.angiopose.search && !ranking_.isConclusive()) {
+        searchTerritories();
+    }
     if (options_.angiopose.search && !ranking_.isPlausible()) {
         search(&PoseSearch::wide, start_, 0.1);
     }
@@ -137,13 +145,24 @@ void AngioPose::search(Search reach, const CentroidPose& start, double progress)
     }
 }
 
-void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses)
+/// Perhaps the contrast medium fills only a part of the tree.
+void AngioPose::searchTerritories()
+{
+    if (!progress_.isStopped()) {
+        const auto found = search_.ofTerritories(start_, [&](double done) {
+            return report("search", 0.08 + 0.02 * done, PoseRanking::schedule.startScalePx);
+        });
+        refineRoughly(found, &PoseRanking::addFilled);
+    }
+}
+
+void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses, Filing file)
 {
     for (const CentroidPose& hypothesis : hypotheses) {
         if (progress_.isStopped() || ranking_.isConclusive()) {
             return;
         }
-        ranking_.add(hypothesis);
+        (ranking_.*file)(hypothesis);
         report("refine", searchEnds, PoseRanking::schedule.endScalePx);
     }
 }
@@ -170,18 +189,31 @@ std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
     return hypotheses;
 }
 
+/// What the image does not show of the tree is left out, as a user would exclude it.
+ScoredPose AngioPose::refineFinely(const ScoredPose& candidate, FinalRefinement& ofWholeTree)
+{
+    const auto observe = [&](const RefinementStep& step) {
+        return report("refine", roughEnds + step.progress * (1.0 - roughEnds), step.scalePx);
+    };
+    RefinementResult result;
+    if (candidate.isFilled.empty()) {
+        result = ofWholeTree.refine(candidate.pose, observe);
+    } else {
+        const RegistrationProblem filled = partOf(problem_, candidate.isFilled);
+        result = FinalRefinement(filled, *target_, prior_, options_).refine(candidate.pose, observe);
+    }
+    return ranking_.scored(result.pose, result.stopReason);
+}
+
 void AngioPose::refineFinalists()
 {
     FinalRefinement refinement(problem_, *target_, prior_, options_);
     std::vector<ScoredPose> refined;
     for (const ScoredPose& candidate : ranking_.distinct(worthRefining, finalistPoses)) {
-        const RefinementResult result = refinement.refine(candidate.pose, [&](const RefinementStep& step) {
-            return report("refine", roughEnds + step.progress * (1.0 - roughEnds), step.scalePx);
-        });
+        refined.push_back(refineFinely(candidate, refinement));
         if (progress_.isStopped()) {
             return;
         }
-        refined.push_back(ranking_.scored(result.pose, result.stopReason));
     }
     std::stable_sort(refined.begin(), refined.end(),
                      [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; });
@@ -195,6 +227,11 @@ const CentroidPose& AngioPose::bestPose() const
         return refined_.front().pose;
     }
     return ranking_.isEmpty() ? start_ : ranking_.best().pose;
+}
+
+std::vector<std::uint8_t> AngioPose::filledPoints() const
+{
+    return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isFilled;
 }
 
 std::optional<double> AngioPose::agreement() const
@@ -214,7 +251,9 @@ std::vector<Hypothesis> AngioPose::alternatives() const
         return result;
     }
     const ScoredPose& best = refined_.front();
-    const Matrix6d information = poseInformation(problem_, *target_, best.pose, prior_);
+    const Matrix6d information = best.isFilled.empty()
+                                     ? poseInformation(problem_, *target_, best.pose, prior_)
+                                     : poseInformation(partOf(problem_, best.isFilled), *target_, best.pose, prior_);
     for (std::size_t k = 1; k < refined_.size(); ++k) {
         const Vector6d step = stepBetween(best.pose, refined_[k].pose);
         if (refined_[k].score >= nearlyAsGood * best.score &&
@@ -249,6 +288,8 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.alternatives = run.alternatives();
     solution.targetLines = run.target();
     solution.agreement = run.agreement();
+    solution.isFilled = run.filledPoints();
+    solution.filledForks = run.filledForks();
     solution.isSettled = !progress.isStopped();
     solution.time.solveMs = stopwatch.lapMs();
     return solution;

@@ -2,6 +2,7 @@
 
 #include "core/messages/says.h"
 #include "core/registration/problem/auxiliary_points.h"
+#include "core/vessel/ordered_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,12 +173,17 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
     problem.wholeTreeCentroid = centroidInPatient(input.tree);
     markNodes(tree, problem.tree);
-    problem.target = sampledTarget(input.target, options);
+    const std::optional<OrderedCurves> reordered = putInOrder(input.target);
+    const Centerline2d& target = reordered ? reordered->curves : input.target;
+    if (reordered) {
+        problem.notes.push_back(says::targetReordered(static_cast<int>(reordered->reorderedPoints)).as(Severity::Note));
+    }
+    problem.target = sampledTarget(target, options);
     for (const VesselBranch& branch : tree.branches) {
         const auto& points = branch.pointsInPatient;
         problem.givenTreePoints.insert(problem.givenTreePoints.end(), points.begin(), points.end());
     }
-    for (const Curve2d& curve : input.target.curves) {
+    for (const Curve2d& curve : target.curves) {
         problem.givenTargetPoints.insert(problem.givenTargetPoints.end(), curve.pointsPx.begin(), curve.pointsPx.end());
     }
     problem.freedom = freedomOf(input, options.locks, problem);
@@ -187,6 +193,34 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.polarity = input.polarity;
     problem.volume = input.volume;
     return problem;
+}
+
+RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept)
+{
+    RegistrationProblem part = whole;
+    part.tree = TreeSamples();
+    part.tree.branchIds = whole.tree.branchIds;
+    part.tree.centroid = whole.tree.centroid;
+    part.tree.spreadMm = whole.tree.spreadMm;
+    std::vector<int> numberInPart(whole.tree.size(), -1);
+    for (std::size_t i = 0; i < whole.tree.size(); ++i) {
+        if (isKept[i] != 0) {
+            numberInPart[i] = static_cast<int>(part.tree.size());
+            part.tree.points.push_back(whole.tree.points[i]);
+            part.tree.tangents.push_back(whole.tree.tangents[i]);
+            part.tree.radiusMm.push_back(whole.tree.radiusMm[i]);
+            part.tree.branchIndex.push_back(whole.tree.branchIndex[i]);
+            part.tree.isNode.push_back(whole.tree.isNode[i]);
+        }
+    }
+    part.auxiliary.clear();
+    for (const int number : whole.auxiliary) {
+        if (numberInPart[static_cast<std::size_t>(number)] >= 0) {
+            part.auxiliary.push_back(numberInPart[static_cast<std::size_t>(number)]);
+        }
+    }
+    part.auxiliaryIsChosen = whole.auxiliaryIsChosen && !part.auxiliary.empty();
+    return part;
 }
 
 TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options)

@@ -47,11 +47,15 @@ struct RegistrationProblem {
     std::shared_ptr<const ImageF> image;   ///< as given, the size of the camera's; or null
     Polarity polarity = Polarity::VesselsDark;
     std::shared_ptr<const Volume> volume;   ///< or null
+    Messages notes{};   ///< what was made of the input
 };
 
 /// Fails naming what makes the input unusable: empty or broken tree, target or camera, a start pose that is not rigid
 /// or that puts the whole tree behind the source, an unknown branch, an image that the camera does not take.
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options);
+
+/// The problem with some of its tree points only, turned about the same centroid; `isKept`: 1 for each that stays.
+RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept);
 
 /// A target that is free of problems, as methods see it; for the next frame of a run.
 TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options);

@@ -60,7 +60,14 @@ struct BranchResidual {
     double agreement = 0.0;   ///< share of its points within 3 px of the traced vessels, 0…1
 };
 
-/// Closest-point distances over all used tree points, and the reverse direction (ALGORITHMS §4.5).
+/// A branch that the image seems not to show: a proposal to exclude it.
+struct UnfilledBranch {
+    int branchId = 0;
+    double share = 0.0;   ///< of its length inside the image that looks empty, 0…1
+};
+
+/// Closest-point distances over all used tree points (without those that look empty), and the reverse direction
+/// (ALGORITHMS §4.5).
 struct DistanceMetrics {
     double meanPx = 0.0, medianPx = 0.0, p75Px = 0.0, p95Px = 0.0;
     double meanMm = 0.0, medianMm = 0.0, p75Mm = 0.0, p95Mm = 0.0;   ///< at the depth of the tree's centroid
@@ -110,6 +117,7 @@ struct RegistrationResult {
     DistanceMetrics metrics;
     PoseUncertainty uncertainty;
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
+    std::vector<UnfilledBranch> unfilled;   ///< in the tree's order; the pose rests on the others
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
     std::vector<IterationReport> history;   ///< for the convergence plot
     bool trustworthy = false;

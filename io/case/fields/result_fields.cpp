@@ -24,6 +24,7 @@ using core::Provenance;
 using core::RegistrationResult;
 using core::StageTimes;
 using core::StopReason;
+using core::UnfilledBranch;
 
 constexpr std::size_t longestStageName = 40;
 
@@ -130,6 +131,12 @@ StoredFields<BranchResidual> branchFields()
             storedMeasure("agreement", &BranchResidual::agreement)};
 }
 
+StoredFields<UnfilledBranch> unfilledFields()
+{
+    return {storedValue("branch", Json{{"type", "integer"}}, &UnfilledBranch::branchId),
+            storedMeasure("share", &UnfilledBranch::share)};
+}
+
 StoredFields<Hypothesis> hypothesisFields()
 {
     return {storedPose(&Hypothesis::cameraFromPatient), storedMeasure("score", &Hypothesis::score)};
@@ -219,6 +226,10 @@ const StoredFields<RegistrationResult>& resultFields()
             storedPart("metrics", Json::object(), &RegistrationResult::metrics, distanceMetricsFields()),
             storedPart("uncertainty", Json::object(), &RegistrationResult::uncertainty, uncertaintyFields()),
             storedList("perBranch", Json::object(), &RegistrationResult::branches, Json::object(), branchFields()),
+            storedList(
+                "unfilled",
+                about(Json::object(), "Branches that the image seems not to show; the pose rests on the others."),
+                &RegistrationResult::unfilled, Json::object(), unfilledFields()),
             storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),
                        hypothesisFields()),
             storedValue("trustworthy", flagSchema(), &RegistrationResult::trustworthy),

@@ -4,8 +4,13 @@
 #include "tests/support/clean_case.h"
 #include "tests/support/matchers.h"
 
+#include "core/messages/says.h"
+#include "core/simulation/grow_tree.h"
+
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace angiopose::core {
 namespace {
@@ -223,6 +228,67 @@ TEST(RegisterVessels, ChosenBranchesDecideBetweenLikePoses)
     const Eigen::Vector3d shift =
         right.value().cameraFromPatient * centroid - left.value().cameraFromPatient * centroid;
     EXPECT_NEAR(shift.x(), -60.0, 3.0);
+}
+
+/// Ids of the branches fed through the one that feeds the most, the trunk apart.
+std::set<int> largestTerritory(const GrownTree& grown)
+{
+    std::set<int> largest;
+    const auto count = static_cast<int>(grown.takeoffs.size());
+    for (int top = 1; top < count; ++top) {
+        std::set<int> fed;
+        for (int branch = top; branch < count; ++branch) {
+            const int parent = grown.takeoffs[static_cast<std::size_t>(branch)].parentIndex;
+            if (branch == top ||
+                (parent >= 0 && fed.contains(grown.tree.branches[static_cast<std::size_t>(parent)].id))) {
+                fed.insert(grown.tree.branches[static_cast<std::size_t>(branch)].id);
+            }
+        }
+        largest = fed.size() > largest.size() ? fed : largest;
+    }
+    return largest;
+}
+
+TEST(RegisterVessels, FindsAPoseFromOneTerritoryAndNamesTheRest)
+{
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const test::CleanCase clean(seed);
+        const GrownTree grown = growTree(seed, {});
+        ASSERT_EQ(clean.tree.branches.size(), grown.tree.branches.size());
+        const std::set<int> filled = largestTerritory(grown);
+        ASSERT_LT(filled.size(), clean.tree.branches.size());
+        const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+        CounterRandom random(seed);
+        RegistrationInput input = clean.from(perturbedAboutCentroid(clean.truth, centroid, 4.0, 12.0, random));
+        input.target = traced(clean.target, random);
+        std::erase_if(input.target.curves, [&](const Curve2d& curve) { return !filled.contains(curve.id); });
+        const auto result = registerVessels(input);
+        ASSERT_TRUE(result);
+        EXPECT_TRUE(test::nearPose(result.value().cameraFromPatient, clean.truth, 2.0, 5.0, centroid))
+            << "tree " << seed;
+        EXPECT_TRUE(result.value().trustworthy) << "tree " << seed;
+        EXPECT_EQ(clean.tree.branches.size(), result.value().branches.size());
+        EXPECT_FALSE(result.value().unfilled.empty()) << "tree " << seed;
+    }
+}
+
+TEST(RegisterVessels, PutsPointsInOrderThatCameInNone)
+{
+    const test::CleanCase clean(3);
+    CounterRandom random(3);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    Curve2d all{1, {}, {}};
+    for (const Curve2d& curve : traced(clean.target, random).curves) {
+        all.pointsPx.insert(all.pointsPx.end(), curve.pointsPx.begin(), curve.pointsPx.end());
+    }
+    std::ranges::shuffle(all.pointsPx, random);
+    input.target.curves = {all};
+    const auto result = registerVessels(input);
+    ASSERT_TRUE(result);
+    EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 1.0);
+    EXPECT_TRUE(result.value().trustworthy);
+    ASSERT_FALSE(result.value().warnings.empty());
+    EXPECT_TRUE(result.value().warnings.front().is(says::targetReordered));
 }
 
 TEST(RegisterVessels, ExcludedBranchesAreNotUsed)

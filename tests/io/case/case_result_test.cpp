@@ -27,6 +27,7 @@ core::RegistrationResult richResult(const core::Case& theCase)
     result.uncertainty.observed = {true, false, true, true, true, false};
     result.uncertainty.weakestDirection[5] = 1.0;
     result.branches = {{1, 21, 0.5, 2.5, 0.75}, {2, 9, 1.5, 3.5, 0.25}};
+    result.unfilled = {{4, 0.75}};
     result.alternatives = {{theCase.shown().cameraFromPatient, 0.9}};
     result.trustworthy = false;
     result.warnings = {core::says::trustPoseUncertain(core::inMm(2.44, 1)), core::says::trustStopped(),
@@ -90,6 +91,9 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     EXPECT_EQ(is.uncertainty.weakestDirection, was.uncertainty.weakestDirection);
     ASSERT_EQ(is.branches.size(), 2U);
     EXPECT_EQ(is.branches[1].agreement, was.branches[1].agreement);
+    ASSERT_EQ(is.unfilled.size(), 1U);
+    EXPECT_EQ(is.unfilled[0].branchId, 4);
+    EXPECT_EQ(is.unfilled[0].share, 0.75);
     ASSERT_EQ(is.alternatives.size(), 1U);
     EXPECT_EQ(is.alternatives[0].score, 0.9);
     EXPECT_FALSE(is.trustworthy);

@@ -1,0 +1,195 @@
+#include "core/registration/alignment/branch_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double touchingMm = 2.5;
+constexpr std::size_t leastPiecePoints = 3;   // a cut nearer to the branch's end is at the end
+
+/// Tree points by cubes as wide as the reach.
+class PointCubes {
+public:
+    explicit PointCubes(const std::vector<Eigen::Vector3d>& points) : points_(points)
+    {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            members_[cubeOf(points[i])].push_back(i);
+        }
+    }
+
+    /// Calls `visit(number)` for all points within the reach.
+    template <class Visit>
+    void visitNear(const Eigen::Vector3d& place, const Visit& visit) const
+    {
+        const auto [x, y, z] = cubeOf(place);
+        for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dz = -1; dz <= 1; ++dz) {
+                    const auto cube = members_.find({x + dx, y + dy, z + dz});
+                    for (std::size_t k = 0; cube != members_.end() && k < cube->second.size(); ++k) {
+                        if ((points_[cube->second[k]] - place).norm() <= touchingMm) {
+                            visit(cube->second[k]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    using Cube = std::tuple<int, int, int>;
+
+    static Cube cubeOf(const Eigen::Vector3d& point)
+    {
+        const Eigen::Vector3i cube = (point / touchingMm).array().floor().cast<int>();
+        return {cube.x(), cube.y(), cube.z()};
+    }
+
+    const std::vector<Eigen::Vector3d>& points_;
+    std::map<Cube, std::vector<std::size_t>> members_;
+};
+
+struct Span {
+    std::size_t from, to;   ///< points of one branch
+};
+
+/// A junction where a branch passes or ends.
+struct Cut {
+    std::size_t at;   ///< tree point
+    int junction;
+};
+
+std::vector<Span> spansOf(const TreeSamples& tree)
+{
+    std::vector<Span> spans;
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        if (i == 0 || tree.branchIndex[i] != tree.branchIndex[i - 1]) {
+            spans.push_back({i, i});
+        }
+        spans.back().to = i + 1;
+    }
+    return spans;
+}
+
+/// Of each branch near a place, its nearest point.
+std::vector<std::size_t> passingPoints(const TreeSamples& tree, const PointCubes& cubes, const Eigen::Vector3d& place)
+{
+    std::map<int, std::pair<double, std::size_t>> nearest;
+    cubes.visitNear(place, [&](std::size_t i) {
+        const std::pair candidate((tree.points[i] - place).squaredNorm(), i);
+        const auto [known, isNew] = nearest.try_emplace(tree.branchIndex[i], candidate);
+        known->second = isNew ? candidate : std::min(known->second, candidate);
+    });
+    std::vector<std::size_t> points;
+    for (const auto& [branch, found] : nearest) {
+        points.push_back(found.second);
+    }
+    return points;
+}
+
+class Parting {
+public:
+    explicit Parting(const TreeSamples& tree) : tree_(tree), spans_(spansOf(tree)) {}
+
+    BranchPieces pieces()
+    {
+        findJunctions();
+        for (const Span& span : spans_) {
+            part(span);
+        }
+        result_.junctionCount = static_cast<int>(places_.size());
+        dropRings();
+        return std::move(result_);
+    }
+
+private:
+    void findJunctions()
+    {
+        const PointCubes cubes(tree_.points);
+        for (const Span& span : spans_) {
+            for (const std::size_t end : {span.from, span.to - 1}) {
+                const Eigen::Vector3d& place = tree_.points[end];
+                const bool isKnown = std::ranges::any_of(
+                    places_, [&](const Eigen::Vector3d& known) { return (known - place).norm() <= touchingMm; });
+                const auto passing = isKnown ? std::vector<std::size_t>() : passingPoints(tree_, cubes, place);
+                if (passing.size() > 1) {
+                    for (const std::size_t point : passing) {
+                        cuts_.push_back({point, static_cast<int>(places_.size())});
+                    }
+                    places_.push_back(place);
+                }
+            }
+        }
+        std::ranges::sort(cuts_, {}, [](const Cut& cut) { return std::pair(cut.at, cut.junction); });
+    }
+
+    void part(const Span& span)
+    {
+        const auto add = [&](std::size_t from, std::size_t to) {
+            result_.pieces.push_back({tree_.branchIndex[span.from], from, to});
+        };
+        const auto join = [&](int junction) {
+            result_.joints.push_back({static_cast<int>(result_.pieces.size()) - 1, junction});
+        };
+        const auto first = std::ranges::lower_bound(cuts_, span.from, {}, &Cut::at);
+        std::size_t begun = span.from;
+        std::vector<int> atBegin;
+        for (auto cut = first; cut != cuts_.end() && cut->at < span.to; ++cut) {
+            const bool isAtBegin = cut->at < begun + leastPiecePoints;
+            const bool isAtEnd = cut->at + leastPiecePoints >= span.to;
+            if (!isAtBegin && !isAtEnd) {
+                add(begun, cut->at);
+                std::ranges::for_each(atBegin, join);
+                join(cut->junction);
+                atBegin.clear();
+                begun = cut->at;
+            }
+            atBegin.push_back(cut->junction);
+        }
+        add(begun, span.to);
+        std::ranges::for_each(atBegin, join);
+    }
+
+    int rootOf(int node)
+    {
+        while (leader_[static_cast<std::size_t>(node)] != node) {
+            node = leader_[static_cast<std::size_t>(node)] =
+                leader_[static_cast<std::size_t>(leader_[static_cast<std::size_t>(node)])];
+        }
+        return node;
+    }
+
+    void dropRings()
+    {
+        const auto pieceCount = static_cast<int>(result_.pieces.size());
+        leader_.resize(static_cast<std::size_t>(pieceCount + result_.junctionCount));
+        std::iota(leader_.begin(), leader_.end(), 0);
+        std::erase_if(result_.joints, [&](const PieceAtJunction& joint) {
+            const int a = rootOf(joint.piece);
+            const int b = rootOf(pieceCount + joint.junction);
+            leader_[static_cast<std::size_t>(a)] = b;
+            return a == b;
+        });
+    }
+
+    const TreeSamples& tree_;
+    std::vector<Span> spans_;
+    std::vector<Eigen::Vector3d> places_;   ///< of the junctions
+    std::vector<Cut> cuts_;   ///< ascending along the tree's points
+    std::vector<int> leader_;
+    BranchPieces result_;
+};
+
+}   // namespace
+
+BranchPieces branchPieces(const TreeSamples& tree)
+{
+    return Parting(tree).pieces();
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,230 @@
+#include "core/registration/alignment/territory_search.h"
+
+#include "core/geometry/angle_units.h"
+#include "core/support/cell_index.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace angiopose::core {
+namespace {
+
+constexpr int leastCellPx = 8;
+constexpr int cellsAcrossImage = 128;   // larger images are seen coarser
+constexpr int stampReach = 3;   // cells
+constexpr double stampScale = 1.4;   // cells
+constexpr std::size_t askedPlaces = 150;   // sums of bytes must fit 16 bits: at most 257
+constexpr double likeDirection = 0.84;   // cosine: within 33° of a channel's direction
+constexpr double endOnTerritory = 0.3;   // vessels nearly along the ray have no direction
+constexpr std::size_t keptPerTurn = 3;
+constexpr double apartCells = 3.0;   // of the places kept for one turn
+constexpr double basinCells = 3.0;
+constexpr double basinOfStep = 0.75;
+constexpr double tiltBeyond = 1.2;   // tilts on the diagonal may be this much longer
+constexpr double mostOfImage = 0.6;   // of the image's side
+
+std::vector<double> turnsWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)
+{
+    const int half = reach.freedom.isLocked(axis) ? 0 : static_cast<int>(std::ceil(reachDeg / reach.stepDeg - 1e-9));
+    std::vector<double> turns;
+    for (int k = -half; k <= half; ++k) {
+        turns.push_back(half == 0 ? 0.0 : reachDeg * k / half * radiansPerDegree);
+    }
+    return turns;
+}
+
+/// Unit directions 0°, 45°, 90°, 135°.
+const std::array<Eigen::Vector2d, 4> channelDirections{
+    Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0),
+    Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(-std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0)};
+
+int nearestChannel(const Eigen::Vector2d& direction)
+{
+    const auto best = std::ranges::max_element(
+        channelDirections, {}, [&](const Eigen::Vector2d& channel) { return std::abs(channel.dot(direction)); });
+    return static_cast<int>(best - channelDirections.begin());
+}
+
+}   // namespace
+
+/// Sums for all shifts of one orientation; the first stands for the farthest shift down and to the right.
+struct TerritorySearch::Shifts {
+    int halfColumns;
+    int halfRows;
+    int columns;
+    int rows;
+    std::vector<std::uint16_t> sums;
+
+    Shifts(int half, const PoseFreedom& freedom)
+        : halfColumns(freedom.isLocked(PoseAxis::Right) ? 0 : half),
+          halfRows(freedom.isLocked(PoseAxis::Up) ? 0 : half),
+          columns(2 * halfColumns + 1),
+          rows(2 * halfRows + 1),
+          sums(cellIndex(rows, columns, 0))
+    {
+    }
+};
+
+TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLines& target)
+    : camera_(camera), cellPx_(std::max(leastCellPx, std::max(camera.width, camera.height) / cellsAcrossImage))
+{
+    const std::vector<TargetLines::Line>& lines = target.lines();
+    const std::size_t count = std::min(askedPlaces, lines.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        const TargetLines::Line& line = lines[k * lines.size() / count];
+        const Eigen::Vector2d cell = Eigen::Vector2d(line.x, line.y) / cellPx_;
+        if (cell.minCoeff() >= 0.0 && cell.x() < camera.width / cellPx_ && cell.y() < camera.height / cellPx_) {
+            places_.push_back(
+                {static_cast<int>(cell.x()), static_cast<int>(cell.y()), nearestChannel({line.tx, line.ty})});
+        }
+    }
+    for (int row = -stampReach; row <= stampReach; ++row) {
+        for (int column = -stampReach; column <= stampReach; ++column) {
+            const double squared = row * row + column * column;
+            stamp_.push_back(
+                static_cast<std::uint8_t>(std::lround(255.0 * std::exp(-0.5 * squared / (stampScale * stampScale)))));
+        }
+    }
+}
+
+void TerritorySearch::layOut(int halfShift)
+{
+    margin_ = halfShift;
+    columns_ = camera_.width / cellPx_ + 1 + 2 * margin_;
+    rows_ = camera_.height / cellPx_ + 1 + 2 * margin_;
+    canvas_.resize(channels * cellIndex(rows_, columns_, 0));
+}
+
+void TerritorySearch::stamp(int column, int row, std::uint8_t* channel) const
+{
+    constexpr int width = 2 * stampReach + 1;
+    for (int r = 0; r < width; ++r) {
+        const std::uint8_t* source = &stamp_[cellIndex(r, width, 0)];
+        std::uint8_t* to = channel + cellIndex(row + r - stampReach, columns_, column - stampReach);
+        for (int c = 0; c < width; ++c) {
+            to[c] = std::max(to[c], source[c]);
+        }
+    }
+}
+
+void TerritorySearch::drawTree(std::span<const AlignmentPoint> points, const CentroidPose& pose)
+{
+    std::fill(canvas_.begin(), canvas_.end(), std::uint8_t{0});
+    for (const AlignmentPoint& point : points) {
+        const Eigen::Vector3d X = pose.rotation * point.fromCentroid + pose.centroidInCamera;
+        const auto pixel = project(camera_, X);
+        if (!pixel) {
+            continue;
+        }
+        const Eigen::Vector2d cell = *pixel / cellPx_ + Eigen::Vector2d::Constant(margin_);
+        if (!(cell.minCoeff() >= stampReach && cell.x() < columns_ - stampReach && cell.y() < rows_ - stampReach)) {
+            continue;
+        }
+        const Eigen::Vector3d tangent = pose.rotation * point.tangent;
+        const Eigen::Vector2d along(camera_.fx * (tangent.x() - X.x() / X.z() * tangent.z()),
+                                    camera_.fy * (tangent.y() - X.y() / X.z() * tangent.z()));
+        const bool isEndOn = along.norm() < endOnTerritory * camera_.fy;
+        const double least = isEndOn ? -1.0 : likeDirection * along.norm();
+        for (std::size_t channel = 0; channel < channels; ++channel) {
+            if (std::abs(channelDirections[channel].dot(along)) >= least) {
+                stamp(static_cast<int>(cell.x()), static_cast<int>(cell.y()),
+                      &canvas_[channel * cellIndex(rows_, columns_, 0)]);
+            }
+        }
+    }
+}
+
+void TerritorySearch::sumShifts(Shifts& shifts) const
+{
+    std::fill(shifts.sums.begin(), shifts.sums.end(), std::uint16_t{0});
+    for (const Place& place : places_) {
+        const std::uint8_t* channel = &canvas_[static_cast<std::size_t>(place.channel) * cellIndex(rows_, columns_, 0)];
+        const int firstRow = place.row + margin_ - shifts.halfRows;
+        const int firstColumn = place.column + margin_ - shifts.halfColumns;
+        for (int r = 0; r < shifts.rows; ++r) {
+            const std::uint8_t* source = channel + cellIndex(firstRow + r, columns_, firstColumn);
+            std::uint16_t* sum = &shifts.sums[cellIndex(r, shifts.columns, 0)];
+            for (int c = 0; c < shifts.columns; ++c) {
+                sum[c] = static_cast<std::uint16_t>(sum[c] + source[c]);
+            }
+        }
+    }
+}
+
+void TerritorySearch::keepBest(const CentroidPose& pose, const Shifts& shifts,
+                               std::vector<CoarseCandidate>& found) const
+{
+    struct Peak {
+        int column, row;
+    };
+    std::vector<Peak> kept;
+    const double depthMm = pose.centroidInCamera.z();
+    while (kept.size() < keptPerTurn) {
+        int highest = -1;
+        Peak best{};
+        for (int row = 0; row < shifts.rows; ++row) {
+            for (int column = 0; column < shifts.columns; ++column) {
+                const int sum = shifts.sums[cellIndex(row, shifts.columns, column)];
+                const auto isBeside = [&](const Peak& peak) {
+                    return std::hypot(peak.column - column, peak.row - row) < apartCells;
+                };
+                if (sum > highest && std::ranges::none_of(kept, isBeside)) {
+                    highest = sum;
+                    best = {column, row};
+                }
+            }
+        }
+        if (highest < 0) {
+            return;
+        }
+        kept.push_back(best);
+        CoarseCandidate candidate{pose, highest / (255.0 * static_cast<double>(places_.size()))};
+        candidate.pose.centroidInCamera.x() += (shifts.halfColumns - best.column) * cellPx_ * depthMm / camera_.fx;
+        candidate.pose.centroidInCamera.y() += (shifts.halfRows - best.row) * cellPx_ * depthMm / camera_.fy;
+        found.push_back(candidate);
+    }
+}
+
+std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
+                                                   const SearchReach& reach,
+                                                   const std::function<Verdict(double)>& proceed)
+{
+    std::vector<CoarseCandidate> found;
+    if (places_.empty()) {
+        return found;
+    }
+    const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
+    const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
+    const double radiusPx = std::min(reach.radiusMm * pxPerMm, mostOfImage * std::max(camera_.width, camera_.height));
+    const int half = static_cast<int>(std::ceil(radiusPx / cellPx_));
+    Shifts shifts(half, reach.freedom);
+    layOut(half);
+    const std::vector<double> tiltsX = turnsWithin(reach.tiltDeg, reach, PoseAxis::CraCau);
+    const std::vector<double> tiltsY = turnsWithin(reach.tiltDeg, reach, PoseAxis::LaoRao);
+    const std::vector<double> rolls = turnsWithin(reach.rollDeg, reach, PoseAxis::Roll);
+    const double longestTilt = tiltBeyond * reach.tiltDeg * radiansPerDegree;
+    double tiltsDone = 0.0;
+    bool isStopped = false;
+    for (const double tiltX : tiltsX) {
+        for (const double tiltY : tiltsY) {
+            if (isStopped || std::hypot(tiltX, tiltY) > longestTilt) {
+                continue;
+            }
+            for (const double roll : rolls) {
+                CentroidPose pose = start;
+                pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
+                pose = reach.freedom.held(pose);
+                drawTree(points, pose);
+                sumShifts(shifts);
+                keepBest(pose, shifts, found);
+            }
+        }
+        tiltsDone += 1.0;
+        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tiltsX.size())) == Verdict::Stop;
+    }
+    return distinct(std::move(found), {basinCells * cellPx_ / pxPerMm, basinOfStep * reach.stepDeg * radiansPerDegree});
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,106 @@
+#include "core/registration/alignment/vessel_filling.h"
+
+#include <algorithm>
+#include <array>
+
+namespace angiopose::core {
+namespace {
+
+std::size_t at(int number)
+{
+    return static_cast<std::size_t>(number);
+}
+
+}   // namespace
+
+VesselFilling::VesselFilling(const TreeSamples& tree) : parts_(branchPieces(tree)), pieceOfPoint_(tree.size(), 0)
+{
+    const std::size_t pieceCount = parts_.pieces.size();
+    for (std::size_t p = 0; p < pieceCount; ++p) {
+        const BranchPiece& piece = parts_.pieces[p];
+        double lengthMm = 0.0;
+        for (std::size_t i = piece.from; i < piece.to; ++i) {
+            pieceOfPoint_[i] = static_cast<int>(p);
+            lengthMm += i > piece.from ? (tree.points[i] - tree.points[i - 1]).norm() : 0.0;
+        }
+        lengthMm_.push_back(lengthMm);
+    }
+    std::vector<std::vector<int>> besides(pieceCount + at(parts_.junctionCount));
+    for (const PieceAtJunction& joint : parts_.joints) {
+        const int junction = static_cast<int>(pieceCount) + joint.junction;
+        besides[at(joint.piece)].push_back(junction);
+        besides[at(junction)].push_back(joint.piece);
+    }
+    std::vector<std::uint8_t> isListed(besides.size(), 0);
+    for (std::size_t root = 0; root < besides.size(); ++root) {
+        if (isListed[root] != 0) {
+            continue;
+        }
+        std::size_t next = order_.size();
+        order_.push_back({static_cast<int>(root), -1});
+        isListed[root] = 1;
+        for (; next < order_.size(); ++next) {
+            const int here = order_[next].number;
+            for (const int beside : besides[at(here)]) {
+                if (isListed[at(beside)] == 0) {
+                    isListed[at(beside)] = 1;
+                    order_.push_back({beside, here});
+                }
+            }
+        }
+    }
+}
+
+std::vector<std::uint8_t> VesselFilling::likeliest(std::span<const double> filledGain, double changeCost) const
+{
+    std::vector<std::array<double, 2>> gain(order_.size(), {0.0, 0.0});   // of the node and all below it: empty, filled
+    for (std::size_t p = 0; p < filledGain.size(); ++p) {
+        gain[p][1] = filledGain[p];
+    }
+    const auto bestBelow = [&](int node, std::size_t above) {
+        return std::max(gain[at(node)][above], gain[at(node)][1 - above] - changeCost);
+    };
+    for (auto node = order_.rbegin(); node != order_.rend(); ++node) {
+        for (const std::size_t above : {0U, 1U}) {
+            if (node->above >= 0) {
+                gain[at(node->above)][above] += bestBelow(node->number, above);
+            }
+        }
+    }
+    std::vector<std::uint8_t> state(order_.size(), 0);
+    for (const Node& node : order_) {
+        const std::array<double, 2>& own = gain[at(node.number)];
+        const double bias = node.above < 0 ? 0.0 : state[at(node.above)] != 0 ? changeCost : -changeCost;
+        state[at(node.number)] = own[1] - own[0] + bias > 0.0;
+    }
+    state.resize(filledGain.size());
+    return state;
+}
+
+int VesselFilling::forks(std::span<const std::uint8_t> isFilled) const
+{
+    std::vector<int> filled(at(parts_.junctionCount), 0);
+    for (const PieceAtJunction& joint : parts_.joints) {
+        filled[at(joint.junction)] += isFilled[at(joint.piece)] != 0 ? 1 : 0;
+    }
+    return static_cast<int>(std::ranges::count_if(filled, [](int pieces) { return pieces >= 3; }));
+}
+
+int VesselFilling::emptyTerritories(std::span<const std::uint8_t> isFilled, double leastMm) const
+{
+    const std::size_t pieceCount = parts_.pieces.size();
+    std::vector<double> emptyMm(order_.size(), 0.0);   // of a stretch, where it hangs on nothing empty
+    std::vector<int> top(order_.size());
+    for (const Node& node : order_) {
+        const bool isPiece = at(node.number) < pieceCount;
+        const bool isEmpty = !isPiece || isFilled[at(node.number)] == 0;
+        // A filled piece parts what hangs on either side of it.
+        const bool continues =
+            node.above >= 0 && isEmpty && (at(node.above) >= pieceCount || isFilled[at(node.above)] == 0);
+        top[at(node.number)] = continues ? top[at(node.above)] : node.number;
+        emptyMm[at(top[at(node.number)])] += isPiece && isEmpty ? lengthMm_[at(node.number)] : 0.0;
+    }
+    return static_cast<int>(std::ranges::count_if(emptyMm, [&](double mm) { return mm >= leastMm; }));
+}
+
+}   // namespace angiopose::core

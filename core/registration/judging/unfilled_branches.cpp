@@ -1,0 +1,56 @@
+#include "core/registration/judging/unfilled_branches.h"
+
+#include "core/messages/says.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double mostlyUnfilled = 0.5;
+constexpr std::size_t namedBranches = 8;
+
+}   // namespace
+
+std::vector<UnfilledBranch> unfilledBranches(const TreeSamples& tree, const std::vector<std::uint8_t>& isFilled,
+                                             const std::vector<std::uint8_t>& isInView)
+{
+    std::vector<double> seen(tree.branchIds.size(), 0.0);
+    std::vector<double> empty(tree.branchIds.size(), 0.0);
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        const auto branch = static_cast<std::size_t>(tree.branchIndex[i]);
+        seen[branch] += isInView[i] != 0 ? 1.0 : 0.0;
+        empty[branch] += isInView[i] != 0 && isFilled[i] == 0 ? 1.0 : 0.0;
+    }
+    std::vector<UnfilledBranch> unfilled;
+    for (std::size_t branch = 0; branch < seen.size(); ++branch) {
+        if (empty[branch] > mostlyUnfilled * seen[branch]) {
+            unfilled.push_back({tree.branchIds[branch], empty[branch] / seen[branch]});
+        }
+    }
+    return unfilled;
+}
+
+double shareFilled(const std::vector<std::uint8_t>& isFilled)
+{
+    const auto filled = std::ranges::count(isFilled, std::uint8_t{1});
+    return static_cast<double>(filled) / static_cast<double>(std::max<std::size_t>(1, isFilled.size()));
+}
+
+Messages wordsOf(const std::vector<UnfilledBranch>& unfilled, double filledShare, std::size_t branchCount)
+{
+    const Quantity shown{100.0 * filledShare, 0, "%"};
+    if (unfilled.empty()) {
+        return {};
+    }
+    if (unfilled.size() > namedBranches) {
+        return {says::trustFewFilled(shown, unfilled.size(), branchCount)};
+    }
+    std::vector<std::string> names;
+    for (const UnfilledBranch& branch : unfilled) {
+        names.push_back(std::to_string(branch.branchId));
+    }
+    return {says::trustPartFilled(shown, names)};
+}
+
+}   // namespace angiopose::core

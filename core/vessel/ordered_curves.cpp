@@ -1,0 +1,90 @@
+#include "core/vessel/ordered_curves.h"
+
+#include "core/vessel/chain_points.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t leastTold = 8;   // points from which a curve has an order to speak of
+constexpr std::size_t askedPoints = 48;
+constexpr double leastInOrder = 0.8;   // curves have nearly 1, pixels row by row 0.4 to 0.7
+constexpr double nearlyNearest = 1.5;   // steps along the pixel grid are 1 or √2
+constexpr std::size_t leastLonePoints = 20;
+
+bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    double adjacent = std::numeric_limits<double>::infinity();
+    for (std::size_t other = 0; other < points.size(); ++other) {
+        const double squared = (points[other] - points[i]).squaredNorm();
+        if (other + 1 == i || other == i + 1) {
+            adjacent = std::min(adjacent, squared);
+        }
+        // Copies of the point itself say nothing.
+        if (other != i && squared > 0.0) {
+            nearest = std::min(nearest, squared);
+        }
+    }
+    return adjacent <= nearlyNearest * nearlyNearest * nearest;
+}
+
+bool isUnordered(const Curve2d& curve)
+{
+    const std::size_t count = curve.pointsPx.size();
+    if (count < leastTold) {
+        return false;
+    }
+    const std::size_t asked = std::min(count, askedPoints);
+    std::size_t inOrder = 0;
+    for (std::size_t k = 0; k < asked; ++k) {
+        inOrder += isInOrder(curve.pointsPx, k * count / asked) ? 1 : 0;
+    }
+    return static_cast<double>(inOrder) < leastInOrder * static_cast<double>(asked);
+}
+
+/// The points one by one are most of the curves.
+bool comesInSinglePoints(const Centerline2d& given)
+{
+    const auto single = static_cast<std::size_t>(
+        std::ranges::count_if(given.curves, [](const Curve2d& curve) { return curve.pointsPx.size() == 1; }));
+    return single >= leastLonePoints && 2 * single > given.curves.size();
+}
+
+}   // namespace
+
+std::optional<OrderedCurves> putInOrder(const Centerline2d& given)
+{
+    const bool chainsSingles = comesInSinglePoints(given);
+    const auto isLoose = [&](const Curve2d& curve) {
+        return (chainsSingles && curve.pointsPx.size() == 1) || isUnordered(curve);
+    };
+    OrderedCurves result;
+    std::vector<Eigen::Vector2d> loose;
+    std::vector<const Curve2d*> inOrder;
+    int lastId = 0;
+    for (const Curve2d& curve : given.curves) {
+        lastId = std::max(lastId, curve.id);
+        if (isLoose(curve)) {
+            loose.insert(loose.end(), curve.pointsPx.begin(), curve.pointsPx.end());
+        } else {
+            inOrder.push_back(&curve);
+        }
+    }
+    if (loose.empty()) {
+        return {};
+    }
+    result.reorderedPoints = loose.size();
+    for (const Curve2d* curve : inOrder) {
+        result.curves.curves.push_back(*curve);
+    }
+    for (Curve2d& curve : chainPoints(loose).curves) {
+        curve.id = ++lastId;
+        result.curves.curves.push_back(std::move(curve));
+    }
+    return result;
+}
+
+}   // namespace angiopose::core

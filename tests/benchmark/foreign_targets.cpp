@@ -1,0 +1,299 @@
+#include "tests/benchmark/foreign_targets.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace angiopose::benchmarks {
+namespace {
+
+constexpr double sourceToDetectorMm = 1100.0;
+constexpr double sourceToPatientMm = 720.0;
+constexpr double pixelMm = 0.31;
+constexpr int imagePx = 960;
+constexpr double stepPx = 1.37;   // never the tree's own samples
+constexpr double jitterPx = 0.5;
+constexpr double jitterReachPx = 15.0;
+constexpr double rad = std::numbers::pi / 180.0;
+
+using Pixels = std::vector<Eigen::Vector2d>;
+
+/// Pinhole by hand: the project's projection is what is to be judged.
+Eigen::Vector2d pixelOf(const Eigen::Vector3d& inCamera)
+{
+    const double magnified = sourceToDetectorMm / inCamera.z() / pixelMm;
+    const double middle = 0.5 * (imagePx - 1);
+    return {middle - magnified * inCamera.x(), middle + magnified * inCamera.y()};
+}
+
+core::ProjectionCamera camera()
+{
+    const double focalPx = sourceToDetectorMm / pixelMm;
+    const double middle = 0.5 * (imagePx - 1);
+    return {-focalPx, focalPx, middle, middle, imagePx, imagePx};
+}
+
+bool isInside(const Eigen::Vector2d& pixel)
+{
+    return pixel.minCoeff() >= -0.5 && pixel.maxCoeff() < imagePx - 0.5;
+}
+
+/// Every `stepPx` along a polyline, from a random phase on.
+Pixels walked(const Pixels& curve, ForeignRandom& random)
+{
+    Pixels points;
+    double toNext = random.uniform(0.0, stepPx);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        const Eigen::Vector2d way = curve[i] - curve[i - 1];
+        const double length = way.norm();
+        double at = toNext;
+        for (; at < length; at += stepPx) {
+            points.emplace_back(curve[i - 1] + at / length * way);
+        }
+        toNext = at - length;
+    }
+    return points;
+}
+
+/// As a tracer leaves it: off by what neighbours share, rounded to pixels, cut at the image's edges.
+Pixels traced(const Pixels& curve, ForeignRandom& random)
+{
+    const double kept = std::exp(-stepPx / jitterReachPx);
+    Eigen::Vector2d jitter(random.normal(), random.normal());
+    Pixels points;
+    for (const Eigen::Vector2d& point : walked(curve, random)) {
+        jitter = kept * jitter + std::sqrt(1.0 - kept * kept) * Eigen::Vector2d(random.normal(), random.normal());
+        const Eigen::Vector2d off = point + jitterPx * jitter;
+        if (isInside(off)) {
+            points.emplace_back(std::round(off.x()), std::round(off.y()));
+        }
+    }
+    return points;
+}
+
+/// A vessel that the tree does not have.
+Pixels foreignCurve(ForeignRandom& random)
+{
+    Eigen::Vector2d at(random.uniform(0.15, 0.85) * imagePx, random.uniform(0.15, 0.85) * imagePx);
+    double heading = random.uniform(0.0, 2.0 * std::numbers::pi);
+    double bend = 0.0;
+    Pixels curve;
+    for (int steps = 40 + static_cast<int>(random.index(80)); steps > 0; --steps) {
+        curve.push_back(at);
+        bend = 0.9 * bend + 0.02 * random.normal();
+        heading += bend;
+        at += 3.0 * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+    }
+    return curve;
+}
+
+std::vector<std::size_t> allOf(const RootedTree& tree)
+{
+    std::vector<std::size_t> all(tree.parent.size());
+    for (std::size_t branch = 0; branch < all.size(); ++branch) {
+        all[branch] = branch;
+    }
+    return all;
+}
+
+/// A subtree whose share of the tree's length lies in between; the nearest to it when none does.
+std::vector<std::size_t> territory(const RootedTree& tree, double least, double most, ForeignRandom& random)
+{
+    const double whole = tree.lengthMm(allOf(tree));
+    std::vector<std::vector<std::size_t>> fitting;
+    std::vector<std::size_t> nearest;
+    double nearestOff = 2.0;
+    for (std::size_t branch = 0; branch < tree.parent.size(); ++branch) {
+        std::vector<std::size_t> fed = tree.fedThrough(branch);
+        const double share = tree.lengthMm(fed) / whole;
+        if (share >= least && share <= most) {
+            fitting.push_back(fed);
+        }
+        if (const double off = std::abs(share - 0.5 * (least + most)); off < nearestOff) {
+            nearestOff = off;
+            nearest = std::move(fed);
+        }
+    }
+    return fitting.empty() ? nearest : fitting[random.index(fitting.size())];
+}
+
+std::vector<std::size_t> twoTerritories(const RootedTree& tree, ForeignRandom& random)
+{
+    std::vector<std::size_t> both = territory(tree, 0.08, 0.3, random);
+    for (int tries = 0; tries < 50; ++tries) {
+        const std::vector<std::size_t> other = territory(tree, 0.08, 0.3, random);
+        std::vector<std::size_t> common;
+        std::set_intersection(both.begin(), both.end(), other.begin(), other.end(), std::back_inserter(common));
+        if (common.empty()) {
+            both.insert(both.end(), other.begin(), other.end());
+            break;
+        }
+    }
+    std::sort(both.begin(), both.end());
+    return both;
+}
+
+std::vector<std::size_t> withoutLeaves(const RootedTree& tree, double share, ForeignRandom& random)
+{
+    std::vector<std::size_t> kept;
+    for (const std::size_t branch : allOf(tree)) {
+        if (!tree.isLeaf(branch) || random.uniform() >= share) {
+            kept.push_back(branch);
+        }
+    }
+    return kept;
+}
+
+std::vector<std::size_t> wayToAnEnd(const RootedTree& tree, ForeignRandom& random)
+{
+    std::size_t end = random.index(tree.parent.size());
+    while (!tree.isLeaf(end)) {
+        end = random.index(tree.parent.size());
+    }
+    std::vector<std::size_t> way;
+    for (int at = static_cast<int>(end); at >= 0; at = tree.parent[static_cast<std::size_t>(at)]) {
+        way.push_back(static_cast<std::size_t>(at));
+    }
+    return {way.rbegin(), way.rend()};
+}
+
+std::vector<std::size_t> filledIn(const RootedTree& tree, ForeignScene scene, ForeignRandom& random)
+{
+    switch (scene) {
+        case ForeignScene::OneTerritory:
+        case ForeignScene::OtherTerritory:
+            return territory(tree, 0.1, 0.5, random);
+        case ForeignScene::TwoTerritories:
+            return twoTerritories(tree, random);
+        case ForeignScene::OneVessel:
+            return wayToAnEnd(tree, random);
+        case ForeignScene::LeavesMissing:
+            return withoutLeaves(tree, 0.2, random);
+        default:
+            return allOf(tree);
+    }
+}
+
+core::RigidTransform drawnView(const RootedTree& tree, ForeignRandom& random)
+{
+    // Looking from the front, the patient's head up; then turned as a C-arm is.
+    Eigen::Matrix3d front;
+    front << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
+    const Eigen::Matrix3d turned = (Eigen::AngleAxisd(random.uniform(-30.0, 30.0) * rad, Eigen::Vector3d::UnitX()) *
+                                    Eigen::AngleAxisd(random.uniform(-90.0, 90.0) * rad, Eigen::Vector3d::UnitY()))
+                                       .toRotationMatrix() *
+                                   front;
+    const Eigen::Vector3d place(random.uniform(-8.0, 8.0), random.uniform(-8.0, 8.0),
+                                sourceToPatientMm + random.uniform(-40.0, 40.0));
+    return {turned, place - turned * core::centroidInPatient(tree.tree)};
+}
+
+core::RigidTransform displacedStart(const core::RigidTransform& truth, const Eigen::Vector3d& centroid,
+                                    ForeignRandom& random)
+{
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(random.uniform(0.0, 15.0) * rad, random.direction()).toRotationMatrix();
+    const double heading = random.uniform(0.0, 2.0 * std::numbers::pi);
+    const double acrossMm = 30.0 * std::sqrt(random.uniform());
+    const Eigen::Vector3d shift(acrossMm * std::cos(heading), acrossMm * std::sin(heading),
+                                random.uniform(-50.0, 50.0));
+    const Eigen::Matrix3d rotation = turn * truth.rotation;
+    return {rotation, truth * centroid + shift - rotation * centroid};
+}
+
+void shuffle(Pixels& points, ForeignRandom& random)
+{
+    for (std::size_t left = points.size(); left > 1; --left) {
+        std::swap(points[left - 1], points[random.index(left)]);
+    }
+}
+
+/// Row by row, each once: what is read from a mask.
+Pixels asPixels(const Pixels& points)
+{
+    std::set<std::pair<double, double>> rows;
+    for (const Eigen::Vector2d& point : points) {
+        rows.insert({point.y(), point.x()});
+    }
+    Pixels pixels;
+    for (const auto& [v, u] : rows) {
+        pixels.emplace_back(u, v);
+    }
+    return pixels;
+}
+
+core::Centerline2d handedOver(std::vector<Pixels> curves, ForeignScene scene, ForeignRandom& random)
+{
+    if (scene == ForeignScene::ShuffledPoints || scene == ForeignScene::SkeletonPixels) {
+        Pixels all;
+        for (const Pixels& curve : curves) {
+            all.insert(all.end(), curve.begin(), curve.end());
+        }
+        curves = {scene == ForeignScene::SkeletonPixels ? asPixels(all) : all};
+    }
+    core::Centerline2d target;
+    for (Pixels& curve : curves) {
+        if (scene == ForeignScene::ShuffledPoints || scene == ForeignScene::ShuffledRows) {
+            shuffle(curve, random);
+        }
+        if (!curve.empty()) {
+            target.curves.push_back({static_cast<int>(target.curves.size()), std::move(curve), {}});
+        }
+    }
+    return target;
+}
+
+}   // namespace
+
+ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tree, ForeignScene scene,
+                            std::uint64_t trial)
+{
+    ForeignRandom random(7919 * trial + 101 * tree + 13);
+    const bool isOther = scene == ForeignScene::OtherPatient || scene == ForeignScene::OtherTerritory;
+    const RootedTree& shown = trees[isOther ? (tree + 1) % trees.size() : tree];
+    const core::RigidTransform view = drawnView(shown, random);
+    const std::vector<std::size_t> filled = filledIn(shown, scene, random);
+    std::vector<Pixels> curves;
+    for (const std::size_t branch : filled) {
+        Pixels projected;
+        for (const Eigen::Vector3d& point : shown.tree.branches[branch].pointsInPatient) {
+            projected.push_back(pixelOf(view * point));
+        }
+        curves.push_back(traced(projected, random));
+    }
+    for (int extra = scene == ForeignScene::LeavesMissing ? 5 : 0; extra > 0; --extra) {
+        curves.push_back(traced(foreignCurve(random), random));
+    }
+    ForeignCase result;
+    const Eigen::Vector3d centroid = core::centroidInPatient(trees[tree].tree);
+    result.truth = {view.rotation, view * core::centroidInPatient(shown.tree) - view.rotation * centroid};
+    result.filled = isOther ? std::vector<std::size_t>() : filled;
+    result.input.tree = trees[tree].tree;
+    result.input.camera = camera();
+    result.input.target = handedOver(std::move(curves), scene, random);
+    result.input.initialCameraFromPatient = displacedStart(result.truth, centroid, random);
+    return result;
+}
+
+ForeignError errorOf(const ForeignCase& asked, const core::RigidTransform& answer)
+{
+    ForeignError error;
+    double count = 0.0;
+    for (const std::size_t branch : asked.filled) {
+        for (const Eigen::Vector3d& point : asked.input.tree.branches[branch].pointsInPatient) {
+            const Eigen::Vector3d there = asked.truth * point;
+            const Eigen::Vector3d off = answer * point - there;
+            error.spaceMm += off.norm();
+            error.inPlaneMm += off.cross(there.normalized()).norm();
+            count += 1.0;
+        }
+    }
+    error.spaceMm /= std::max(1.0, count);
+    error.inPlaneMm /= std::max(1.0, count);
+    error.turnDeg = Eigen::AngleAxisd(answer.rotation.transpose() * asked.truth.rotation).angle() / rad;
+    return error;
+}
+
+}   // namespace angiopose::benchmarks

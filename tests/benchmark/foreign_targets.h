@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/registration/problem/registration_result.h"
+#include "tests/benchmark/foreign_trees.h"
+
+#include <array>
+#include <string_view>
+
+namespace angiopose::benchmarks {
+
+/// What the image shows of the tree, and how its points are handed over.
+enum class ForeignScene {
+    WholeTree,
+    OneTerritory,   ///< a subtree of a tenth to a half of the tree's length
+    TwoTerritories,   ///< two subtrees apart from each other
+    OneVessel,   ///< the way of the blood to one free end: what a catheter or wire shows, here on its axis
+    LeavesMissing,   ///< a fifth of the free ends not filled, foreign curves instead
+    ShuffledPoints,   ///< the whole tree, all points in one curve in any order
+    SkeletonPixels,   ///< the whole tree, pixels row by row
+    ShuffledRows,   ///< the whole tree, each branch a curve with its points in any order
+    OtherPatient,   ///< the image shows another tree whole: there is no right answer
+    OtherTerritory,   ///< … or one territory of it
+};
+
+struct NamedScene {
+    ForeignScene scene;
+    std::string_view key;   ///< for the command line
+    std::string_view words;
+};
+inline constexpr std::array<NamedScene, 10> foreignScenes{{
+    {ForeignScene::WholeTree, "whole", "whole tree"},
+    {ForeignScene::OneTerritory, "one", "one territory filled"},
+    {ForeignScene::TwoTerritories, "two", "two territories filled"},
+    {ForeignScene::OneVessel, "vessel", "one vessel of the tree"},
+    {ForeignScene::LeavesMissing, "leaves", "1/5 of leaves missing, foreign curves"},
+    {ForeignScene::ShuffledPoints, "points", "whole tree, points in any order"},
+    {ForeignScene::SkeletonPixels, "pixels", "whole tree, pixels row by row"},
+    {ForeignScene::ShuffledRows, "rows", "whole tree, rows of branches in any order"},
+    {ForeignScene::OtherPatient, "other", "another patient's tree"},
+    {ForeignScene::OtherTerritory, "other-one", "another patient's territory"},
+}};
+
+/// One question to the solver and its answer.
+struct ForeignCase {
+    core::RegistrationInput input;
+    core::RigidTransform truth;   ///< cameraFromPatient
+    std::vector<std::size_t> filled;   ///< indices of the branches that the image shows; empty: another tree's
+};
+
+/// Numbers `trial` of a scene, the same on every call: pose, filling, noise and start follow from it. Starts are up to
+/// 15°, 30 mm across and 50 mm along the ray off.
+ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tree, ForeignScene scene,
+                            std::uint64_t trial);
+
+/// How far an answer lies from the truth.
+struct ForeignError {
+    double inPlaneMm = 0.0;   ///< mean over the filled branches, across the rays
+    double spaceMm = 0.0;   ///< mean distance in 3-D
+    double turnDeg = 0.0;
+};
+ForeignError errorOf(const ForeignCase& asked, const core::RigidTransform& answer);
+
+}   // namespace angiopose::benchmarks
