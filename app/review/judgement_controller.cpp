@@ -10,12 +10,14 @@
 namespace angiopose::app {
 namespace {
 
-std::vector<double> residualsMm(const core::Case& current, const core::PoseJudgement& judgement,
+std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
+                                const std::vector<core::UnfilledBranch>& unfilled, const core::PoseJudgement& judgement,
                                 double millimetresPerPixel)
 {
     std::vector<double> residuals;
     for (const auto& [branchId, distancesPx] : judgement.residualPx) {
-        if (std::ranges::find(current.vessels.excludedBranchIds, branchId) != current.vessels.excludedBranchIds.end()) {
+        if (std::ranges::find(excludedBranchIds, branchId) != excludedBranchIds.end() ||
+            std::ranges::find(unfilled, branchId, &core::UnfilledBranch::branchId) != unfilled.end()) {
             continue;
         }
         for (const double distancePx : distancesPx) {
@@ -33,6 +35,11 @@ void takeOverFromRun(core::RegistrationResult& judged, const core::RegistrationR
     judged.uncertainty = run.uncertainty;
     judged.stopReason = run.stopReason;
     judged.time = run.time;
+    if (!run.unfilled.empty()) {   // its figures are about what the image shows of the tree
+        judged.unfilled = run.unfilled;
+        judged.metrics = run.metrics;
+        judged.branches = run.branches;
+    }
 }
 
 /// The newest run that left exactly this pose behind, or null.
@@ -126,7 +133,8 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
     }
     judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
     judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;
-    judged.residualsMm = residualsMm(current, *judgement_, judged.millimetresPerPixel);
+    judged.residualsMm =
+        residualsMm(current.vessels.excludedBranchIds, judged.result.unfilled, *judgement_, judged.millimetresPerPixel);
     return judged;
 }
 
