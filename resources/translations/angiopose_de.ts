@@ -3355,6 +3355,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Gefäßbaums fand seine Gefäße im Bild.</translation>
     </message>
     <message>
+        <source>The traced vessels still lie about %1 beside the bent tree: they moved in finer ways than it follows.</source>
+        <comment>bend.not-followed</comment>
+        <translation>Die nachgezeichneten Gefäße liegen noch etwa %1 neben dem verbogenen Baum: Sie bewegten sich feiner, als er folgt.</translation>
+    </message>
+    <message>
         <source>The part of the vessels towards the %1 (%2 of their length) lies %3 off against the rest, towards the %4.</source>
         <comment>bend.part-moved</comment>
         <translation>Der Teil der Gefäße in Richtung %1 (%2 ihrer Länge) liegt %3 neben dem Rest, in Richtung %4.</translation>

@@ -3355,6 +3355,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>只有 %1 的血管树在图像中找到了对应血管。</translation>
     </message>
     <message>
+        <source>The traced vessels still lie about %1 beside the bent tree: they moved in finer ways than it follows.</source>
+        <comment>bend.not-followed</comment>
+        <translation>描出的血管与弯曲后的树仍相差约 %1：其移动比模型所能跟随的更细。</translation>
+    </message>
+    <message>
         <source>The part of the vessels towards the %1 (%2 of their length) lies %3 off against the rest, towards the %4.</source>
         <comment>bend.part-moved</comment>
         <translation>血管靠%1侧的部分（占其长度的 %2）相对其余部分偏移 %3，方向朝%4。</translation>

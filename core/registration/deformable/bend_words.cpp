@@ -12,7 +12,8 @@ namespace {
 
 constexpr double convincingGain = 10.0;   // log evidence
 constexpr double greatestSpreadMm = 0.5;   // runs that differ more follow other branches
-constexpr double leastExplained = 0.4;
+constexpr double leastExplained = 0.4;   // of the visible tree
+constexpr double greatestResidualPx = 1.2;   // beyond what tracing explains: motion that was not followed
 
 Message sideWord(const Eigen::Vector3d& direction)
 {
@@ -50,7 +51,8 @@ void judgeBend(std::span<const DeformableView> views, DeformableResult& result)
         result.messages.push_back(says::bendStopped());
         return;
     }
-    const bool isSure = result.spreadMm <= greatestSpreadMm && result.explainedShare >= leastExplained;
+    const bool isSure = result.spreadMm <= greatestSpreadMm && result.explainedShare >= leastExplained &&
+                        result.noisePx <= greatestResidualPx;
     if (result.spreadMm > greatestSpreadMm) {
         result.messages.push_back(says::bendRunsDiffer(inMm(result.spreadMm, 1)));
     }
@@ -63,6 +65,9 @@ void judgeBend(std::span<const DeformableView> views, DeformableResult& result)
         return;
     }
     result.verdict = isSure ? BendVerdict::Bent : BendVerdict::Unsure;
+    if (result.noisePx > greatestResidualPx) {
+        result.messages.push_back(says::bendNotFollowed(Quantity{result.noisePx, 1, "px"}));
+    }
     if (const auto part = movedPart(views.front().input.tree, result)) {
         result.messages.push_back(says::bendPartMoved(sideWord(part->side), Quantity{100.0 * part->share, 0, "%"},
                                                       inMm(part->shift.norm(), 1), sideWord(part->shift))

@@ -28,7 +28,7 @@ struct DeformableView {
 };
 
 /// Rigid: nothing speaks for a bend, the rigid pose stays as it is. Unsure: bent, but runs from different starts
-/// differ, or too little of the tree is seen.
+/// differ, too little of the tree is seen, or the vessels still lie beside it.
 enum class BendVerdict { Rigid, Bent, Unsure };
 
 /// How the points of one branch moved beyond any rigid motion.
