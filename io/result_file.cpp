@@ -5,6 +5,7 @@
 #include "core/geometry/angle_units.h"
 #include "io/case/fields/result_fields.h"
 #include "io/support/atomic_file.h"
+#include "io/support/deformable_json.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/message_json.h"
@@ -48,7 +49,8 @@ Json inputsJson(const core::Case& theCase)
 
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result,
+                       const core::DeformableResult* bent)
 {
     Json root;
     root["format"] = "angiopose-result";
@@ -70,13 +72,17 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
+    if (bent != nullptr) {
+        root["deformable"] = Json::parse(deformableJson(*bent));
+    }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path,
+                         const core::DeformableResult* bent)
 {
-    return writeAtomically(path, resultJson(theCase, result));
+    return writeAtomically(path, resultJson(theCase, result, bent));
 }
 
 namespace {
@@ -103,6 +109,9 @@ std::string jointJson(const core::RegisteredCase& registered)
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         json["views"].push_back(std::move(view));
     }
+    if (registered.bent) {
+        json["deformable"] = Json::parse(deformableJson(*registered.bent));
+    }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -110,7 +119,8 @@ std::string jointJson(const core::RegisteredCase& registered)
 
 std::string registeredJson(const core::RegisteredCase& registered)
 {
-    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result());
+    const core::DeformableResult* bent = registered.bent ? &*registered.bent : nullptr;
+    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result(), bent);
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path)

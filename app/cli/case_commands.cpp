@@ -39,6 +39,8 @@ void addRegister(CLI::App& app, int& exitCode)
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
     command->add_option("--view", arguments->otherViews,
                         "Case of the same vessels in another view, registered together; may be repeated");
+    command->add_flag("--deformable", arguments->isBending,
+                      "Bend the vessels afterwards where the image asks for it: bent.vtp, motion.csv");
     command->add_option("--output", arguments->outputFolder,
                         "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
     command->add_flag_callback(

@@ -21,6 +21,7 @@ struct RegisterArguments {
     std::vector<std::string> locks;   ///< ids of core::PoseAxis; empty: the case's own
     std::optional<int> frame;
     std::vector<std::string> otherViews;   ///< cases registered together with this one, beside its own `views`
+    bool isBending = false;   ///< the vessels are bent after the registration
     std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;
 };

@@ -57,11 +57,11 @@ core::Status applyArguments(core::Case& theCase, const RegisterArguments& argume
     return core::Done{};
 }
 
-core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label)
+core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label,
+                                                      core::RegistrationPlan plan)
 {
     ProgressLine progress(label);
     const char* user = std::getenv("USER");
-    core::RegistrationPlan plan;
     plan.author = user ? user : "";
     plan.time = core::utcNow();
     return core::registerCase(std::move(theCase), std::move(plan), progress.observer());

@@ -12,6 +12,7 @@ namespace angiopose::app {
 core::Status applyArguments(core::Case& theCase, const RegisterArguments& arguments);
 
 /// core::registerCase of all views with a progress line of that label. Ctrl+C keeps the best pose.
-core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label);
+core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label,
+                                                      core::RegistrationPlan plan = {});
 
 }   // namespace angiopose::app

@@ -31,12 +31,15 @@ core::Status addOtherViews(core::Case& theCase, const std::vector<std::string>& 
     return core::Done{};
 }
 
-int exitCodeOf(const core::RegistrationResult& result)
+int exitCodeOf(const core::RegisteredCase& registered)
 {
-    if (result.stopReason == core::StopReason::StoppedByUser) {
+    const auto& bent = registered.bent;
+    if (registered.result().stopReason == core::StopReason::StoppedByUser ||
+        (bent && bent->stopReason == core::StopReason::StoppedByUser)) {
         return exitStopped;
     }
-    return result.trustworthy ? exitDone : exitNotTrustworthy;
+    const bool isUnsure = bent && bent->verdict == core::BendVerdict::Unsure;
+    return registered.result().trustworthy && !isUnsure ? exitDone : exitNotTrustworthy;
 }
 
 }   // namespace
@@ -55,7 +58,9 @@ int runRegister(const RegisterArguments& arguments)
     if (const auto status = addOtherViews(theCase, arguments.otherViews); !status) {
         return failInput(status.error(), arguments.format);
     }
-    const auto registered = registerForCommand(std::move(theCase), "registering");
+    core::RegistrationPlan plan;
+    plan.isBending = arguments.isBending;
+    const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {
         return failInput(registered.error().about(arguments.casePath), arguments.format);
     }
@@ -68,7 +73,7 @@ int runRegister(const RegisterArguments& arguments)
     } else {
         printRegistered(registered.value(), folder);
     }
-    return exitCodeOf(registered.value().result());
+    return exitCodeOf(registered.value());
 }
 
 }   // namespace angiopose::app

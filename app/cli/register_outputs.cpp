@@ -6,8 +6,10 @@
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
 #include "io/image_file.h"
+#include "io/motion_table.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
+#include "io/vessel_tree_file.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -29,7 +31,8 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
+core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName,
+                       const core::DeformableResult* bent)
 {
     const fs::path folder(folderName);
     std::error_code failure;
@@ -37,7 +40,8 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
     if (failure) {
         return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
-    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string()); !status) {
+    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string(), bent);
+        !status) {
         return status;
     }
     if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
@@ -48,6 +52,18 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
         return picture.error();
     }
     return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
+}
+
+/// The tree as it was in the image, in patient coordinates, and how each of its points came there.
+core::Status writeBent(const RegisteredCase& registered, const std::string& folderName)
+{
+    const fs::path folder(folderName);
+    const core::VesselTree& tree = *registered.theCase.vessels.tree;
+    if (auto status = io::writeVesselTree(core::bentTree(tree, *registered.bent), (folder / "bent.vtp").string());
+        !status) {
+        return status;
+    }
+    return io::writeMotion(tree, *registered.bent, (folder / "motion.csv").string());
 }
 
 void printLine(const std::string& label, const std::string& text)
@@ -78,14 +94,30 @@ void printViews(const RegisteredCase& registered)
     }
 }
 
+void printBent(const core::DeformableResult& bent)
+{
+    printLine("vessels", std::string(core::toText(bent.verdict)) + ", evidence " + fixedText(bent.logEvidenceGain, 0) +
+                             ", moved by " + fixedText(bent.meanMotionMm, 1) + " mm in the mean, " +
+                             fixedText(bent.largestMotionMm, 1) + " mm at most, " + fixedText(bent.timeMs, 0) + " ms");
+    for (const core::Message& message : bent.messages) {
+        printLine("", message.text());
+    }
+}
+
 }   // namespace
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
 {
+    const core::DeformableResult* bent = registered.bent ? &*registered.bent : nullptr;
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        if (auto status =
-                writeView(caseShowing(registered, k), registered.targets[k], viewFolder(registered, folder, k));
+        if (auto status = writeView(caseShowing(registered, k), registered.targets[k],
+                                    viewFolder(registered, folder, k), k == 0 ? bent : nullptr);
             !status) {
+            return status;
+        }
+    }
+    if (bent != nullptr) {
+        if (auto status = writeBent(registered, folder); !status) {
             return status;
         }
     }
@@ -107,6 +139,9 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     printLine("trustworthy", result.trustworthy ? "yes" : "NO");
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());
+    }
+    if (registered.bent) {
+        printBent(*registered.bent);
     }
     printLine("written", registered.joint ? (fs::path(folder) / "joint.json").string()
                                           : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");

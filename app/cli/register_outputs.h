@@ -8,7 +8,8 @@
 namespace angiopose::app {
 
 /// Writes result.json, pose.tfm and overlay.png of each registered view (the shown one into `folder`, the others into
-/// view-2, view-3, … below it) and, of several views, joint.json about all. Makes the folders.
+/// view-2, view-3, … below it) and, of several views, joint.json about all; of bent vessels bent.vtp and motion.csv.
+/// Makes the folders.
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder);
 
 /// The same in a few lines for people.

@@ -4,6 +4,7 @@
 #include "core/case/registration_input.h"
 #include "core/messages/says.h"
 #include "core/support/stopwatch.h"
+#include "core/workflow/bend_case.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +13,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double tracingShare = 0.1;   // of the whole, where something has to be traced
+constexpr double bendingShare = 0.3;   // of the whole, where the vessels are bent afterwards
 
 Result<std::vector<std::size_t>> plannedViews(const Case& theCase, RegistrationPlan::Views views)
 {
@@ -56,11 +58,11 @@ Result<std::vector<Centerline2d>> traceViews(const Case& theCase, const std::vec
     return targets;
 }
 
-/// What a solver says of the views at `places` goes to the course.
-IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, double begin)
+/// What a solver says of the views at `places` goes to the course, as its part from `first` to `last`.
+IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, double first, double last)
 {
-    return [&course, &places, begin](const IterationReport& report) {
-        course.enter(begin, 1.0, places[report.view]);
+    return [&course, &places, first, last](const IterationReport& report) {
+        course.enter(first, last, places[report.view]);
         return course.tell(report.stage, report.progress, &report);
     };
 }
@@ -142,14 +144,22 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!targets) {
         return targets.error();
     }
-    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(targets).value(), {}};
+    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(targets).value(), {}, {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
-    const IterationObserver observer = solverObserver(course, run.places, begin);
+    const double end = plan.isBending ? 1.0 - bendingShare : 1.0;
+    const IterationObserver observer = solverObserver(course, run.places, begin, end);
     const Provenance provenance{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options};
     const Status status =
         run.places.size() > 1 ? registerTogether(run, provenance, observer) : registerOne(run, provenance, observer);
     if (!status) {
         return status.error();
+    }
+    if (plan.isBending && !course.isStopped()) {
+        auto bent = bendCase(run, {}, solverObserver(course, run.places, end, 1.0));
+        if (!bent) {
+            return bent.error();
+        }
+        run.bent = std::move(bent).value();
     }
     return run;
 }

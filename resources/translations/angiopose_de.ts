@@ -3345,6 +3345,71 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
     </message>
     <message>
+        <source>Bent vessels need at least one registered view.</source>
+        <comment>bend.no-view</comment>
+        <translation>Verbogene Gefäße brauchen mindestens eine registrierte Projektion.</translation>
+    </message>
+    <message>
+        <source>The traced vessels are single points. Order them to curves before the tree is bent onto them.</source>
+        <comment>bend.needs-curves</comment>
+        <translation>Die nachgezeichneten Gefäße sind einzelne Punkte. Vor dem Verbiegen zu Kurven ordnen.</translation>
+    </message>
+    <message>
+        <source>The priors of the pose and the spacing of the knots must be positive numbers.</source>
+        <comment>bend.options-unusable</comment>
+        <translation>Die Vorannahmen der Lage und der Abstand der Stützstellen müssen positive Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>Bending was stopped before its end: the rigid pose stays.</source>
+        <comment>bend.stopped</comment>
+        <translation>Das Verbiegen wurde vor dem Ende angehalten: Die starre Lage bleibt.</translation>
+    </message>
+    <message>
+        <source>Runs from different starts differ by %1: some branches may lie on other vessels.</source>
+        <comment>bend.runs-differ</comment>
+        <translation>Läufe von verschiedenen Anfängen unterscheiden sich um %1: Einige Äste liegen vielleicht auf anderen Gefäßen.</translation>
+    </message>
+    <message>
+        <source>Only %1 of the vessel tree found its vessels in the image.</source>
+        <comment>bend.little-seen</comment>
+        <translation>Nur %1 des Gefäßbaums fand seine Gefäße im Bild.</translation>
+    </message>
+    <message>
+        <source>The traced vessels still lie about %1 beside the bent tree: they moved in finer ways than it follows.</source>
+        <comment>bend.not-followed</comment>
+        <translation>Die nachgezeichneten Gefäße liegen noch etwa %1 neben dem verbogenen Baum: Sie bewegten sich feiner, als er folgt.</translation>
+    </message>
+    <message>
+        <source>The part of the vessels towards the %1 (%2 of their length) lies %3 off against the rest, towards the %4.</source>
+        <comment>bend.part-moved</comment>
+        <translation>Der Teil der Gefäße in Richtung %1 (%2 ihrer Länge) liegt %3 neben dem Rest, in Richtung %4.</translation>
+    </message>
+    <message>
+        <source>One view does not tell how the vessels moved along the ray.</source>
+        <comment>bend.depth-unknown</comment>
+        <translation>Eine Projektion sagt nicht, wie sich die Gefäße entlang des Strahls bewegten.</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <comment>side.front</comment>
+        <translation>vorne</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <comment>side.back</comment>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <comment>side.head</comment>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <comment>side.feet</comment>
+        <translation>Füße</translation>
+    </message>
+    <message>
         <source>The angiogram frame is empty. Choose another frame or file.</source>
         <comment>frame.empty</comment>
         <translation>Das Angiogrammbild ist leer. Anderes Bild oder andere Datei wählen.</translation>

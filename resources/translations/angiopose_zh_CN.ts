@@ -3345,6 +3345,71 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>
     </message>
     <message>
+        <source>Bent vessels need at least one registered view.</source>
+        <comment>bend.no-view</comment>
+        <translation>弯曲血管至少需要一个已配准的投照视图。</translation>
+    </message>
+    <message>
+        <source>The traced vessels are single points. Order them to curves before the tree is bent onto them.</source>
+        <comment>bend.needs-curves</comment>
+        <translation>描出的血管是孤立的点。弯曲之前请先将其连成曲线。</translation>
+    </message>
+    <message>
+        <source>The priors of the pose and the spacing of the knots must be positive numbers.</source>
+        <comment>bend.options-unusable</comment>
+        <translation>位姿先验和节点间距必须是正数。</translation>
+    </message>
+    <message>
+        <source>Bending was stopped before its end: the rigid pose stays.</source>
+        <comment>bend.stopped</comment>
+        <translation>弯曲在完成前被停止：保留刚性位姿。</translation>
+    </message>
+    <message>
+        <source>Runs from different starts differ by %1: some branches may lie on other vessels.</source>
+        <comment>bend.runs-differ</comment>
+        <translation>从不同起点的结果相差 %1：某些分支可能落在其他血管上。</translation>
+    </message>
+    <message>
+        <source>Only %1 of the vessel tree found its vessels in the image.</source>
+        <comment>bend.little-seen</comment>
+        <translation>只有 %1 的血管树在图像中找到了对应血管。</translation>
+    </message>
+    <message>
+        <source>The traced vessels still lie about %1 beside the bent tree: they moved in finer ways than it follows.</source>
+        <comment>bend.not-followed</comment>
+        <translation>描出的血管与弯曲后的树仍相差约 %1：其移动比模型所能跟随的更细。</translation>
+    </message>
+    <message>
+        <source>The part of the vessels towards the %1 (%2 of their length) lies %3 off against the rest, towards the %4.</source>
+        <comment>bend.part-moved</comment>
+        <translation>血管靠%1侧的部分（占其长度的 %2）相对其余部分偏移 %3，方向朝%4。</translation>
+    </message>
+    <message>
+        <source>One view does not tell how the vessels moved along the ray.</source>
+        <comment>bend.depth-unknown</comment>
+        <translation>单个视图无法判断血管沿射线方向的移动。</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <comment>side.front</comment>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <comment>side.back</comment>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <comment>side.head</comment>
+        <translation>头</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <comment>side.feet</comment>
+        <translation>足</translation>
+    </message>
+    <message>
         <source>The angiogram frame is empty. Choose another frame or file.</source>
         <comment>frame.empty</comment>
         <translation>此帧为空。请选择其他帧或文件。</translation>

@@ -40,6 +40,21 @@ TEST(Cli, RegistersTwoViewsTogether)
     }
 }
 
+TEST(Cli, BendsTheVesselsOnRequest)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runCli({"simulate", "--seed", "5", "--non-rigid", "3", "--output", folder.file("demo")}).exitCode, 0);
+    const auto outcome = runCli({"register", (fs::path(folder.file("demo")) / "case.angiopose").string(),
+                                 "--deformable", "--output", folder.file("bent"), "--json"});
+    ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+    const auto bent = nlohmann::json::parse(outcome.output)["deformable"];
+    EXPECT_TRUE(bent["verdict"] == "bent" || bent["verdict"] == "unsure" || bent["verdict"] == "rigid");
+    EXPECT_FALSE(bent["perBranch"].empty());
+    for (const char* name : {"result.json", "bent.vtp", "motion.csv", "overlay.png"}) {
+        EXPECT_TRUE(fs::exists(fs::path(folder.file("bent")) / name)) << name;
+    }
+}
+
 TEST(Cli, RegistersTheViewsThatStandInACase)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");

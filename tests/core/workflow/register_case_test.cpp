@@ -140,5 +140,40 @@ TEST(RegisterCase, UsesTheKnownTargetOfTheShownView)
     EXPECT_TRUE(registerCase(values, {Views::Shown, known}));
 }
 
+TEST(RegisterCase, BendsTheVesselsWhereThePlanAsksForIt)
+{
+    Case values = test::twoViewCase();
+    RegistrationPlan plan;
+    plan.isBending = true;
+    double last = 0.0;
+    bool hasBent = false;
+    const auto run = registerCase(values, plan, [&](const WorkReport& report) {
+        EXPECT_GE(report.fraction, last);
+        last = report.fraction;
+        hasBent = hasBent || report.stage == "bend";
+        return Verdict::Continue;
+    });
+    ASSERT_TRUE(run) << run.error().message;
+    EXPECT_TRUE(hasBent);
+    ASSERT_TRUE(run.value().bent);
+    EXPECT_EQ(run.value().bent->branches.size(), values.vessels.tree->branches.size());
+    EXPECT_EQ(run.value().bent->viewPoses.size(), 2u);
+    EXPECT_FALSE(registerCase(values, {}).value().bent);
+
+    // Stopped while bending: the rigid result stays, the bent one says so.
+    const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
+        return report.stage == "bend" ? Verdict::Stop : Verdict::Continue;
+    });
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped.value().result().stopReason, StopReason::Converged);
+    EXPECT_EQ(stopped.value().bent->stopReason, StopReason::StoppedByUser);
+
+    // Stopped before: not begun.
+    const auto early = registerCase(
+        values, plan, [](const WorkReport& report) { return report.iteration ? Verdict::Stop : Verdict::Continue; });
+    ASSERT_TRUE(early);
+    EXPECT_FALSE(early.value().bent);
+}
+
 }   // namespace
 }   // namespace angiopose::core

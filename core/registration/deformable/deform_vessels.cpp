@@ -1,0 +1,209 @@
+#include "core/registration/deformable/deform_vessels.h"
+
+#include "core/geometry/angle_units.h"
+#include "core/messages/says.h"
+#include "core/registration/deformable/bend_fit.h"
+#include "core/registration/deformable/bend_words.h"
+#include "core/registration/deformable/evidence_gain.h"
+#include "core/registration/deformable/motion_of_tree.h"
+#include "core/registration/register_views.h"
+#include "core/support/random.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::array<double, 3> strainsTried{0.15, 0.08, 0.2};   // one run each
+constexpr int annealingSteps = 14;
+constexpr double firstAnnealingMm = 3.5;
+constexpr double lastAnnealingMm = 0.1;
+constexpr int learningFrom = 6;
+constexpr double coarseAboveMm = 0.5;
+constexpr int settlingSteps = 4;   // of the best run
+constexpr double allSteps = annealingSteps * static_cast<double>(strainsTried.size()) + settlingSteps;
+constexpr double startTurnDeg = 0.5;   // the runs start this far from the rigid pose
+constexpr double startShiftMm = 1.0;
+
+std::size_t viewNumber(std::span<const DeformableView> views, std::size_t index)
+{
+    return views[index].number > 0 ? views[index].number : index + 1;
+}
+
+/// The target of a view and where the first view's camera lies; fails where the view cannot be used.
+Result<BendView> makeBendView(const DeformableView& view, const RigidTransform& firstPose)
+{
+    RegistrationInput input = view.input;
+    input.initialCameraFromPatient = view.rigidCameraFromPatient;
+    const auto problem = makeProblem(input, {});
+    if (!problem) {
+        return problem.error();
+    }
+    CurveCrossings curves(problem.value().target, input.camera);
+    if (!curves.hasCurves()) {
+        return Error(says::bendNeedsCurves());
+    }
+    return BendView{input.camera, view.rigidCameraFromPatient * firstPose.inverse(), std::move(curves)};
+}
+
+Matrix6d independentVariances(double turnDeg, double shiftMm)
+{
+    Vector6d deviations;
+    deviations << Eigen::Vector3d::Constant(turnDeg / degreesPerRadian), Eigen::Vector3d::Constant(shiftMm);
+    return deviations.cwiseAbs2().asDiagonal();
+}
+
+TreeKnots knotsOf(const RegistrationInput& input, const DeformableOptions& options)
+{
+    double lengthMm = 0.0;
+    for (const VesselBranch& branch : input.tree.branches) {
+        lengthMm += branch.lengthMm();
+    }
+    return treeKnots(input.tree, input.excludedBranchIds,
+                     std::max(options.knotSpacingMm, lengthMm / options.mostKnots));
+}
+
+Result<BendProblem> makeBendProblem(std::span<const DeformableView> views, const DeformableOptions& options)
+{
+    if (views.empty()) {
+        return Error(says::bendNoView());
+    }
+    if (!(options.posePriorDeg > 0.0 && options.posePriorMm > 0.0 && options.knotSpacingMm > 0.0 &&
+          options.mostKnots > 0 && options.geometryDeg >= 0.0 && options.geometryMm >= 0.0)) {
+        return Error(says::bendOptionsUnusable());
+    }
+    const DeformableView& first = views.front();
+    std::vector<BendView> bendViews;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        auto view = makeBendView(views[k], first.rigidCameraFromPatient);
+        if (!view) {
+            return views.size() > 1 ? inView(viewNumber(views, k), view.error()) : view.error();
+        }
+        if (views[k].input.tree.pointCount() != first.input.tree.pointCount() ||
+            views[k].input.tree.branches.size() != first.input.tree.branches.size()) {
+            return Error(says::viewsOfOtherTree(viewNumber(views, k), viewNumber(views, 0)));
+        }
+        bendViews.push_back(std::move(view).value());
+    }
+    TreeKnots knots = knotsOf(first.input, options);
+    FieldKernel kernel(knots);
+    const Eigen::Vector3d centroid = centroidInPatient(first.input.tree);
+    const MotionPrior prior{independentVariances(options.posePriorDeg, options.posePriorMm),
+                            independentVariances(options.geometryDeg, options.geometryMm),
+                            {}};
+    return BendProblem{std::move(knots),
+                       std::move(kernel),
+                       std::move(bendViews),
+                       centroid,
+                       aboutCentroid(first.rigidCameraFromPatient, centroid),
+                       prior};
+}
+
+/// Tells the observer of every step of every run.
+class BendProgress {
+public:
+    explicit BendProgress(const IterationObserver& observe) : observe_(observe) {}
+
+    Verdict report(const BendFit& fit, double annealingPx)
+    {
+        IterationReport report;
+        report.stage = "bend";
+        report.iteration = ++iterations_;
+        report.progress = static_cast<double>(iterations_) / allSteps;
+        report.scalePx = annealingPx;
+        report.medianDistancePx = fit.medianResidualPx();
+        report.cameraFromPatient = fit.bentTree().cameraFromPatient;
+        isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
+        return isStopped_ ? Verdict::Stop : Verdict::Continue;
+    }
+
+    bool isStopped() const { return isStopped_; }
+    int iterations() const { return iterations_; }
+
+private:
+    const IterationObserver& observe_;
+    int iterations_ = 0;
+    bool isStopped_ = false;
+};
+
+double annealingMm(int step)
+{
+    const double share = static_cast<double>(step) / (annealingSteps - 1);
+    return firstAnnealingMm * std::pow(lastAnnealingMm / firstAnnealingMm, share);
+}
+
+BendState startOf(const BendProblem& problem, std::size_t run, int seed)
+{
+    BendState state = startOfRun(problem, strainsTried[run]);
+    if (run > 0) {
+        CounterRandom random = CounterRandom(static_cast<std::uint64_t>(seed)).fork(run);
+        for (Eigen::Index k = 0; k < 6; ++k) {
+            state.poseStep[k] = random.normal() * (k < 3 ? startTurnDeg / degreesPerRadian : startShiftMm);
+        }
+    }
+    return state;
+}
+
+BendFit annealed(const BendProblem& problem, std::size_t run, int seed, BendProgress& progress)
+{
+    BendFit fit(problem, startOf(problem, run, seed));
+    const double mmPerPx = millimetresPerPixel(problem.views.front().camera, problem.start.centroidInCamera.z());
+    for (int k = 0; k < annealingSteps && !progress.isStopped(); ++k) {
+        fit.step({annealingMm(k), strainsTried[run], k >= learningFrom, annealingMm(k) > coarseAboveMm});
+        progress.report(fit, annealingMm(k) / mmPerPx);
+    }
+    return fit;
+}
+
+/// Variances are learned slowly where there is little motion to learn from.
+void settleVariances(BendFit& fit, double strain, BendProgress& progress)
+{
+    for (int k = 0; k < settlingSteps && !progress.isStopped(); ++k) {
+        fit.step({lastAnnealingMm, strain, true, false});
+        progress.report(fit, 0.0);
+    }
+}
+
+/// The run under which all that was seen is likeliest: rows by their evidence, knots without a row as anywhere.
+std::size_t likeliest(const std::vector<BendFit>& runs)
+{
+    const auto best = std::ranges::max_element(runs, {}, &BendFit::logLikelihood);
+    return static_cast<std::size_t>(best - runs.begin());
+}
+
+}   // namespace
+
+Result<DeformableResult> deformVessels(std::span<const DeformableView> views, const DeformableOptions& options,
+                                       const IterationObserver& observe)
+{
+    Stopwatch stopwatch;
+    const auto made = makeBendProblem(views, options);
+    if (!made) {
+        return made.error();
+    }
+    const BendProblem& problem = made.value();
+    BendProgress progress(observe);
+    std::vector<BendFit> runs;
+    for (std::size_t run = 0; run < strainsTried.size() && !progress.isStopped(); ++run) {
+        runs.push_back(annealed(problem, run, options.randomSeed, progress));
+    }
+    const std::size_t best = likeliest(runs);
+    settleVariances(runs[best], strainsTried[best], progress);
+    DeformableResult result;
+    if (progress.isStopped()) {
+        result = rigidResult(views);
+        result.stopReason = StopReason::StoppedByUser;
+    } else {
+        result = bentResult(views, problem, runs, best);
+        result.logEvidenceGain = logEvidenceGain(problem, runs[best]);
+    }
+    result.iterations = progress.iterations();
+    judgeBend(views, result);
+    result.timeMs = stopwatch.lapMs();
+    return result;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,224 @@
+#include "core/registration/deformable/field_posterior.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double variancePullMm2 = 0.003;   // the weak pull of learned variances: γ = 0 gives 0.01 mm²
+constexpr double countPull = 0.3;
+
+Eigen::Index rowAt(std::size_t number)
+{
+    return static_cast<Eigen::Index>(number);
+}
+
+/// Of a lower triangle, in place, by halves: what is zero is not multiplied.
+void invertLowerTriangle(Eigen::Ref<Eigen::MatrixXf> lower)
+{
+    const Eigen::Index count = lower.rows();
+    if (count <= 48) {
+        lower = Eigen::MatrixXf(lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXf::Identity(count, count)));
+        return;
+    }
+    const Eigen::Index half = count / 2;
+    auto first = lower.topLeftCorner(half, half);
+    auto last = lower.bottomRightCorner(count - half, count - half);
+    auto corner = lower.bottomLeftCorner(count - half, half);
+    invertLowerTriangle(first);
+    invertLowerTriangle(last);
+    const Eigen::MatrixXf middle = corner * first.triangularView<Eigen::Lower>();
+    corner.noalias() = -(last.triangularView<Eigen::Lower>() * middle);
+    first.triangularView<Eigen::StrictlyUpper>().setZero();
+    last.triangularView<Eigen::StrictlyUpper>().setZero();
+}
+
+}   // namespace
+
+FieldPosterior::FieldPosterior(const FieldKernel& kernel, const MotionPrior& prior, std::vector<MotionRow> rows)
+    : kernel_(kernel), prior_(prior), rows_(std::move(rows)), combined_(kernel.combined(prior.motion))
+{
+    basis_ = basisOf(rows_);
+    const auto count = rowAt(rows_.size());
+    Eigen::MatrixXf covariance(count, count);
+    Eigen::VectorXf values(count);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        covariance.col(rowAt(r)) = covariances(rows_[r], basis_.motion.col(rowAt(r)), basis_.steps.col(rowAt(r)));
+        covariance(rowAt(r), rowAt(r)) += static_cast<float>(rows_[r].variance);
+        values[rowAt(r)] = static_cast<float>(rows_[r].valueMm);
+    }
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXf>, Eigen::Lower> llt(covariance);
+    logDeterminant_ = 2.0 * covariance.diagonal().cast<double>().array().log().sum();
+    explained_ = llt.solve(values).cast<double>();
+    covariance.triangularView<Eigen::StrictlyUpper>().setZero();
+    invertLowerTriangle(covariance);
+    covariance.triangularView<Eigen::StrictlyUpper>().setZero();
+    inverseFactor_ = std::move(covariance);
+}
+
+Vector6d FieldPosterior::pose() const
+{
+    Vector6d pulled = Vector6d::Zero();
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        pulled += explained_[rowAt(r)] * rows_[r].byPose;
+    }
+    return prior_.pose * pulled;
+}
+
+Vector6d FieldPosterior::geometry(std::size_t view) const
+{
+    Vector6d pulled = Vector6d::Zero();
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        if (view > 0 && rows_[r].view == view) {
+            pulled += explained_[rowAt(r)] * rows_[r].byGeometry;
+        }
+    }
+    return prior_.geometry * pulled;
+}
+
+Eigen::Matrix3Xd FieldPosterior::motion() const
+{
+    Eigen::Matrix3Xd pulls = Eigen::Matrix3Xd::Zero(3, combined_.cols());
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        pulls.col(rowAt(rows_[r].knot)) += explained_[rowAt(r)] * rows_[r].byMotion;
+    }
+    return (pulls.cast<float>() * combined_).cast<double>();
+}
+
+double FieldPosterior::logEvidence() const
+{
+    double fit = 0.0;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        fit += rows_[r].valueMm * explained_[rowAt(r)];
+    }
+    return -0.5 * (fit + logDeterminant_ + static_cast<double>(rows_.size()) * std::log(2.0 * std::numbers::pi));
+}
+
+Eigen::VectorXd FieldPosterior::variances() const
+{
+    // K − K (K + R)⁻¹ K = R − R (K + R)⁻¹ R
+    Eigen::VectorXd result(rowAt(rows_.size()));
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        const double noise = rows_[r].variance;
+        result[rowAt(r)] =
+            std::max(0.0, noise - noise * noise * static_cast<double>(inverseFactor_.col(rowAt(r)).squaredNorm()));
+    }
+    return result;
+}
+
+FieldPosterior::RowBasis FieldPosterior::basisOf(const std::vector<MotionRow>& rows) const
+{
+    std::size_t lastView = 0;
+    for (const MotionRow& row : rows_) {
+        lastView = std::max(lastView, row.view);
+    }
+    const Matrix6d poseRoot = prior_.pose.llt().matrixL();
+    const Vector6d geometryRoot = prior_.geometry.diagonal().cwiseSqrt();
+    RowBasis basis{Eigen::Matrix3Xf(3, rowAt(rows.size())),
+                   Eigen::MatrixXf::Zero(6 + 6 * rowAt(lastView), rowAt(rows.size()))};
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        basis.motion.col(rowAt(r)) = rows[r].byMotion.cast<float>();
+        basis.steps.col(rowAt(r)).head<6>() = (poseRoot.transpose() * rows[r].byPose).cast<float>();
+        if (rows[r].view > 0) {
+            basis.steps.col(rowAt(r)).segment<6>(6 * rowAt(rows[r].view)) =
+                geometryRoot.cwiseProduct(rows[r].byGeometry).cast<float>();
+        }
+    }
+    return basis;
+}
+
+Eigen::VectorXf FieldPosterior::covariances(const MotionRow& row, const Eigen::Vector3f& motion,
+                                            const Eigen::VectorXf& steps) const
+{
+    Eigen::VectorXf alike = basis_.motion.transpose() * motion;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        alike[rowAt(r)] *= combined_(rowAt(rows_[r].knot), rowAt(row.knot));
+    }
+    alike.noalias() += basis_.steps.transpose() * steps;
+    return alike;
+}
+
+Eigen::VectorXd FieldPosterior::variancesOf(const std::vector<MotionRow>& others) const
+{
+    const RowBasis basis = basisOf(others);
+    Eigen::MatrixXf with(rowAt(rows_.size()), rowAt(others.size()));
+    Eigen::VectorXd variances(rowAt(others.size()));
+    for (std::size_t k = 0; k < others.size(); ++k) {
+        const auto knot = rowAt(others[k].knot);
+        with.col(rowAt(k)) = covariances(others[k], basis.motion.col(rowAt(k)), basis.steps.col(rowAt(k)));
+        variances[rowAt(k)] = static_cast<double>(combined_(knot, knot) * basis.motion.col(rowAt(k)).squaredNorm() +
+                                                  basis.steps.col(rowAt(k)).squaredNorm());
+    }
+    const Eigen::MatrixXf whitened = inverseFactor_.triangularView<Eigen::Lower>() * with;
+    variances -= whitened.colwise().squaredNorm().transpose().cast<double>();
+    return variances.cwiseMax(0.0);
+}
+
+std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
+                                                              const Eigen::Matrix3d& cameraFromPatient) const
+{
+    const auto rowCount = rowAt(rows_.size());
+    Eigen::MatrixXf with(rowCount, 3 * rowAt(byPose.size()));
+    for (std::size_t k = 0; k < byPose.size(); ++k) {
+        const Eigen::Matrix<float, 3, 6> posePart = (byPose[k] * prior_.pose).cast<float>();
+        for (std::size_t r = 0; r < rows_.size(); ++r) {
+            const float kernel = combined_(rowAt(rows_[r].knot), rowAt(k));
+            with.block<1, 3>(rowAt(r), 3 * rowAt(k)) =
+                (kernel * (cameraFromPatient.cast<float>() * basis_.motion.col(rowAt(r))) +
+                 posePart * rows_[r].byPose.cast<float>())
+                    .transpose();
+        }
+    }
+    with = inverseFactor_.triangularView<Eigen::Lower>() * with;
+    std::vector<Eigen::Matrix3d> covariances(byPose.size());
+    for (std::size_t k = 0; k < byPose.size(); ++k) {
+        const auto whitened = with.middleCols<3>(3 * rowAt(k));
+        const Eigen::Matrix3f explained = whitened.transpose() * whitened;
+        covariances[k] = static_cast<double>(combined_(rowAt(k), rowAt(k))) * Eigen::Matrix3d::Identity() +
+                         byPose[k] * prior_.pose * byPose[k].transpose() - explained.cast<double>();
+    }
+    return covariances;
+}
+
+MotionVariances FieldPosterior::learnedVariances() const
+{
+    MotionVariances squares{};
+    MotionVariances traces{};
+    const auto count = rowAt(rows_.size());
+    Eigen::MatrixXf inverse = Eigen::MatrixXf::Zero(count, count);
+    inverse.selfadjointView<Eigen::Lower>().rankUpdate(inverseFactor_.transpose());
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        for (std::size_t q = r; q < rows_.size(); ++q) {
+            const double twice = q == r ? 1.0 : 2.0;
+            const double alike = twice * rows_[r].byMotion.dot(rows_[q].byMotion);
+            const double pulls = alike * explained_[rowAt(r)] * explained_[rowAt(q)];
+            const double left = alike * static_cast<double>(inverse(rowAt(q), rowAt(r)));
+            for (std::size_t m = 0; m < motionCount; ++m) {
+                const auto kernel = static_cast<double>(kernel_.of(m)(rowAt(rows_[q].knot), rowAt(rows_[r].knot)));
+                squares[m] += pulls * kernel;
+                traces[m] += left * kernel;
+            }
+        }
+    }
+    MotionVariances learned{};
+    for (std::size_t m = 0; m < motionCount; ++m) {
+        const double variance = prior_.motion[m];
+        learned[m] = (variance * variance * squares[m] + variancePullMm2) / (variance * traces[m] + countPull);
+    }
+    return learned;
+}
+
+double FieldPosterior::determined() const
+{
+    double left = 0.0;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        left += rows_[r].variance * static_cast<double>(inverseFactor_.col(rowAt(r)).squaredNorm());
+    }
+    return static_cast<double>(rows_.size()) - left;
+}
+
+}   // namespace angiopose::core

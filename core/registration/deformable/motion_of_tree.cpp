@@ -1,0 +1,223 @@
+#include "core/registration/deformable/motion_of_tree.h"
+
+#include "core/vessel/polyline.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+// Residuals beyond this are motion that the field did not follow, alike along a vessel: they do not average out.
+constexpr double tracingNoisePx = 0.6;
+constexpr double rivalLogLikelihood = 20.0;   // runs this much less likely count a third
+
+using KnotPlaces = std::vector<Eigen::Vector3d>;
+
+/// Of the knots, in the camera of the first view.
+KnotPlaces placesInCamera(const BendProblem& problem, const BendFit& fit)
+{
+    const BentTree bent = fit.bentTree();
+    KnotPlaces places;
+    for (std::size_t k = 0; k < problem.knots.size(); ++k) {
+        places.push_back(bent.cameraFromPatient *
+                         (problem.knots.places[k] + bent.motionMm.col(static_cast<Eigen::Index>(k))));
+    }
+    return places;
+}
+
+std::vector<Eigen::Matrix3d> covariancesOf(const BendProblem& problem, const BendFit& fit, const KnotPlaces& places)
+{
+    const RigidTransform pose = fit.bentTree().cameraFromPatient;
+    const Eigen::Vector3d centroid = pose * problem.centroidInPatient;
+    std::vector<Eigen::Matrix<double, 3, 6>> byPose(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        byPose[k] << -skew(places[k] - centroid), Eigen::Matrix3d::Identity();
+    }
+    return fit.posterior()->placeCovariances(byPose, pose.rotation);
+}
+
+/// Mean over the runs of d dᵀ, d from the best one; a run counts by how likely it is beside the best one.
+std::vector<Eigen::Matrix3d> spreadOfRuns(const std::vector<KnotPlaces>& places, const std::vector<BendFit>& runs,
+                                          std::size_t best)
+{
+    std::vector<Eigen::Matrix3d> spread(places[best].size(), Eigen::Matrix3d::Zero());
+    double total = 0.0;
+    std::vector<double> shares;
+    for (const BendFit& run : runs) {
+        shares.push_back(std::exp((run.logLikelihood() - runs[best].logLikelihood()) / rivalLogLikelihood));
+        total += shares.back();
+    }
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        for (std::size_t k = 0; k < spread.size(); ++k) {
+            const Eigen::Vector3d apart = places[run][k] - places[best][k];
+            spread[k] += shares[run] / total * apart * apart.transpose();
+        }
+    }
+    return spread;
+}
+
+double rmsInPlane(const std::vector<Eigen::Matrix3d>& spread, const std::vector<double>& weights)
+{
+    double sum = 0.0;
+    double total = 0.0;
+    for (std::size_t k = 0; k < spread.size(); ++k) {
+        sum += weights[k] * (spread[k](0, 0) + spread[k](1, 1));
+        total += weights[k];
+    }
+    return total > 0.0 ? std::sqrt(sum / total) : 0.0;
+}
+
+/// Values of knots carried to the points of a branch by arc length.
+template <class Value>
+std::vector<Value> atPoints(const VesselBranch& branch, const Value* first, std::size_t count)
+{
+    std::vector<double> arc(branch.pointsInPatient.size(), 0.0);
+    for (std::size_t i = 1; i < arc.size(); ++i) {
+        arc[i] = arc[i - 1] + (branch.pointsInPatient[i] - branch.pointsInPatient[i - 1]).norm();
+    }
+    std::vector<Value> values;
+    values.reserve(arc.size());
+    for (const double passed : arc) {
+        const double place = arc.back() > 0.0 ? passed / arc.back() * static_cast<double>(count - 1) : 0.0;
+        const auto before = std::min(static_cast<std::size_t>(place), count - 1);
+        const std::size_t after = std::min(before + 1, count - 1);
+        const double share = place - static_cast<double>(before);
+        values.push_back((1.0 - share) * first[before] + share * first[after]);
+    }
+    return values;
+}
+
+std::vector<double> seenShares(const BendProblem& problem, const BendFit& fit)
+{
+    std::vector<std::uint8_t> isSeen(problem.knots.size(), 0);
+    for (const MotionRow& row : fit.rows()) {
+        isSeen[row.knot] = 1;
+    }
+    std::vector<double> shares;
+    for (std::size_t b = 0; b + 1 < problem.knots.firstOfBranch.size(); ++b) {
+        double seen = 0.0;
+        double total = 0.0;
+        for (std::size_t k = problem.knots.firstOfBranch[b]; k < problem.knots.firstOfBranch[b + 1]; ++k) {
+            total += problem.knots.lengthMm[k];
+            seen += isSeen[k] != 0 ? problem.knots.lengthMm[k] : 0.0;
+        }
+        shares.push_back(total > 0.0 ? seen / total : 0.0);
+    }
+    return shares;
+}
+
+/// Motion in the image plane of the only view, or in space.
+double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, std::size_t viewCount)
+{
+    return viewCount == 1 ? (pose.rotation * motion).head<2>().norm() : motion.norm();
+}
+
+}   // namespace
+
+RigidTransform nearestRigid(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,
+                            const std::vector<double>& weights)
+{
+    double total = 0.0;
+    Eigen::Vector3d fromMean = Eigen::Vector3d::Zero();
+    Eigen::Vector3d toMean = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        total += weights[k];
+        fromMean += weights[k] * from[k];
+        toMean += weights[k] * to[k];
+    }
+    fromMean /= total;
+    toMean /= total;
+    Eigen::Matrix3d both = Eigen::Matrix3d::Zero();
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        both += weights[k] * (to[k] - toMean) * (from[k] - fromMean).transpose();
+    }
+    RigidTransform rigid;
+    rigid.rotation = nearestRotation(both);
+    rigid.translation = toMean - rigid.rotation * fromMean;
+    return rigid;
+}
+
+DeformableResult rigidResult(std::span<const DeformableView> views)
+{
+    DeformableResult result;
+    result.cameraFromPatient = views.front().rigidCameraFromPatient;
+    for (const DeformableView& view : views) {
+        result.viewPoses.push_back(view.rigidCameraFromPatient);
+    }
+    for (const VesselBranch& branch : views.front().input.tree.branches) {
+        const std::size_t count = branch.pointsInPatient.size();
+        BranchMotion motion;
+        motion.branchId = branch.id;
+        motion.displacementMm.assign(count, Eigen::Vector3d::Zero());
+        motion.covariance.assign(count, Eigen::Matrix3d::Zero());
+        result.branches.push_back(std::move(motion));
+    }
+    return result;
+}
+
+DeformableResult bentResult(std::span<const DeformableView> views, const BendProblem& problem,
+                            const std::vector<BendFit>& runs, std::size_t best)
+{
+    DeformableResult result = rigidResult(views);
+    const BendFit& fit = runs[best];
+    if (!fit.posterior()) {
+        return result;
+    }
+    std::vector<KnotPlaces> places;
+    for (const BendFit& run : runs) {
+        places.push_back(placesInCamera(problem, run));
+    }
+    const TreeKnots& knots = problem.knots;
+    const RigidTransform pose = nearestRigid(knots.places, places[best], knots.lengthMm);
+    const RigidTransform patientFromCamera = pose.inverse();
+    result.cameraFromPatient = pose;
+    for (std::size_t view = 0; view < views.size(); ++view) {
+        result.viewPoses[view] = fit.viewFromFirst(view) * pose;
+    }
+    std::vector<Eigen::Vector3d> motion;
+    double total = 0.0;
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+        motion.push_back(patientFromCamera * places[best][k] - knots.places[k]);
+        const double size = seenMotionMm(motion.back(), pose, views.size());
+        result.largestMotionMm = std::max(result.largestMotionMm, size);
+        result.meanMotionMm += knots.lengthMm[k] * size;
+        total += knots.lengthMm[k];
+    }
+    result.meanMotionMm /= total;
+    const std::vector<Eigen::Matrix3d> spread = spreadOfRuns(places, runs, best);
+    std::vector<Eigen::Matrix3d> covariances = covariancesOf(problem, fit, places[best]);
+    const double inflation = std::max(1.0, fit.state().noisePx / tracingNoisePx);
+    for (std::size_t k = 0; k < covariances.size(); ++k) {
+        covariances[k] = inflation * covariances[k] + spread[k];
+    }
+    const std::vector<double> seen = seenShares(problem, fit);
+    const std::vector<VesselBranch>& branches = views.front().input.tree.branches;
+    for (std::size_t b = 0; b < branches.size(); ++b) {
+        const std::size_t first = knots.firstOfBranch[b];
+        const std::size_t count = knots.firstOfBranch[b + 1] - first;
+        result.branches[b].displacementMm = atPoints(branches[b], &motion[first], count);
+        result.branches[b].covariance = atPoints(branches[b], &covariances[first], count);
+        result.branches[b].seenShare = seen[b];
+    }
+    result.spreadMm = rmsInPlane(spread, knots.lengthMm);
+    result.explainedShare = fit.explainedShare();
+    result.noisePx = fit.state().noisePx;
+    return result;
+}
+
+VesselTree bentTree(const VesselTree& tree, const DeformableResult& result)
+{
+    VesselTree bent = tree;
+    for (std::size_t b = 0; b < std::min(bent.branches.size(), result.branches.size()); ++b) {
+        auto& points = bent.branches[b].pointsInPatient;
+        const auto& motion = result.branches[b].displacementMm;
+        for (std::size_t i = 0; i < std::min(points.size(), motion.size()); ++i) {
+            points[i] += motion[i];
+        }
+    }
+    return bent;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/registration/deformable/bend_fit.h"
+#include "core/registration/deformable/deform_vessels.h"
+
+#include <span>
+#include <vector>
+
+namespace angiopose::core {
+
+/// What the best of several runs says, for every point of the tree: the nearest rigid pose, what is left as motion, and
+/// a covariance that holds the spread between the runs too (ALGORITHMS §11.4).
+DeformableResult bentResult(std::span<const DeformableView> views, const BendProblem& problem,
+                            const std::vector<BendFit>& runs, std::size_t best);
+
+/// The rigid poses as they are, without motion.
+DeformableResult rigidResult(std::span<const DeformableView> views);
+
+/// The rigid motion that lays `from` onto `to` with the least weighted squares (Kabsch 1976).
+RigidTransform nearestRigid(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,
+                            const std::vector<double>& weights);
+
+}   // namespace angiopose::core

@@ -1,0 +1,135 @@
+#include "core/registration/deformable/tree_knots.h"
+
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double leastLinkMm = 0.5;   // ends that meet need not touch
+
+struct KnotPair {
+    std::size_t a = 0;
+    std::size_t b = 0;
+};
+
+std::size_t nearestKnotOf(const TreeKnots& knots, std::size_t branch, const Eigen::Vector3d& place)
+{
+    std::size_t nearest = knots.firstOfBranch[branch];
+    for (std::size_t k = nearest; k < knots.firstOfBranch[branch + 1]; ++k) {
+        if ((knots.places[k] - place).squaredNorm() < (knots.places[nearest] - place).squaredNorm()) {
+            nearest = k;
+        }
+    }
+    return nearest;
+}
+
+/// Along the branches, and where branches meet.
+std::vector<KnotPair> neighbourPairs(const VesselTree& tree, const TreeKnots& knots)
+{
+    std::vector<KnotPair> pairs;
+    for (std::size_t b = 0; b + 1 < knots.firstOfBranch.size(); ++b) {
+        for (std::size_t k = knots.firstOfBranch[b]; k + 1 < knots.firstOfBranch[b + 1]; ++k) {
+            pairs.push_back({k, k + 1});
+        }
+    }
+    const auto branchNumber = [&](int id) {
+        const auto found = std::ranges::find(tree.branches, id, &VesselBranch::id);
+        return static_cast<std::size_t>(found - tree.branches.begin());
+    };
+    for (const VesselNode& node : findNodes(tree)) {
+        for (std::size_t i = 1; i < node.branchIds.size(); ++i) {
+            pairs.push_back({nearestKnotOf(knots, branchNumber(node.branchIds.front()), node.pointInPatient),
+                             nearestKnotOf(knots, branchNumber(node.branchIds[i]), node.pointInPatient)});
+        }
+    }
+    return pairs;
+}
+
+/// The pairs as a forest, from the first knot of every piece outwards.
+std::vector<KnotLink> linkForest(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
+{
+    std::vector<std::vector<std::size_t>> neighbours(knots.size());
+    for (const KnotPair& pair : pairs) {
+        neighbours[pair.a].push_back(pair.b);
+        neighbours[pair.b].push_back(pair.a);
+    }
+    std::vector<KnotLink> links;
+    std::vector<std::uint8_t> isReached(knots.size(), 0);
+    std::vector<std::size_t> waiting;
+    for (std::size_t root = 0; root < knots.size(); ++root) {
+        if (isReached[root] != 0) {
+            continue;
+        }
+        isReached[root] = 1;
+        waiting.assign(1, root);
+        for (std::size_t w = 0; w < waiting.size(); ++w) {
+            const std::size_t parent = waiting[w];
+            for (const std::size_t child : neighbours[parent]) {
+                if (isReached[child] == 0) {
+                    isReached[child] = 1;
+                    waiting.push_back(child);
+                    const double apart = (knots.places[child] - knots.places[parent]).norm();
+                    links.push_back({parent, child, std::max(leastLinkMm, apart)});
+                }
+            }
+        }
+    }
+    return links;
+}
+
+void addBranch(const VesselBranch& branch, bool isUsed, double spacingMm, TreeKnots& knots)
+{
+    const std::vector<PolylineStation> stations = evenStations<3>(branch.pointsInPatient, spacingMm);
+    const std::vector<Eigen::Vector3d> tangents = interpolate(tangentsOf(branch.pointsInPatient), stations);
+    const std::vector<Eigen::Vector3d> places = interpolate(branch.pointsInPatient, stations);
+    const double step = branch.lengthMm() / static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const bool isEnd = k == 0 || k + 1 == places.size();
+        knots.places.push_back(places[k]);
+        knots.tangents.push_back(tangents[k].normalized());
+        knots.lengthMm.push_back(isEnd ? 0.5 * step : step);
+        knots.isUsed.push_back(isUsed ? 1 : 0);
+    }
+    knots.firstOfBranch.push_back(knots.size());
+}
+
+}   // namespace
+
+std::size_t TreeKnots::branchOf(std::size_t knot) const
+{
+    const auto after = std::upper_bound(firstOfBranch.begin(), firstOfBranch.end(), knot);
+    return static_cast<std::size_t>(after - firstOfBranch.begin()) - 1;
+}
+
+Eigen::MatrixXd TreeKnots::distancesAlongTree() const
+{
+    const auto count = static_cast<Eigen::Index>(size());
+    Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(count, count, std::numeric_limits<double>::infinity());
+    distances.diagonal().setZero();
+    // Parents come before their children: all that is known of a parent when its child is met holds for the child too.
+    for (std::size_t l = 0; l < links.size(); ++l) {
+        const auto parent = static_cast<Eigen::Index>(links[l].parent);
+        const auto child = static_cast<Eigen::Index>(links[l].child);
+        distances.col(child) = distances.col(parent).array() + links[l].lengthMm;
+        distances(child, child) = 0.0;
+        distances.row(child) = distances.col(child).transpose();
+    }
+    return distances;
+}
+
+TreeKnots treeKnots(const VesselTree& tree, const std::vector<int>& excludedBranchIds, double spacingMm)
+{
+    TreeKnots knots;
+    knots.firstOfBranch.push_back(0);
+    for (const VesselBranch& branch : tree.branches) {
+        addBranch(branch, std::ranges::count(excludedBranchIds, branch.id) == 0, spacingMm, knots);
+    }
+    knots.links = linkForest(knots, neighbourPairs(tree, knots));
+    return knots;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/vessel/centerline2d.h"
+#include "tests/benchmark/true_motions.h"
+
+#include <vector>
+
+namespace angiopose::benchmarks {
+
+/// One view of a bent tree.
+struct BentView {
+    core::ProjectionCamera camera;
+    core::RigidTransform truth;   ///< cameraFromPatient
+    core::RigidTransform nominal;   ///< what headers say: in every view by the same error
+    core::Centerline2d target;   ///< with jitter, whole pixels, pieces in no order, foreign curves
+};
+
+/// A tree, how it was bent, and what views of it show.
+struct BentCase {
+    core::VesselTree tree;
+    core::VesselTree bent;   ///< the same points
+    std::vector<bool> isMissing;   ///< per branch: not filled
+    std::vector<BentView> views;
+};
+
+/// Makes a case by a generator of its own: nothing of it is shared with the program's simulator. A fifth of the
+/// branches that end freely is not filled, one foreign curve for every five branches is; the nominal pose is off by 1°
+/// and 3 mm (1-σ per axis). Views after the first are turned about the body's axis by `turnsDeg`.
+BentCase makeBentCase(const core::VesselTree& tree, const TrueMotion& motion, const std::vector<double>& turnsDeg,
+                      core::CounterRandom random);
+
+}   // namespace angiopose::benchmarks

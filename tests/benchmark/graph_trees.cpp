@@ -1,0 +1,103 @@
+#include "tests/benchmark/graph_trees.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+namespace angiopose::benchmarks {
+namespace {
+
+constexpr double voxelMm = 0.45;   // not recorded with the graphs: arteries of a brain are about 130 mm wide
+constexpr double mostTortuous = 1.45;   // length over chord; what is more was traced zigzag
+
+std::vector<std::vector<double>> readTable(const std::string& path)
+{
+    std::ifstream file(path);
+    std::vector<std::vector<double>> rows;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        std::vector<double> row;
+        while (std::getline(cells, cell, ',')) {
+            row.push_back(std::stod(cell));
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Eigen::Vector3d anyDirection(core::CounterRandom& random)
+{
+    return Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+}
+
+/// An arch over the chord with a wave in it.
+std::vector<Eigen::Vector3d> arched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double lengthMm,
+                                    core::CounterRandom& random)
+{
+    const Eigen::Vector3d chord = to - from;
+    const Eigen::Vector3d up = chord.cross(anyDirection(random)).normalized();
+    const Eigen::Vector3d side = chord.cross(up).normalized();
+    const double wave = random.uniform(0.2, 0.5);
+    const auto curve = [&](double height) {
+        const auto count = static_cast<int>(std::ceil(lengthMm)) + 1;
+        std::vector<Eigen::Vector3d> points;
+        for (int k = 0; k <= count; ++k) {
+            const double t = static_cast<double>(k) / count;
+            points.push_back(from + t * chord + height * std::sin(std::numbers::pi * t) * up +
+                             wave * height * std::sin(2.0 * std::numbers::pi * t) * side);
+        }
+        return points;
+    };
+    const auto lengthOf = [](const std::vector<Eigen::Vector3d>& points) {
+        core::VesselBranch branch;
+        branch.pointsInPatient = points;
+        return branch.lengthMm();
+    };
+    double low = 0.0;
+    double high = lengthMm;
+    for (int k = 0; k < 30; ++k) {
+        const double middle = 0.5 * (low + high);
+        (lengthOf(curve(middle)) < lengthMm ? low : high) = middle;
+    }
+    return curve(low);
+}
+
+}   // namespace
+
+core::VesselTree graphTree(int number, core::CounterRandom random)
+{
+    const std::string stem =
+        std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs/csv/Anzhen00" + std::to_string(number + 1) + "_";
+    std::map<int, Eigen::Vector3d> nodes;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    const auto rows = readTable(stem + "nodes.csv");
+    for (const auto& row : rows) {
+        nodes[static_cast<int>(row[0])] = voxelMm * Eigen::Vector3d(row[1], row[2], row[3]);
+        mean += nodes[static_cast<int>(row[0])] / static_cast<double>(rows.size());
+    }
+    core::VesselTree tree;
+    for (const auto& row : readTable(stem + "edges.csv")) {
+        const Eigen::Vector3d from = nodes[static_cast<int>(row[0])] - mean;
+        const Eigen::Vector3d to = nodes[static_cast<int>(row[1])] - mean;
+        const double chordMm = (to - from).norm();
+        if (chordMm < 2.0) {
+            continue;
+        }
+        core::VesselBranch branch;
+        branch.id = static_cast<int>(tree.branches.size());
+        branch.pointsInPatient =
+            arched(from, to, std::clamp(voxelMm * row[2], 1.02 * chordMm, mostTortuous * chordMm), random);
+        branch.radiusMm.assign(branch.pointsInPatient.size(), voxelMm * row[3] / 2.0);
+        tree.branches.push_back(std::move(branch));
+    }
+    return core::resampled(tree, 1.0);
+}
+
+}   // namespace angiopose::benchmarks

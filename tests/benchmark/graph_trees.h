@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/support/random.h"
+#include "core/vessel/vessel_tree.h"
+
+namespace angiopose::benchmarks {
+
+/// How many real cerebral trees there are: bifurcations and ends of traced arteries with the lengths between them.
+inline constexpr int graphTreeCount = 5;
+
+/// The tree of a graph (0…4), about 130 mm across, patient axes about the origin: every edge a smooth curve of about
+/// its true length (bent anew for each seed), points 1 mm apart. Empty without the data.
+core::VesselTree graphTree(int number, core::CounterRandom random);
+
+}   // namespace angiopose::benchmarks

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tests/benchmark/bent_cases.h"
+
+namespace angiopose::benchmarks {
+
+/// The pose of the first view that lays the unbent tree nearest to where its points truly are: of one view in its
+/// image, of several in space. What no rigid registration can beat.
+core::RigidTransform bestRigidPose(const BentCase& bentCase);
+
+}   // namespace angiopose::benchmarks

@@ -1,0 +1,138 @@
+#include "core/registration/deformable/field_posterior.h"
+
+#include "core/registration/deformable/vessel_look.h"
+#include "core/support/random.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Cholesky>
+#include <numbers>
+
+namespace angiopose::core {
+namespace {
+
+/// Random rows of a small tree.
+struct RandomRows {
+    RandomRows()
+    {
+        for (std::size_t k = 0; k < knots.size(); k += 2) {
+            MotionRow row;
+            row.knot = k;
+            row.byMotion = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+            row.byPose = Vector6d::NullaryExpr([&](Eigen::Index i) { return random.normal() * (i < 3 ? 40.0 : 1.0); });
+            row.byGeometry.setZero();
+            row.valueMm = random.normal();
+            row.variance = 0.05 + random.uniform();
+            rows.push_back(row);
+        }
+        prior.pose.diagonal() << 3e-4, 3e-4, 3e-4, 9.0, 9.0, 9.0;
+        prior.motion = {4.0, 2.0, 1.0, 1.0};
+    }
+
+    /// Covariance of what rows say without noise, by its definition.
+    Eigen::MatrixXd signal() const
+    {
+        const Eigen::MatrixXd kernel = FieldKernel(knots).combined(prior.motion).cast<double>();
+        Eigen::MatrixXd signal(rows.size(), rows.size());
+        for (std::size_t a = 0; a < rows.size(); ++a) {
+            for (std::size_t b = 0; b < rows.size(); ++b) {
+                signal(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) =
+                    kernel(static_cast<Eigen::Index>(rows[a].knot), static_cast<Eigen::Index>(rows[b].knot)) *
+                        rows[a].byMotion.dot(rows[b].byMotion) +
+                    rows[a].byPose.dot(prior.pose * rows[b].byPose);
+            }
+        }
+        return signal;
+    }
+
+    CounterRandom random{8};
+    test::CleanCase clean{2};
+    TreeKnots knots = treeKnots(clean.tree, {}, 40.0);
+    std::vector<MotionRow> rows;
+    MotionPrior prior;
+};
+
+TEST(FieldPosterior, IsTheConditionalGaussian)
+{
+    const RandomRows given;
+    const FieldKernel kernel(given.knots);
+    const FieldPosterior posterior(kernel, given.prior, given.rows);
+    const Eigen::MatrixXd signal = given.signal();
+    Eigen::MatrixXd total = signal;
+    Eigen::VectorXd values(signal.rows());
+    for (Eigen::Index r = 0; r < signal.rows(); ++r) {
+        total(r, r) += given.rows[static_cast<std::size_t>(r)].variance;
+        values[r] = given.rows[static_cast<std::size_t>(r)].valueMm;
+    }
+    const Eigen::MatrixXd inverse = total.inverse();
+    const Eigen::VectorXd mean = signal * inverse * values;
+    const Eigen::MatrixXd left = signal - signal * inverse * signal;
+    const Eigen::Matrix3Xd motion = posterior.motion();
+    const Eigen::VectorXd variances = posterior.variances();
+    const Eigen::VectorXd again = posterior.variancesOf(given.rows);
+    for (Eigen::Index r = 0; r < signal.rows(); ++r) {
+        const MotionRow& row = given.rows[static_cast<std::size_t>(r)];
+        const double found =
+            row.byMotion.dot(motion.col(static_cast<Eigen::Index>(row.knot))) + row.byPose.dot(posterior.pose());
+        EXPECT_NEAR(found, mean[r], 2e-3);
+        EXPECT_NEAR(variances[r], left(r, r), 2e-3 + 0.01 * left(r, r));
+        EXPECT_NEAR(again[r], left(r, r), 2e-3 + 0.01 * left(r, r));
+    }
+    const double evidence = -0.5 * (values.dot(inverse * values) + std::log(total.determinant()) +
+                                    static_cast<double>(values.size()) * std::log(2.0 * std::numbers::pi));
+    EXPECT_NEAR(posterior.logEvidence(), evidence, 0.02);
+    EXPECT_NEAR(posterior.determined(), (signal * inverse).trace(), 0.05);
+}
+
+TEST(FieldPosterior, LearnedVariancesFindWhatMoves)
+{
+    RandomRows given;
+    for (MotionRow& row : given.rows) {   // a smooth motion of 3 mm, and next to no noise
+        const Eigen::Vector3d& place = given.knots.places[row.knot];
+        row.valueMm = row.byMotion.dot(Eigen::Vector3d(4.0 * std::sin(place.z() / 80.0), 0.0, 0.0));
+        row.variance = 0.01;
+    }
+    const FieldKernel kernel(given.knots);
+    MotionPrior prior = given.prior;
+    for (int k = 0; k < 10; ++k) {
+        prior.motion = FieldPosterior(kernel, prior, given.rows).learnedVariances();
+    }
+    EXPECT_GT(prior.motion[0], 1.0);
+    EXPECT_LT(prior.motion[2], 0.3);
+}
+
+TEST(LookAt, DerivativesMatchFiniteDifferences)
+{
+    const test::CleanCase clean(5);
+    const TreeKnots knots = treeKnots(clean.tree, {}, 20.0);
+    const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+    const RigidTransform second{expSo3({0.1, 0.9, -0.2}), Eigen::Vector3d(-700.0, 10.0, 300.0)};
+    BentTree bent{clean.truth, Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(knots.size()))};
+    const DeformableSight sight{clean.camera, second, centroid, nullptr};
+    const auto looks = lookAt(knots, bent, sight);
+    const double h = 1e-4;
+    int checked = 0;
+    for (std::size_t k = 0; k < knots.size(); k += 7) {
+        if (!looks[k]) {
+            continue;
+        }
+        const auto across = [&](const RigidTransform& pose, const Eigen::Vector3d& motion) {
+            const auto pixel = project(clean.camera, second * (pose * (knots.places[k] + motion)));
+            return looks[k]->normal.dot(*pixel - looks[k]->placePx) * looks[k]->mmPerPx;
+        };
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            const Vector6d step = h * Vector6d::Unit(i);
+            const RigidTransform moved6 =
+                cameraFromPatient(moved(aboutCentroid(clean.truth, centroid), step), centroid);
+            EXPECT_NEAR(across(moved6, Eigen::Vector3d::Zero()) / h, looks[k]->byPose[i], 0.05);
+            if (i < 3) {
+                EXPECT_NEAR(across(clean.truth, h * Eigen::Vector3d::Unit(i)) / h, looks[k]->byMotion[i], 1e-3);
+            }
+        }
+        ++checked;
+    }
+    EXPECT_GT(checked, 3);
+}
+
+}   // namespace
+}   // namespace angiopose::core
