@@ -82,8 +82,10 @@ void RegistrationController::continueAfterTracing()
     }
     phase_ = Phase::Solving;
     using Views = core::RegistrationPlan::Views;   // a view whose image is lost is marked in the strip
-    job_.start(document_.current(), {allViews_ ? Views::Loaded : Views::Shown, *target_.current(),
-                                     observerName().toStdString(), core::utcNow()});
+    job_.start(document_.current(), {.views = allViews_ ? Views::Loaded : Views::Shown,
+                                     .shownTarget = *target_.current(),
+                                     .author = observerName().toStdString(),
+                                     .time = core::utcNow()});
 }
 
 void RegistrationController::apply(const core::RegisteredCase& registered)
