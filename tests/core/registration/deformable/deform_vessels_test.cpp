@@ -212,8 +212,8 @@ TEST(DeformVessels, RefusesWhatItCannotUse)
 
     DeformableView points = tree.view();
     points.input.target.curves.clear();
-    for (int k = 0; k < 30; ++k) {
-        points.input.target.curves.push_back({k, {{10.0 * k, 20.0}}, {}});
+    for (int k = 0; k < 4; ++k) {   // too far from each other to be points of a curve
+        points.input.target.curves.push_back({k, {{20.0 + 400.0 * (k % 2), 20.0 + 400.0 * (k / 2)}}, {}});
     }
     refused({points}, says::bendNeedsCurves);
 
