@@ -69,14 +69,16 @@ QString depthWords(const core::RegistrationResult& result)
     return {};
 }
 
-QString disagreement(const std::vector<core::BranchResidual>& branches, const core::VesselTree& tree, double mmPerPx)
+/// Of branches that the run itself does not call empty.
+QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
     QStringList names;
     double worstMm = 0.0;
-    for (const core::BranchResidual& residual : branches) {
+    for (const core::BranchResidual& residual : result.branches) {
         const core::VesselBranch* branch = tree.find(residual.branchId);
         const double medianMm = residual.medianPx * mmPerPx;
-        if (branch && medianMm > disagreeingMm) {
+        const auto isIt = [&residual](const core::UnfilledBranch& each) { return each.branchId == residual.branchId; };
+        if (branch && medianMm > disagreeingMm && std::ranges::none_of(result.unfilled, isIt)) {
             names << displayName(*branch);
             worstMm = std::max(worstMm, medianMm);
         }
@@ -114,7 +116,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     for (const core::Message& warning : result.warnings) {
         sentences.doubtful << messageText(warning);
     }
-    for (const QString& sentence : {depthWords(result), disagreement(result.branches, tree, millimetresPerPixel)}) {
+    for (const QString& sentence : {depthWords(result), disagreement(result, tree, millimetresPerPixel)}) {
         if (!sentence.isEmpty()) {
             sentences.doubtful << sentence;
         }

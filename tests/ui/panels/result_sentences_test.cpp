@@ -47,6 +47,14 @@ TEST(ResultSentences, NameTheBranchThatDisagrees)
     EXPECT_TRUE(sentences.doubtful.join(' ').contains(QStringLiteral("Branch 2 is 3.0 mm off")));
 }
 
+TEST(ResultSentences, DoNotRepeatThatABranchIsEmpty)
+{
+    core::RegistrationResult result = resultWith({1.0, 10.0});
+    result.unfilled = {{2, 0.9}};
+    const auto sentences = sentencesOf(result, treeOf({"LM", ""}), 0.3);
+    EXPECT_FALSE(sentences.doubtful.join(' ').contains(QStringLiteral("Branch 2"))) << "the run's warning names it";
+}
+
 TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
 {
     core::RegistrationResult result = resultWith({20.0, 20.0});
