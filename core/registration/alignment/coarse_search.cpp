@@ -1,6 +1,7 @@
 #include "core/registration/alignment/coarse_search.h"
 
 #include "core/geometry/angle_units.h"
+#include "core/registration/alignment/turns_within.h"
 #include "core/support/cell_index.h"
 
 #include <algorithm>
@@ -18,25 +19,7 @@ constexpr std::size_t keptPerOrientation = 3;
 [[maybe_unused]] constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // of the turns
-constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
 constexpr double beyondHalfImage = 0.6;   // of the image's side; farther starts are recentred first
-
-/// −reach … reach in equal steps of about stepDeg, 0 among them; rad.
-std::vector<double> anglesWithin(double reachDeg, double stepDeg)
-{
-    const int half = static_cast<int>(std::ceil(reachDeg / stepDeg - 1e-9));
-    std::vector<double> angles;
-    for (int k = -half; k <= half; ++k) {
-        angles.push_back(half == 0 ? 0.0 : reachDeg * k / half * radiansPerDegree);
-    }
-    return angles;
-}
-
-/// None but 0 where the angle is locked.
-std::vector<double> anglesWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)
-{
-    return anglesWithin(reach.freedom.isLocked(axis) ? 0.0 : reachDeg, reach.stepDeg);
-}
 
 }   // namespace
 
@@ -156,28 +139,13 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
         std::min(reach.radiusMm * pxPerMm, beyondHalfImage * std::max(camera_.width, camera_.height));
     Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)), reach.freedom);
     std::vector<CoarseCandidate> found;
-    const std::vector<double> tiltsX = anglesWithin(reach.tiltDeg, reach, PoseAxis::CraCau);
-    const std::vector<double> tiltsY = anglesWithin(reach.tiltDeg, reach, PoseAxis::LaoRao);
-    const std::vector<double> rolls = anglesWithin(reach.rollDeg, reach, PoseAxis::Roll);
-    const double longestTilt = beyondReach * reach.tiltDeg * radiansPerDegree;
-    double tiltsDone = 0.0;
-    bool isStopped = false;
-    for (const double tiltX : tiltsX) {
-        for (const double tiltY : tiltsY) {
-            if (isStopped || std::hypot(tiltX, tiltY) > longestTilt) {
-                continue;
-            }
-            for (const double roll : rolls) {
-                CentroidPose pose = start;
-                pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
-                pose = reach.freedom.held(pose);
-                scoreOrientation(points, pose, shifts);
-                keepBest(pose, points.size(), shifts, found);
-            }
-        }
-        tiltsDone += 1.0;
-        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tiltsX.size())) == Verdict::Stop;
-    }
+    forEachTurn(
+        start, reach,
+        [&](const CentroidPose& pose) {
+            scoreOrientation(points, pose, shifts);
+            keepBest(pose, points.size(), shifts, found);
+        },
+        proceed);
     return distinct(std::move(found), {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
 }
 

@@ -1,6 +1,7 @@
 #include "core/registration/alignment/territory_search.h"
 
 #include "core/geometry/angle_units.h"
+#include "core/registration/alignment/turns_within.h"
 #include "core/support/cell_index.h"
 
 #include <algorithm>
@@ -22,18 +23,7 @@ constexpr std::size_t keptPerTurn = 3;
 constexpr double apartCells = 3.0;   // of the places kept for one turn
 constexpr double basinCells = 3.0;
 constexpr double basinOfStep = 0.75;
-constexpr double tiltBeyond = 1.2;   // tilts on the diagonal may be this much longer
 constexpr double mostOfImage = 0.6;   // of the image's side
-
-std::vector<double> turnsWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)
-{
-    const int half = reach.freedom.isLocked(axis) ? 0 : static_cast<int>(std::ceil(reachDeg / reach.stepDeg - 1e-9));
-    std::vector<double> turns;
-    for (int k = -half; k <= half; ++k) {
-        turns.push_back(half == 0 ? 0.0 : reachDeg * k / half * radiansPerDegree);
-    }
-    return turns;
-}
 
 /// Unit directions 0°, 45°, 90°, 135°.
 const std::array<Eigen::Vector2d, 4> channelDirections{
@@ -201,29 +191,14 @@ std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoin
     const int half = static_cast<int>(std::ceil(radiusPx / cellPx_));
     Shifts shifts(half, reach.freedom);
     layOut(half);
-    const std::vector<double> tiltsX = turnsWithin(reach.tiltDeg, reach, PoseAxis::CraCau);
-    const std::vector<double> tiltsY = turnsWithin(reach.tiltDeg, reach, PoseAxis::LaoRao);
-    const std::vector<double> rolls = turnsWithin(reach.rollDeg, reach, PoseAxis::Roll);
-    const double longestTilt = tiltBeyond * reach.tiltDeg * radiansPerDegree;
-    double tiltsDone = 0.0;
-    bool isStopped = false;
-    for (const double tiltX : tiltsX) {
-        for (const double tiltY : tiltsY) {
-            if (isStopped || std::hypot(tiltX, tiltY) > longestTilt) {
-                continue;
-            }
-            for (const double roll : rolls) {
-                CentroidPose pose = start;
-                pose.rotation = expSo3({0.0, 0.0, roll}) * expSo3({tiltX, tiltY, 0.0}) * start.rotation;
-                pose = reach.freedom.held(pose);
-                drawTree(points, pose);
-                sumShifts(shifts);
-                keepBest(pose, shifts, found);
-            }
-        }
-        tiltsDone += 1.0;
-        isStopped = isStopped || proceed(tiltsDone / static_cast<double>(tiltsX.size())) == Verdict::Stop;
-    }
+    forEachTurn(
+        start, reach,
+        [&](const CentroidPose& pose) {
+            drawTree(points, pose);
+            sumShifts(shifts);
+            keepBest(pose, shifts, found);
+        },
+        proceed);
     return distinct(std::move(found), {basinCells * cellPx_ / pxPerMm, basinOfStep * reach.stepDeg * radiansPerDegree});
 }
 
