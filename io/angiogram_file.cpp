@@ -30,6 +30,9 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
     if (raster.value().hadAlpha) {
         angiogram.warnings.push_back(says::transparencyIgnored());
     }
+    if (raster.value().isFlawed) {
+        angiogram.warnings.push_back(says::imageFlawed());
+    }
     angiogram.warnings.push_back(says::plainImage());
     angiogram.frames = std::move(raster).value().frames;
     return angiogram;

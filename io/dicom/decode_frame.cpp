@@ -24,18 +24,20 @@ namespace {
 
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
-/// The decoders trust what the stream declares: refuse one that is not the image of the header.
+/// The decoders trust what the stream declares: refuse one that is not the image of the header. libjpeg makes grey of
+/// colours by itself.
 bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
 {
-    return head.columns == layout.columns && head.rows == layout.rows && head.components == layout.samples &&
-           head.bits >= 2 && head.bits <= layout.bitsAllocated;
+    return head.columns == layout.columns && head.rows == layout.rows &&
+           (head.isBaseline || head.components == layout.samples) && head.bits >= 2 &&
+           head.bits <= layout.bitsAllocated;
 }
 
-/// 8-bit lossy JPEG through libjpeg. RGB without a colour transform is not told apart by the stream, so it is left
-/// alone.
-std::optional<std::vector<char>> decodeBaseline(std::string_view compressed, PixelLayout& layout)
+/// 8-bit lossy JPEG through libjpeg.
+std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLayout& layout)
 {
-    const auto raster = layout.photometric == "RGB" ? std::nullopt : readJpeg(compressed);
+    const auto raster =
+        readJpeg(compressed, layout.photometric == "RGB" ? JpegColours::RgbUnlessMarked : JpegColours::AsMarked);
     if (!raster) {
         return std::nullopt;
     }
@@ -48,10 +50,10 @@ std::optional<std::vector<char>> decodeBaseline(std::string_view compressed, Pix
     std::vector<char> bytes(image.pixels.size());
     std::transform(image.pixels.begin(), image.pixels.end(), bytes.begin(),
                    [](float value) { return static_cast<char>(static_cast<unsigned char>(std::lround(value))); });
-    return bytes;
+    return DecodedPixels{std::move(bytes), raster->isFlawed};
 }
 
-/// The libraries fill what is missing with grey; a whole stream has its end marker, which padding may follow.
+/// DCMTK fills what is missing with grey; a whole stream has its end marker, which padding may follow.
 bool isWhole(std::string_view compressed)
 {
     return !compressed.starts_with("\xff\xd8") || compressed.rfind("\xff\xd9") != std::string_view::npos;
@@ -100,8 +102,7 @@ std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyn
 }
 
 /// The frame as DCMTK decodes it; `layout` follows what became of colours.
-std::optional<std::vector<char>> decodedByDcmtk(std::string_view compressed, E_TransferSyntax syntax,
-                                                PixelLayout& layout)
+std::optional<DecodedPixels> decodedByDcmtk(std::string_view compressed, E_TransferSyntax syntax, PixelLayout& layout)
 {
     registerDecoders();
     const auto data = datasetOf(compressed, syntax, layout);
@@ -128,13 +129,13 @@ std::optional<std::vector<char>> decodedByDcmtk(std::string_view compressed, E_T
     OFString photometric;
     data->findAndGetOFString(DCM_PhotometricInterpretation, photometric);
     layout.photometric = photometric.c_str();
-    return bytes;
+    return DecodedPixels{std::move(bytes)};
 }
 
 }   // namespace
 
-std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
-                                             PixelLayout& layout)
+std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
+                                         PixelLayout& layout)
 {
     quietLibraries();
     const E_TransferSyntax syntax = DcmXfer(transferSyntax.c_str()).getXfer();
@@ -146,14 +147,18 @@ std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const 
             return decodedByDcmtk(compressed, syntax, layout);
         }
         const auto head = streamHeadOf(compressed);
-        if (!head || !isTheImageExpected(*head, layout) || !isWhole(compressed)) {
+        if (!head || !isTheImageExpected(*head, layout)) {
             return std::nullopt;
+        }
+        if (head->isBaseline) {
+            return decodeBaseline(compressed, layout);
         }
         if (!compressed.starts_with("\xff\xd8")) {
             layout.isPlanar = false;
-            return decodeJpeg2000(compressed, layout);
+            auto bytes = decodeJpeg2000(compressed, layout);
+            return bytes ? std::optional(DecodedPixels{std::move(*bytes)}) : std::nullopt;
         }
-        return head->isBaseline ? decodeBaseline(compressed, layout) : decodedByDcmtk(compressed, syntax, layout);
+        return isWhole(compressed) ? decodedByDcmtk(compressed, syntax, layout) : std::nullopt;
     } catch (const std::exception&) {   // no memory left
         return std::nullopt;
     }

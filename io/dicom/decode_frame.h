@@ -9,10 +9,16 @@
 
 namespace angiopose::io {
 
-/// Raw bytes of one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE) in the layout's native form, little endian.
-/// `layout` is adjusted where the compressed stream knows better. Nothing when it cannot be decoded whole.
-std::optional<std::vector<char>> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
-                                             PixelLayout& layout);
+/// What became of a compressed frame.
+struct DecodedPixels {
+    std::vector<char> bytes;   ///< in the layout's native form, little endian
+    bool isFlawed = false;   ///< damaged in part: what could be decoded is there
+};
+
+/// Decodes one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE). `layout` is adjusted where the compressed stream knows
+/// better. Nothing when it cannot be decoded: lossy JPEG in more than a half, the others whole.
+std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
+                                         PixelLayout& layout);
 
 /// What a JPEG, JPEG-LS or JPEG 2000 stream declares; nothing when it has no readable header.
 struct StreamHead {

@@ -150,31 +150,45 @@ ImageF FrameReader::nativeFrame(std::size_t index) const
     return imageFrom(SampleReader(bytes, layout_, pixels_.order), layout_, isSubsampled, 0);
 }
 
-core::Result<ImageF> FrameReader::compressedFrame(std::size_t index) const
+core::Error FrameReader::undecodable(int index) const
+{
+    return fileError(path_, says::dicomFrameUndecodable(index, transferSyntax_.substr(0, 64)));
+}
+
+core::Result<DecodedFrame> FrameReader::compressedFrame(std::size_t index) const
 {
     std::string stream;
     for (const std::string_view fragment : streams_[index]) {
         stream += fragment;
     }
     PixelLayout decoded = layout_;
-    const auto bytes = decodeFrame(stream, transferSyntax_, decoded);
+    const auto pixels = decodeFrame(stream, transferSyntax_, decoded);
     const std::size_t needed = decoded.pixelsPerFrame() * static_cast<std::size_t>(decoded.samples) *
                                static_cast<std::size_t>(decoded.bitsAllocated) / 8;
-    if (!bytes || bytes->size() < needed || layout_.bitsAllocated < 8) {
-        return fileError(path_, says::dicomFrameUndecodable(index, transferSyntax_.substr(0, 64)));
+    if (!pixels || pixels->bytes.size() < needed || layout_.bitsAllocated < 8) {
+        return undecodable(static_cast<int>(index));
     }
-    const SampleReader sample({bytes->data(), bytes->size()}, decoded, ByteOrder::Little);
-    return imageFrom(sample, decoded, false, 0);
+    const SampleReader sample({pixels->bytes.data(), pixels->bytes.size()}, decoded, ByteOrder::Little);
+    return DecodedFrame{imageFrom(sample, decoded, false, 0), pixels->isFlawed};
+}
+
+core::Result<DecodedFrame> FrameReader::wholeOrPart(int index) const
+{
+    const auto at = static_cast<std::size_t>(index);
+    auto frame = pixels_.isEncapsulated ? compressedFrame(at) : core::Result(DecodedFrame{nativeFrame(at)});
+    if (frame && layout_.isFloat && !isFinite(frame.value().image)) {
+        return fileError(path_, says::pixelNotFinite());
+    }
+    return frame;
 }
 
 core::Result<ImageF> FrameReader::frame(int index) const
 {
-    auto image = pixels_.isEncapsulated ? compressedFrame(static_cast<std::size_t>(index))
-                                        : nativeFrame(static_cast<std::size_t>(index));
-    if (image && layout_.isFloat && !isFinite(image.value())) {
-        return fileError(path_, says::pixelNotFinite());
+    auto frame = wholeOrPart(index);
+    if (!frame) {
+        return frame.error();
     }
-    return image;
+    return frame.value().isFlawed ? core::Result<ImageF>(undecodable(index)) : std::move(frame).value().image;
 }
 
 core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
@@ -186,10 +200,13 @@ core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& la
     DecodedRun run;
     std::optional<core::Error> failure;
     for (int k = 0; k < layout.frames; ++k) {
-        auto frame = reader.value().frame(k);
+        auto frame = reader.value().wholeOrPart(k);
         if (frame) {
-            run.frames.resize(static_cast<std::size_t>(k), frame.value());   // for lost ones before the first
-            run.frames.push_back(std::move(frame).value());
+            if (frame.value().isFlawed) {
+                run.flawedFrames.push_back(k);
+            }
+            run.frames.resize(static_cast<std::size_t>(k), frame.value().image);   // for lost ones before the first
+            run.frames.push_back(std::move(frame).value().image);
             continue;
         }
         failure = failure ? failure : frame.error();

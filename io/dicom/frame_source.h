@@ -10,19 +10,28 @@
 
 namespace angiopose::io {
 
+/// A frame as it could be decoded.
+struct DecodedFrame {
+    core::ImageF image;
+    bool isFlawed = false;   ///< damaged in part
+};
+
 /// Decodes the frames of a DICOM file one at a time, as stored values (colour as luminance). The file must outlive it.
 class FrameReader {
 public:
     /// Fails when pixels are missing: a part of an image is no image.
     static core::Result<FrameReader> open(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
-    /// Frame `index` below `layout.frames`; fails when it cannot be decoded.
+    /// Frame `index` below `layout.frames`; fails when it cannot be decoded whole.
     core::Result<core::ImageF> frame(int index) const;
+    /// The same where a part of a frame is better than none.
+    core::Result<DecodedFrame> wholeOrPart(int index) const;
 
 private:
     FrameReader(PixelLayout layout, std::string path);
+    core::Error undecodable(int index) const;
     core::ImageF nativeFrame(std::size_t index) const;
-    core::Result<core::ImageF> compressedFrame(std::size_t index) const;
+    core::Result<DecodedFrame> compressedFrame(std::size_t index) const;
 
     PixelLayout layout_;
     std::string path_;
@@ -34,6 +43,7 @@ private:
 /// All frames of a run.
 struct DecodedRun {
     std::vector<core::ImageF> frames;
+    std::vector<int> flawedFrames;   ///< those damaged in part
     std::vector<int> lostFrames;   ///< those that cannot be decoded: copies of a neighbour stand in their places
 };
 

@@ -53,6 +53,13 @@ bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector
     return true;
 }
 
+std::vector<std::string> namesOf(const std::vector<int>& frames)
+{
+    std::vector<std::string> names;
+    std::ranges::transform(frames, std::back_inserter(names), [](int frame) { return std::to_string(frame); });
+    return names;
+}
+
 /// Lost frames become as empty as a frame without contrast medium: nothing is found in them, nor in the way of others.
 void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
 {
@@ -62,12 +69,10 @@ void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
         const auto [least, most] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
         level = isDark ? std::max(level, *most) : std::min(level, *least);
     }
-    std::vector<std::string> names;
     for (const int lost : lostFrames) {
         std::ranges::fill(angiogram.frames[static_cast<std::size_t>(lost)].pixels, level);
-        names.push_back(std::to_string(lost));
     }
-    angiogram.warnings.push_back(says::dicomFramesLost(names, angiogram.frameCount()));
+    angiogram.warnings.push_back(says::dicomFramesLost(namesOf(lostFrames), angiogram.frameCount()));
 }
 
 /// Contrast absorbs, so vessels are low where values rise with the X-ray intensity, (0028,1041) = +1.
@@ -158,6 +163,9 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     describe(file, layout.value(), angiogram);
     if (!run.lostFrames.empty()) {
         blank(run.lostFrames, angiogram);
+    }
+    if (!run.flawedFrames.empty()) {
+        angiogram.warnings.push_back(says::dicomFramesFlawed(namesOf(run.flawedFrames), angiogram.frameCount()));
     }
     return angiogram;
 }

@@ -2,8 +2,10 @@
 
 #include <jerror.h>
 #include <jpeglib.h>
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
+#include <numeric>
 
 namespace angiopose::io {
 namespace {
@@ -35,7 +37,7 @@ void countDamage(j_common_ptr decoder, int level)
 }
 
 /// Reads the header and starts decoding to grey or RGB.
-bool start(JpegState* state, std::string_view content)
+bool start(JpegState* state, std::string_view content, JpegColours colours)
 {
     state->decoder.err = jpeg_std_error(&state->errors);
     state->errors.error_exit = leave;
@@ -54,6 +56,10 @@ bool start(JpegState* state, std::string_view content)
         head.image_height < minSide || std::size_t{head.image_width} * head.image_height > maxPixels) {
         return false;
     }
+    if (colours == JpegColours::RgbUnlessMarked && head.num_components == 3 && !head.saw_Adobe_marker &&
+        !head.saw_JFIF_marker) {
+        state->decoder.jpeg_color_space = JCS_RGB;
+    }
     state->decoder.out_color_space = head.num_components == 1 ? JCS_GRAYSCALE : JCS_RGB;
     jpeg_start_decompress(&state->decoder);
     return true;
@@ -64,7 +70,7 @@ bool readRow(JpegState* state, unsigned char* row)
     if (setjmp(state->exit) != 0) {
         return false;
     }
-    return jpeg_read_scanlines(&state->decoder, &row, 1) == 1 && state->errors.num_warnings == 0;
+    return jpeg_read_scanlines(&state->decoder, &row, 1) == 1;
 }
 
 void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raster)
@@ -77,13 +83,23 @@ void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raste
     }
 }
 
+/// Rows that could not be decoded are as bright as the others on average: neither vessel nor edge of a shutter.
+void fillFrom(std::size_t firstMissingRow, core::ImageF& frame)
+{
+    const auto missing =
+        frame.pixels.begin() + static_cast<std::ptrdiff_t>(firstMissingRow * static_cast<std::size_t>(frame.width));
+    const double sum = std::accumulate(frame.pixels.begin(), missing, 0.0);
+    std::fill(missing, frame.pixels.end(),
+              static_cast<float>(sum / static_cast<double>(missing - frame.pixels.begin())));
+}
+
 }   // namespace
 
-std::optional<Raster> readJpeg(std::string_view content)
+std::optional<Raster> readJpeg(std::string_view content, JpegColours colours)
 {
     JpegState state{};
     std::optional<Raster> result;
-    if (start(&state, content)) {
+    if (start(&state, content, colours)) {
         const auto& head = state.decoder;
         Raster raster;
         raster.frames.emplace_back(static_cast<int>(head.output_width), static_cast<int>(head.output_height));
@@ -93,7 +109,10 @@ std::optional<Raster> readJpeg(std::string_view content)
         while (y < head.output_height && readRow(&state, row.data())) {
             copyRow(row, y++, raster);
         }
-        if (y == head.output_height) {
+        const bool isWhole = y == head.output_height;
+        raster.isFlawed = !isWhole || state.errors.num_warnings > 0;
+        if (2 * y >= head.output_height) {
+            fillFrom(y, raster.frames.front());
             result = std::move(raster);
         }
     }

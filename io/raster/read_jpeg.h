@@ -7,7 +7,14 @@
 
 namespace angiopose::io {
 
-/// A grey or colour JPEG; nothing when it is too large, of another kind, or the decoder has the slightest complaint.
-std::optional<Raster> readJpeg(std::string_view content);
+/// What the three channels of a JPEG are.
+enum class JpegColours {
+    AsMarked,   ///< what the stream's markers say, else Y Cb Cr
+    RgbUnlessMarked   ///< what a DICOM header with "RGB" means: red, green and blue where no marker says otherwise
+};
+
+/// A grey or colour JPEG; nothing when it is too large, of another kind, or less than half of its rows can be decoded.
+/// `isFlawed` tells that the decoder complained: parts may be wrong, rows that are missing have the frame's mean.
+std::optional<Raster> readJpeg(std::string_view content, JpegColours colours = JpegColours::AsMarked);
 
 }   // namespace angiopose::io

@@ -14,6 +14,7 @@ struct Raster {
     std::vector<core::ImageF> frames;
     bool wasColour = false;   ///< channels differed; their luminance was taken
     bool hadAlpha = false;   ///< transparency was ignored
+    bool isFlawed = false;   ///< damaged in part: what could be decoded is there
 
     /// Grey of a pixel (Rec. 601), exact where the channels agree; notes where they do not.
     float luminance(float red, float green, float blue);

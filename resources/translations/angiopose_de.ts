@@ -4380,9 +4380,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder unbekannte Kompression. Serie neu exportieren, möglichst unkomprimiert.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others are whole. Export the run again where they matter.</source>
+        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others can be read. Export the run again where they matter.</source>
         <comment>dicom.frames-lost</comment>
-        <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren: Sie werden leer gezeigt, die anderen sind vollständig. Serie neu exportieren, wo sie gebraucht werden.</translation>
+        <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren: Sie werden leer gezeigt, die anderen sind lesbar. Serie neu exportieren, wo sie gebraucht werden.</translation>
+    </message>
+    <message>
+        <source>Frames %1 of %2 are damaged in part: what could be decoded is shown. Compare them with another viewer before you use one.</source>
+        <comment>dicom.frames-flawed</comment>
+        <translation>Die Bilder %1 von %2 sind teilweise beschädigt: Gezeigt wird, was sich dekodieren ließ. Vor dem Gebrauch mit einem anderen Betrachter vergleichen.</translation>
+    </message>
+    <message>
+        <source>The image is damaged in part: what could be decoded is shown. Compare it with another viewer before you use it.</source>
+        <comment>image.flawed</comment>
+        <translation>Das Bild ist teilweise beschädigt: Gezeigt wird, was sich dekodieren ließ. Vor dem Gebrauch mit einem anderen Betrachter vergleichen.</translation>
     </message>
     <message>
         <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>

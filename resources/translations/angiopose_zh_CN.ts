@@ -4380,9 +4380,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或不支持的压缩。请重新导出，尽量不压缩。</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others are whole. Export the run again where they matter.</source>
+        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others can be read. Export the run again where they matter.</source>
         <comment>dicom.frames-lost</comment>
-        <translation>共 %2 帧，其中第 %1 帧无法解码：显示为空白，其余各帧完整。如需要这些帧，请重新导出。</translation>
+        <translation>共 %2 帧，其中第 %1 帧无法解码：显示为空白，其余各帧可读。如需要这些帧，请重新导出。</translation>
+    </message>
+    <message>
+        <source>Frames %1 of %2 are damaged in part: what could be decoded is shown. Compare them with another viewer before you use one.</source>
+        <comment>dicom.frames-flawed</comment>
+        <translation>共 %2 帧，其中第 %1 帧部分损坏：显示能够解码的部分。使用前请与其他阅片软件对照。</translation>
+    </message>
+    <message>
+        <source>The image is damaged in part: what could be decoded is shown. Compare it with another viewer before you use it.</source>
+        <comment>image.flawed</comment>
+        <translation>图像部分损坏：显示能够解码的部分。使用前请与其他阅片软件对照。</translation>
     </message>
     <message>
         <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
