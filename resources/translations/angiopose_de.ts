@@ -4,8 +4,8 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
-        <source>%1 AngioPose tries poses found from these alone while its fit is in doubt; a clear fit never asks them.</source>
-        <translation>%1 AngioPose versucht Lagen aus diesen allein, solange die Anpassung fraglich ist; eine klare braucht sie nicht.</translation>
+        <source>%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the result says what the fit of all was. While the fit is in doubt, poses found from these alone are tried, too.</source>
+        <translation>%1 Bei AngioPose entscheiden sie, was sie sagen können, die anderen Äste halten den Rest; das Ergebnis sagt, wie die Anpassung aller war. Solange die Anpassung fraglich ist, werden auch Lagen aus diesen allein versucht.</translation>
     </message>
     <message>
         <source>Change method to %1</source>
@@ -2287,6 +2287,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Starttiefe ±</translation>
     </message>
     <message>
+        <source>Weight of chosen branches</source>
+        <translation>Gewicht gewählter Äste</translation>
+    </message>
+    <message>
+        <source>How much the branches chosen as auxiliary count against the fit of all; 1: they are not fitted apart.</source>
+        <translation>Wie viel die als Hilfsmenge gewählten Äste gegen die Anpassung aller zählen; 1: sie werden nicht eigens angepasst.</translation>
+    </message>
+    <message>
         <source>Start rotation ±</source>
         <translation>Startdrehung ±</translation>
     </message>
@@ -3183,6 +3191,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>%1 points of the traced vessels came in no order: each was joined to its neighbours.</source>
         <comment>input.target-reordered</comment>
         <translation>%1 Punkte der verfolgten Gefäße kamen ohne Reihenfolge: jeder wurde mit seinen Nachbarn verbunden.</translation>
+    </message>
+    <message>
+        <source>The chosen branches lie %1 from the traced vessels at the median; in the fit of all branches it was %2. Choosing them turned the pose by %3 and shifted it by %4.</source>
+        <comment>result.chosen-branches-fitted</comment>
+        <translation>Die gewählten Äste liegen im Median %1 neben den verfolgten Gefäßen; in der Anpassung aller Äste waren es %2. Die Wahl hat die Lage um %3 gedreht und um %4 verschoben.</translation>
     </message>
     <message>
         <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>

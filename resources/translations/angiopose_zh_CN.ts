@@ -4,8 +4,8 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
-        <source>%1 AngioPose tries poses found from these alone while its fit is in doubt; a clear fit never asks them.</source>
-        <translation>%1 拟合存疑时，AngioPose 会尝试仅由这些分支得到的位姿；拟合明确时则不使用。</translation>
+        <source>%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the result says what the fit of all was. While the fit is in doubt, poses found from these alone are tried, too.</source>
+        <translation>%1 AngioPose 由它们决定其所能确定的，其余由其他分支保持；结果会说明全部分支的拟合如何。拟合存疑时也会尝试仅由它们求得的位姿。</translation>
     </message>
     <message>
         <source>Change method to %1</source>
@@ -2287,6 +2287,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始深度 ±</translation>
     </message>
     <message>
+        <source>Weight of chosen branches</source>
+        <translation>所选分支的权重</translation>
+    </message>
+    <message>
+        <source>How much the branches chosen as auxiliary count against the fit of all; 1: they are not fitted apart.</source>
+        <translation>选作辅助的分支相对于全部分支的拟合计多少权；1：不单独拟合。</translation>
+    </message>
+    <message>
         <source>Start rotation ±</source>
         <translation>初始旋转 ±</translation>
     </message>
@@ -3183,6 +3191,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>%1 points of the traced vessels came in no order: each was joined to its neighbours.</source>
         <comment>input.target-reordered</comment>
         <translation>描迹血管的 %1 个点没有顺序：每个点已与其相邻点相连。</translation>
+    </message>
+    <message>
+        <source>The chosen branches lie %1 from the traced vessels at the median; in the fit of all branches it was %2. Choosing them turned the pose by %3 and shifted it by %4.</source>
+        <comment>result.chosen-branches-fitted</comment>
+        <translation>所选分支与所描血管距离的中位数为 %1；全部分支的拟合中为 %2。此选择使位姿旋转 %3、平移 %4。</translation>
     </message>
     <message>
         <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>

@@ -1,9 +1,12 @@
 #include "core/registration/methods/methods.h"
 
+#include "core/geometry/angle_units.h"
+#include "core/messages/says.h"
 #include "core/registration/alignment/final_refinement.h"
 #include "core/registration/alignment/pose_ranking.h"
 #include "core/registration/alignment/pose_search.h"
 #include "core/registration/judging/pose_uncertainty.h"
+#include "core/registration/methods/chosen_branches.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -45,6 +48,8 @@ public:
     void tryStart();
     void searchFurther();
     void refineFinalists();
+    Messages fitChosen();
+    bool isMovedByChoice() const { return isMovedByChoice_; }
 
     RigidTransform pose() const { return inPatient(bestPose()); }
     StopReason stopReason() const;
@@ -76,6 +81,7 @@ private:
     PoseRanking ranking_;
     DistanceOfPose reportedDistance_;
     std::vector<ScoredPose> refined_;   ///< the finalists, best first; empty until then
+    bool isMovedByChoice_ = false;   ///< the answer is not where all branches would have it
 };
 
 AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
@@ -234,6 +240,30 @@ std::vector<std::uint8_t> AngioPose::filledPoints() const
     return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isFilled;
 }
 
+/// Where branches are chosen, they are solved once more; the result says what the fit of all was.
+Messages AngioPose::fitChosen()
+{
+    const double weight = options_.angiopose.auxiliaryWeight;
+    if (!problem_.auxiliaryIsChosen || weight == 1.0 || refined_.empty() || progress_.isStopped()) {
+        return {};
+    }
+    ScoredPose& best = refined_.front();
+    const std::optional<RegistrationProblem> filled =
+        best.isFilled.empty() ? std::nullopt : std::optional(partOf(problem_, best.isFilled));
+    const RegistrationProblem& problem = filled ? *filled : problem_;
+    if (!problem.auxiliaryIsChosen) {   // they look empty
+        return {};
+    }
+    const ChosenFit fit = fitChosenBranches(problem, *target_, prior_, best.pose, weight);
+    const Vector6d step = stepBetween(best.pose, fit.pose);
+    isMovedByChoice_ = step.norm() > 0.0;
+    best = ranking_.scored(fit.pose, best.stopReason);
+    return {says::chosenBranchesFitted(Quantity{fit.medianPx, 2, "px"}, Quantity{fit.medianBeforePx, 2, "px"},
+                                       Quantity{step.head<3>().norm() * degreesPerRadian, 2, "°"},
+                                       inMm(step.tail<3>().norm(), 2))
+                .as(Severity::Note)};
+}
+
 std::optional<double> AngioPose::agreement() const
 {
     return refined_.empty() ? std::nullopt : std::optional(refined_.front().agreement);
@@ -282,6 +312,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     if (!progress.isStopped()) {
         run.refineFinalists();
     }
+    solution.warnings = run.fitChosen();
     solution.cameraFromPatient = run.pose();
     solution.stopReason = run.stopReason();
     solution.iterations = progress.iterations();
@@ -290,7 +321,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.agreement = run.agreement();
     solution.isFilled = run.filledPoints();
     solution.filledForks = run.filledForks();
-    solution.isSettled = !progress.isStopped();
+    solution.isSettled = !progress.isStopped() && !run.isMovedByChoice();
     solution.time.solveMs = stopwatch.lapMs();
     return solution;
 }

@@ -122,6 +122,11 @@ std::vector<OptionField> solverFields()
         onlyFor(ours, number<&Options::angiopose, &AngioPoseOptions::priorDepthMm>(
                           {"priorDepthMm", "Start depth ±", "Standard deviation of the start pose along the ray."},
                           {"mm", 0.1, 500.0, 1})),
+        onlyFor(ours, number<&Options::angiopose, &AngioPoseOptions::auxiliaryWeight>(
+                          {"auxiliaryWeight", "Weight of chosen branches",
+                           "How much the branches chosen as auxiliary count against the fit of all; 1: they are not "
+                           "fitted apart."},
+                          {"", 1.0, 1000.0, 1})),
     };
 }
 

@@ -149,6 +149,7 @@ struct AngioPoseOptions {
     double priorRotationDeg = 8.0;   ///< 1-σ of the start pose's rotation
     double priorLateralMm = 30.0;   ///< 1-σ of the start pose across the ray
     double priorDepthMm = 30.0;   ///< 1-σ of the start pose along the ray
+    double auxiliaryWeight = 10.0;   ///< of chosen auxiliary branches against the fit of all; 1: no fit apart
 
     bool operator==(const AngioPoseOptions&) const = default;
 };

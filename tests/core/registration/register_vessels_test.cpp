@@ -230,6 +230,72 @@ TEST(RegisterVessels, ChosenBranchesDecideBetweenLikePoses)
     EXPECT_NEAR(shift.x(), -60.0, 3.0);
 }
 
+/// The note on what chosen branches did: their median distance, the same in the fit of all, degrees and mm between.
+std::vector<double> effectOfChoice(const RegistrationResult& result)
+{
+    std::vector<double> numbers;
+    for (const Message& message : result.warnings) {
+        if (message.is(says::chosenBranchesFitted)) {
+            for (const MessageArgument& argument : message.arguments()) {
+                numbers.push_back(std::get<Quantity>(argument).value);
+            }
+        }
+    }
+    return numbers;
+}
+
+TEST(RegisterVessels, ChosenBranchesOfBentVesselsFitBetterAndItIsSaid)
+{
+    test::CleanCase clean(3);
+    Curve2d& curve = *std::ranges::max_element(clean.target.curves, {}, [](const Curve2d& each) {
+        return (each.pointsPx.back() - each.pointsPx.front()).norm();
+    });
+    const int moved = curve.id;   // lies 6 px aside of where the others have it
+    const Eigen::Vector2d along = (curve.pointsPx.back() - curve.pointsPx.front()).normalized();
+    for (Eigen::Vector2d& point : curve.pointsPx) {
+        point += 6.0 * Eigen::Vector2d(-along.y(), along.x());
+    }
+    CounterRandom random(5);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const auto plain = registerVessels(input);
+    input.auxiliaryBranchIds = {moved};
+    const auto chosen = registerVessels(input);
+    ASSERT_TRUE(plain && chosen);
+    EXPECT_TRUE(effectOfChoice(plain.value()).empty());
+    const std::vector<double> effect = effectOfChoice(chosen.value());
+    ASSERT_EQ(effect.size(), 4U);
+    EXPECT_LT(effect[0], 0.9 * effect[1]);
+    EXPECT_GT(effect[3], 0.1);
+
+    RegistrationOptions firmly;
+    firmly.angiopose.auxiliaryWeight = 1000.0;
+    const auto decided = registerVessels(input, firmly);
+    ASSERT_TRUE(decided);
+    EXPECT_LT(effectOfChoice(decided.value())[0], 0.6 * effect[1]);
+
+    RegistrationOptions alike;
+    alike.angiopose.auxiliaryWeight = 1.0;
+    const auto unweighted = registerVessels(input, alike);
+    ASSERT_TRUE(unweighted);
+    EXPECT_TRUE(effectOfChoice(unweighted.value()).empty());
+    EXPECT_LT(meanErrorPx(clean, unweighted.value().cameraFromPatient), 0.5);
+}
+
+TEST(RegisterVessels, ChosenBranchesOfRigidVesselsChangeNothing)
+{
+    const test::CleanCase clean(2);
+    CounterRandom random(6);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    input.auxiliaryBranchIds = {clean.tree.branches[1].id, clean.tree.branches[3].id};
+    const auto result = registerVessels(input);
+    ASSERT_TRUE(result);
+    EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 0.05);
+    EXPECT_TRUE(result.value().trustworthy);
+    const std::vector<double> effect = effectOfChoice(result.value());
+    ASSERT_EQ(effect.size(), 4U);
+    EXPECT_LT(effect[3], 0.5);
+}
+
 /// Ids of the branches fed through the one that feeds the most, the trunk apart.
 std::set<int> largestTerritory(const GrownTree& grown)
 {

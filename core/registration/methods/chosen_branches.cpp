@@ -1,0 +1,46 @@
+#include "core/registration/methods/chosen_branches.h"
+
+#include <array>
+
+namespace angiopose::core {
+namespace {
+
+/// The first reaches vessels that lie aside because the others have moved.
+constexpr std::array scalesPx{8.0, 3.0};
+constexpr int chosenSteps = 20;
+
+/// What all branches tell about steps about the pose, in px of residual, and what the start pose does.
+Matrix6d informationOfAll(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+                          const CentroidPose& pose)
+{
+    const Alignment all(alignmentPoints(problem.tree), problem.camera, target);
+    const Matrix6d lower = all.look(pose, scalesPx.back()).equations.hessian;
+    return Matrix6d(lower.selfadjointView<Eigen::Lower>()) + prior.informationAt(pose);
+}
+
+}   // namespace
+
+ChosenFit fitChosenBranches(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+                            const CentroidPose& fitOfAll, double weight)
+{
+    Alignment chosen(alignmentPoints(problem.tree, problem.auxiliary), problem.camera, target);
+    const Matrix6d information = informationOfAll(problem, target, prior, fitOfAll) / weight;
+    std::vector<double> distances;
+    ChosenFit fit;
+    fit.medianBeforePx = chosen.medianDistancePx(fitOfAll, distances);
+    fit.pose = fitOfAll;
+    for (const double scalePx : scalesPx) {
+        // A refinement weighs its prior with the variance that the scale stands for: undone, both count in px.
+        const StartPrior known{fitOfAll, information / noiseVariance(scalePx), prior.freedom};
+        chosen.resetVisibility();
+        fit.pose = refine(chosen, known, fit.pose, {scalePx, scalePx, 0.7, 0, chosenSteps, chosenSteps}).pose;
+    }
+    fit.medianPx = chosen.medianDistancePx(fit.pose, distances);
+    if (fit.medianPx >= fit.medianBeforePx) {
+        fit.pose = fitOfAll;
+        fit.medianPx = fit.medianBeforePx;
+    }
+    return fit;
+}
+
+}   // namespace angiopose::core
