@@ -35,7 +35,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
               {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
       look_(document_, sync_, {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
       replay_(document_, preview_, window.actions(), window.strip()),
-      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result()}),
+      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result(), window.pose()}),
       gestures_({document_, pose_, review_, judgement_, preview_, notices_, window.actions(), window.pose(),
                  window.registration(), window.angiogramView()}),
       run_({document_, registration_, session_, review_, judgement_, sync_, preview_, notices_, window.actions(),

@@ -77,6 +77,11 @@ MainWindow::MainWindow(QWidget* parent)
             QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(landmarks_); });
         }
     });
+    connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
+        if (!folded) {   // also when something is missing: what has to be filled in is in sight
+            QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(geometry_); });
+        }
+    });
     angiogramView_->setFocus();
     qApp->installEventFilter(this);
     new WheelGuard(this);

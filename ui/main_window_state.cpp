@@ -4,7 +4,10 @@
 
 #include <QDataStream>
 #include <QIODevice>
+#include <QScreen>
 #include <QSplitter>
+
+#include <algorithm>
 
 namespace angiopose::ui {
 namespace {
@@ -19,6 +22,21 @@ QStringList foldedSections(const QWidget& window)
         }
     }
     return names;
+}
+
+/// A window that was left on a larger screen, or at a smaller scale, is whole on this one. At 200 % a screen has half
+/// as many points as at 100 %.
+void fitInto(const QRect& room, QWidget& window)
+{
+    if (window.isMaximized() || window.isFullScreen() || room.contains(window.geometry())) {
+        return;
+    }
+    QRect place(window.pos(), window.size().boundedTo(room.size()));
+    place.moveRight(std::min(place.right(), room.right()));
+    place.moveBottom(std::min(place.bottom(), room.bottom()));
+    place.moveLeft(std::max(place.left(), room.left()));
+    place.moveTop(std::max(place.top(), room.top()));
+    window.setGeometry(place);
 }
 
 }   // namespace
@@ -44,6 +62,7 @@ void MainWindow::restoreLayout(const QByteArray& state)
     QStringList folded;
     stream >> windowGeometry >> columnState >> leftState >> folded;
     restoreGeometry(windowGeometry);
+    fitInto(screen()->availableGeometry(), *this);
     columns_->restoreState(columnState);
     leftSplitter_->restoreState(leftState);
     if (stream.status() != QDataStream::Ok) {

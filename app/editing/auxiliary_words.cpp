@@ -76,12 +76,17 @@ QString previewWords(const core::Case& current)
                   .arg(namesOf(current.vessels.tree, chosenIds))
                   .arg(ui::numberText(chosenMm, 0))
                   .arg(ui::numberText(100.0 * chosenMm / std::max(1e-9, lengthMm), 0));
-    if (current.options.method == defaultMethod && !chosenIds.empty()) {
-        return AuxiliaryController::tr(
-                   "%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the result "
-                   "says what the fit of all was. While the fit is in doubt, poses found from these alone are tried, "
-                   "too.")
-            .arg(chosen);
+    if (current.options.method == defaultMethod) {
+        return chosenIds.empty()
+                   ? AuxiliaryController::tr(
+                         "Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide "
+                         "what they can tell, the others hold the rest.")
+                   : AuxiliaryController::tr(
+                         "%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the "
+                         "result "
+                         "says what the fit of all was. While the fit is in doubt, poses found from these alone are "
+                         "tried, too.")
+                         .arg(chosen);
     }
     if (!alternates(current.options.method)) {
         return AuxiliaryController::tr("%1 The method chosen now does not alternate and takes all branches.")

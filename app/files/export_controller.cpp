@@ -18,6 +18,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
 
+#include <QApplication>
 #include <QFileDialog>
 
 #include <cmath>
@@ -164,27 +165,20 @@ void ExportController::askReportFile(ui::Choice identity)
     if (!target_.current()) {
         return;   // gone meanwhile
     }
-    const auto input = core::registrationInputOf(current, *target_.current());
-    if (!input) {
-        emit failed(ui::messageText(input.error().message));
-        return;
-    }
     ui::ExportChoice choice;
     choice.residualColors = ui::Choice::On;
     choice.identity = identity;
-    const CaseReport report{current, {}, *target_.current(), lookOf(choice), observerName()};
+    const QStringList typeface = QApplication::font().families();
     askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
-            [report, input = input.value()](const QString& path) -> core::Status {
-                const auto judged = report.theCase.shown().result
-                                        ? core::Result<core::RegistrationResult>(*report.theCase.shown().result)
-                                        : core::evaluatePose(input, report.theCase.shown().cameraFromPatient);
-                if (!judged) {
-                    return judged.error();
+            [current, target = *target_.current(), look = lookOf(choice), author = observerName(),
+             typeface](const QString& path) -> core::Status {
+                const auto views = judgedViews(current, target, look);
+                if (!views) {
+                    return views.error();
                 }
-                CaseReport judgedReport = report;
-                judgedReport.judgement = judged.value();
                 const bool isHtml = path.endsWith(QLatin1String(".html"), Qt::CaseInsensitive);
-                const auto bytes = reportBytes(judgedReport, isHtml ? ReportKind::Html : ReportKind::Pdf);
+                const auto bytes =
+                    reportBytes({views.value(), author, typeface}, isHtml ? ReportKind::Html : ReportKind::Pdf);
                 return bytes ? io::writeAtomically(path.toStdString(), {bytes.value().constData(),
                                                                         static_cast<std::size_t>(bytes.value().size())})
                              : bytes.error();

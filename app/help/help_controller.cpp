@@ -45,23 +45,35 @@ void HelpController::offerTour()
     }
 }
 
+/// An empty window shows nothing of what the tour tells of: there it opens the sample case.
+auto HelpController::tourStart() -> ui::TourStop
+{
+    ui::TourStop start{
+        &window_.angiogramView(), tr("Start here"),
+        tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own "
+           "data.")};
+    if (!window_.angiogramView().isVisible()) {
+        start.target = &window_.welcome();
+        start.way = tr("Open the sample case");
+        start.onLeave = [this] { window_.actions()[ui::Command::OpenSample]->trigger(); };
+    }
+    return start;
+}
+
 void HelpController::startTour()
 {
     if (tour_) {
         return;
     }
     settings::tourSeen.write(true);
-    QWidget* centre = window_.angiogramView().isVisible() ? static_cast<QWidget*>(&window_.angiogramView())
-                                                          : static_cast<QWidget*>(&window_.welcome());
     tour_ = new ui::Tour(
-        {{centre, tr("Start here"),
-          tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.")},
+        {tourStart(),
          {&window_.steps(), tr("The way to a result"),
           tr("Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.")},
          {&window_.branches(), tr("The vessel tree"),
           tr("Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves "
              "it out.")},
-         {centre, tr("The angiogram"),
+         {&window_.angiogramView(), tr("The angiogram"),
           tr("The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or "
              "mouse. H: hide it.")},
          {&window_.registration(), tr("Register"),

@@ -9,6 +9,7 @@ namespace angiopose::ui {
 class GoodFit;
 class MainWindow;
 class Tour;
+struct TourStop;
 }   // namespace angiopose::ui
 namespace angiopose::app {
 
@@ -24,6 +25,7 @@ public:
 private:
     void showPage();
     void startTour();
+    ui::TourStop tourStart();
     void showGoodFit();
     void fillGoodFit(int index);
     void showAbout();

@@ -3,6 +3,7 @@
 #include "app/messages/says.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
+#include "ui/panels/result_sentences.h"
 #include "ui/words/message_text.h"
 
 #include <algorithm>
@@ -96,11 +97,14 @@ void JudgementController::show()
     on_.sync.showJudgement(judgement_);
     on_.look.knowResiduals(judged.result.branches, judged.millimetresPerPixel);
     on_.replay.knowUncertainty(judged.result.uncertainty);
+    on_.posePanel.showDepthDoubt(
+        judged.source == ui::PoseSource::Start ? std::nullopt : ui::doubtfulDepthMm(judged.result.uncertainty));
     on_.panel.showJudgement(judged, *current.vessels.tree);
 }
 
 void JudgementController::showNothing()
 {
+    on_.posePanel.showDepthDoubt(std::nullopt);
     on_.look.knowResiduals({}, 0.0);
     on_.replay.knowUncertainty(std::nullopt);
     on_.sync.showJudgement(nullptr);

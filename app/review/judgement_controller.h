@@ -8,6 +8,7 @@
 #include "app/review/look_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/showing/view_sync.h"
+#include "ui/panels/pose_panel.h"
 #include "ui/panels/result_panel.h"
 
 #include <QObject>
@@ -32,6 +33,7 @@ public:
         LookController& look;
         ReplayController& replay;
         ui::ResultPanel& panel;
+        ui::PosePanel& posePanel;
     };
     explicit JudgementController(const Parts& parts, QObject* parent = nullptr);
 

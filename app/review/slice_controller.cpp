@@ -73,6 +73,8 @@ void SliceController::followDocument()
     const core::Case& current = document_.current();
     const bool isNew = current.vessels.scan != shownVolume_;
     shownVolume_ = current.vessels.scan;
+    const bool isNewImage = current.shown().angiogram && current.shown().angiogram != shownAngiogram_;
+    shownAngiogram_ = current.shown().angiogram;
     const bool hasLabels = current.vessels.input.kind == core::VesselInputKind::Segmentation;
     const core::InputFile labels = hasLabels ? current.vessels.file : core::InputFile();
     const bool isNewLabels = labels != shownLabels_ && hasLabels;
@@ -91,6 +93,9 @@ void SliceController::followDocument()
         if (!current.shown().angiogram) {   // nothing else to look at yet
             ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         }
+    }
+    if (isNewImage) {   // who opens an image wants to see it
+        ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
     }
 }
 

@@ -45,6 +45,7 @@ private:
     Ui ui_;
     std::set<int> selected_;   ///< last seen, to notice a new one
     std::shared_ptr<const core::Volume> shownVolume_;
+    std::shared_ptr<const core::Angiogram> shownAngiogram_;
     core::InputFile shownLabels_;   ///< the label image the vessels come from
 };
 

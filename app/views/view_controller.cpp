@@ -1,7 +1,7 @@
 #include "app/views/view_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/texts/number_text.h"
+#include "app/words/view_words.h"
 #include "core/case/case_views.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/registration_panel.h"
@@ -21,33 +21,6 @@ namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
-
-QString nameOf(const core::View& view)
-{
-    const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
-    return QFileInfo(QString::fromStdString(path)).fileName();
-}
-
-QString anglesOf(const core::View& view)
-{
-    const core::CArm& cArm = view.geometry.cArm;
-    if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
-        return nameOf(view);
-    }
-    return QString::fromStdString(primaryAngleText(*cArm.primaryAngleDeg.value)) + QStringLiteral(" · ") +
-           QString::fromStdString(secondaryAngleText(*cArm.secondaryAngleDeg.value));
-}
-
-QString titleOf(const core::View& view)
-{
-    return view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
-}
-
-/// "2 · LAO 30° · CRA 10°": by its number warnings name it.
-QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
-{
-    return QStringLiteral("%1 · %2").arg(place + 1).arg(ui::withDecimalSign(titleOf(views[place])));
-}
 
 }   // namespace
 
@@ -142,8 +115,8 @@ void ViewController::showLines()
         const QString problem = look ? ui::messageText(look->problem) : QString();
         lines.push_back({numberedTitle(current.views, place) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
-                             ? tr("%1. A click shows it, Delete takes the shown view out.").arg(nameOf(view))
-                             : nameOf(view) + QStringLiteral(": ") + problem});
+                             ? tr("%1. A click shows it, Delete takes the shown view out.").arg(fileNameOf(view))
+                             : fileNameOf(view) + QStringLiteral(": ") + problem});
     }
     ui_.panel.showViews(lines, static_cast<int>(current.shownView));
 }

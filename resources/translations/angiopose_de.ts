@@ -4,6 +4,10 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
+        <source>Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide what they can tell, the others hold the rest.</source>
+        <translation>Nichts gewählt: AngioPose nimmt alle Äste gleich. Gewählte entscheiden, was sie sagen können, die anderen halten den Rest.</translation>
+    </message>
+    <message>
         <source>%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the result says what the fit of all was. While the fit is in doubt, poses found from these alone are tried, too.</source>
         <translation>%1 Bei AngioPose entscheiden sie, was sie sagen können, die anderen Äste halten den Rest; das Ergebnis sagt, wie die Anpassung aller war. Solange die Anpassung fraglich ist, werden auch Lagen aus diesen allein versucht.</translation>
     </message>
@@ -7609,6 +7613,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 </context>
 <context>
     <name>angiopose::ui::PosePanel</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
     <message>
         <source>Pose</source>
         <translation>Lage</translation>

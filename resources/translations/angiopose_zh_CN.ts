@@ -4,6 +4,10 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
+        <source>Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide what they can tell, the others hold the rest.</source>
+        <translation>未选择分支：AngioPose 同等使用全部分支。选中的分支决定其所能确定的，其余分支保持其他部分。</translation>
+    </message>
+    <message>
         <source>%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the result says what the fit of all was. While the fit is in doubt, poses found from these alone are tried, too.</source>
         <translation>%1 AngioPose 由它们决定其所能确定的，其余由其他分支保持；结果会说明全部分支的拟合如何。拟合存疑时也会尝试仅由它们求得的位姿。</translation>
     </message>
@@ -7609,6 +7613,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
 </context>
 <context>
     <name>angiopose::ui::PosePanel</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
     <message>
         <source>Pose</source>
         <translation>位姿</translation>

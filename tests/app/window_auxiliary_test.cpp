@@ -91,10 +91,10 @@ TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
         return std::ranges::any_of(dialog->findChildren<QLabel*>(),
                                    [&words](const QLabel* label) { return label->text().contains(words); });
     };
-    EXPECT_TRUE(says(QStringLiteral("while its fit is in doubt")));
+    EXPECT_TRUE(says(QStringLiteral("decide what they can tell")));
     OpenWindow::clickButton(dialog, QStringLiteral("Use DynaWeightPnP instead"));
     EXPECT_EQ(w.current().options.method, "dynaweight");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !says(QStringLiteral("while its fit is in doubt")); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !says(QStringLiteral("decide what they can tell")); }, test::patienceMs));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().options.method, "angiopose");
 }

@@ -1,4 +1,5 @@
 #include "core/registration/pose/landmark_pose.h"
+#include "io/image_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -76,6 +77,25 @@ TEST(WindowGeometry, AsksForThePixelSpacingThatTheHeaderLacks)
     EXPECT_DOUBLE_EQ(*w.current().shown().geometry.cArm.columnSpacingMm.value, 0.390625);
     EXPECT_FALSE(spacing->property("asking").toBool());
     EXPECT_EQ(w.history().count(), 1);
+}
+
+TEST(WindowGeometry, FieldsOfWhatIsMissingAreInSight)
+{
+    const test::TemporaryFolder folder;
+    OpenWindow w;
+    w.openSample();
+    core::Mask2d picture(300, 200);
+    picture.at(20, 30) = 1;
+    ASSERT_TRUE(io::writePng(picture, folder.file("plain.png")));
+    w.controller.document().replace({}, {});
+    w.window.resize(1280, 760);
+    w.drop({QString::fromStdString(folder.file("plain.png"))});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    QTest::qWait(50);
+    EXPECT_FALSE(w.window.geometryPanel().isFolded());
+    const QLineEdit* first = w.window.geometryPanel().findChild<ui::NumberField*>();
+    ASSERT_TRUE(first);
+    EXPECT_FALSE(first->visibleRegion().isEmpty());
 }
 
 TEST(WindowGeometry, SaysWhatContradictsAndTakesItBack)

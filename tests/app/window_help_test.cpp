@@ -99,6 +99,21 @@ TEST(WindowHelp, TheTourPointsAtVisiblePartsAndBlocksNothing)
     EXPECT_FALSE(tour);
 }
 
+TEST(WindowHelp, TheTourOfAnEmptyWindowOpensTheSampleByEnter)
+{
+    OpenWindow w;
+    ASSERT_FALSE(w.current().vessels.tree);
+    w.window.actions()[ui::Command::Tour]->trigger();
+    QPointer<ui::Tour> tour = w.window.findChild<ui::Tour*>();
+    ASSERT_TRUE(tour);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_EQ(tour->current(), 1);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_EQ(tour->current(), 2) << "Enter goes on";
+    tour->close();
+}
+
 /// Amber or orange pixels: lines that miss.
 int missingPixels(const QImage& picture)
 {

@@ -1,5 +1,6 @@
 #include "tests/app/open_window.h"
 
+#include <QScreen>
 #include <QSplitter>
 
 namespace angiopose::app {
@@ -45,6 +46,23 @@ TEST(WindowLayout, RemembersWhatIsFolded)
     EXPECT_FALSE(sectionNamed(again.window, QStringLiteral("convergence"))->isFolded());
     again.window.restoreLayout(QByteArray("nonsense"));   // leaves all as it is
     EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("residuals"))->isFolded());
+}
+
+TEST(WindowLayout, IsWholeOnASmallerScreenThanItWasLeftOn)
+{
+    QByteArray layout;
+    const QRect room = QApplication::primaryScreen()->availableGeometry();
+    {
+        OpenWindow w;
+        w.window.setGeometry(40, 40, room.width() + 300, room.height() + 200);
+        layout = w.window.layoutState();
+    }
+    OpenWindow again;
+    again.window.restoreLayout(layout);
+    QApplication::processEvents();
+    EXPECT_LE(again.window.width(), room.width());
+    EXPECT_LE(again.window.height(), room.height());
+    EXPECT_TRUE(room.contains(again.window.geometry().topLeft()));
 }
 
 TEST(WindowLayout, RemembersTheBrightnessOfASeries)

@@ -1,6 +1,7 @@
 #include "tests/app/open_window.h"
 
 #include "tests/support/temporary_folder.h"
+#include "ui/theme/active_theme.h"
 
 #include <QCheckBox>
 #include <QTreeWidget>
@@ -154,6 +155,23 @@ TEST(WindowPoses, SurviveSavingAndReopening)
                              w.current().shown().snapshots[1].cameraFromPatient),
               0.0);
     EXPECT_TRUE(itemNamed(*again.window.snapshots().list(), QStringLiteral("Pose 1")));
+}
+
+TEST(WindowPoses, AreWrittenInTheTonesOfTheThemeAfterItChanged)
+{
+    OpenWindow w;
+    w.openSample();
+    w.window.actions()[ui::Command::KeepPose]->trigger();
+    QTreeWidget* list = w.window.findChild<ui::SnapshotPanel*>()->list();
+    ASSERT_GE(list->topLevelItemCount(), 1);
+    const auto ink = [list] { return list->topLevelItem(0)->foreground(1).color(); };
+    const ui::ThemeMode before = ui::activeTheme();
+    for (const ui::ThemeMode mode : {ui::ThemeMode::Light, ui::ThemeMode::Dark}) {
+        ui::applyTheme(*qApp, mode);
+        QApplication::processEvents();
+        EXPECT_EQ(ink(), ui::toQColor(ui::activePalette().text));
+    }
+    ui::applyTheme(*qApp, before);
 }
 
 }   // namespace

@@ -44,7 +44,7 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
           QByteArray::fromStdString(w.current().shown().imageFile.sha256.substr(0, 16)), QByteArray("Signature")}) {
         EXPECT_TRUE(text.contains(wanted)) << wanted.toStdString();
     }
-    const qsizetype from = text.indexOf("base64,") + 7;
+    const qsizetype from = text.lastIndexOf("base64,") + 7;   // behind the mark
     const QImage picture = QImage::fromData(QByteArray::fromBase64(text.mid(from, text.indexOf('"', from) - from)));
     EXPECT_GT(
         picture.width(),
@@ -61,6 +61,22 @@ TEST_F(WindowReport, IsAPdfAndJudgesAPoseSetByHand)
     const QByteArray page = written("report.pdf");
     EXPECT_TRUE(page.startsWith("%PDF"));
     EXPECT_GT(page.size(), 20000) << "the pictures are in it";
+}
+
+TEST_F(WindowReport, HasAPartForEveryViewInTheTypefaceOfTheWindow)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases/IM4.angiopose");
+    w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string())});
+    w.waitForJudgement();
+    w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/views-A/IM3.dcm").string())});
+    OpenWindow::clickButton(w.dialogs("viewQuestion").front(), QStringLiteral("Add as a view"));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().views.size() == 2; }, test::patienceMs));
+    const QByteArray page = written("two.html");
+    EXPECT_EQ(page.count("base64,"), 3) << "an overlay each, and the mark";
+    EXPECT_TRUE(page.contains("1 · ")) << "numbered as the strip numbers them";
+    EXPECT_TRUE(page.contains("2 · "));
+    EXPECT_EQ(page.count("Median distance"), 2);
+    EXPECT_TRUE(page.contains(QApplication::font().families().front().toUtf8()));
 }
 
 TEST_F(WindowReport, NamesThePatientOnlyWhereThatIsWanted)

@@ -1,8 +1,11 @@
 #include "app/document/edit_case.h"
+#include "app/files/sample_case.h"
 #include "tests/app/scan_window.h"
 #include "ui/slices/corner_views.h"
 
 #include <QCheckBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
@@ -29,6 +32,24 @@ TEST_F(WindowSlices, StandWhereThereIsNoAngiogramYet)
     EXPECT_TRUE(w.window.angiogramView().isVisible());
     w.press(Qt::Key_M);
     EXPECT_TRUE(w.window.slicesPage().isVisible());
+}
+
+TEST_F(WindowSlices, MakeRoomForAnAngiogramThatIsOpened)
+{
+    ASSERT_TRUE(w.window.slicesPage().isVisible());
+    const auto sample = writeSampleCase();
+    ASSERT_TRUE(sample);
+    w.drop({QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm"))});
+    EXPECT_TRUE(
+        QTest::qWaitFor([this] { return w.current().shown().angiogram || w.dialogs("patientQuestion").size() == 1; },
+                        test::patienceMs));
+    for (QDialog* question : w.dialogs("patientQuestion")) {   // the scan is another patient's
+        test::OpenWindow::clickButton(question, QStringLiteral("Open it all the same"));
+    }
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    QApplication::processEvents();
+    EXPECT_FALSE(w.window.slicesPage().isVisible());
+    EXPECT_TRUE(w.window.angiogramView().isVisible());
 }
 
 TEST_F(WindowSlices, FollowWheelAndKeys)

@@ -84,7 +84,7 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     setFixedWidth(bubbleWidth);
     connect(skip, &QPushButton::clicked, this, &Tour::end);
     connect(back_, &QPushButton::clicked, this, [this] { goTo(current_ - 1); });
-    connect(next_, &QPushButton::clicked, this, [this] { goTo(current_ + 1); });
+    connect(next_, &QPushButton::clicked, this, &Tour::goOn);
     window->installEventFilter(this);
     goTo(0);
     show();
@@ -109,8 +109,16 @@ void Tour::goTo(int stop)
     setAccessibleName(here.heading);
     count_->setText(tr("%1 of %2").arg(current_ + 1).arg(stopCount()));
     back_->setEnabled(current_ > 0);
-    next_->setText(current_ + 1 == stopCount() ? tr("Done") : tr("Next"));
+    next_->setText(current_ + 1 == stopCount() ? tr("Done") : here.way.isEmpty() ? tr("Next") : here.way);
     place();
+}
+
+void Tour::goOn()
+{
+    if (const auto& leave = stops_[static_cast<std::size_t>(current_)].onLeave) {
+        leave();
+    }
+    goTo(current_ + 1);
 }
 
 QRect Tour::targetRect() const
@@ -150,8 +158,16 @@ void Tour::keyPressEvent(QKeyEvent* event)
         case Qt::Key_Escape:
             end();
             break;
+        case Qt::Key_Return:   // whichever button has the keys is pressed, as in a dialog
+        case Qt::Key_Enter:
+            if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
+                button->click();
+            } else {
+                goOn();
+            }
+            break;
         case Qt::Key_Right:
-            goTo(current_ + 1);
+            goOn();
             break;
         case Qt::Key_Left:
             goTo(current_ - 1);

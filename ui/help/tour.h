@@ -3,6 +3,7 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 class QLabel;
@@ -15,6 +16,8 @@ struct TourStop {
     QPointer<QWidget> target;
     QString heading;
     QString text;
+    QString way{};   ///< on the button that goes on; empty: "Next"
+    std::function<void()> onLeave{};   ///< called when that button is pressed here; may be empty
 };
 
 /// A bubble that goes from widget to widget and says what each is for. It lies in the window without blocking it: who
@@ -39,6 +42,7 @@ protected:
 
 private:
     class Frame;
+    void goOn();
     void place();
     void end();
     QRect targetRect() const;   ///< in the window

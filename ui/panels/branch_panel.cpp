@@ -109,6 +109,7 @@ QWidget* BranchPanel::makeFilterRow()
     speak(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
     withName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
+    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // in every language
     withName(order_, [] { return tr("Order of the branches"); });
     withTip(order_, [] { return tr("Order of the branches"); });
     speak(order_, [this] {

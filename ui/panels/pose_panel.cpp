@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/panels/lock_dot.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QGridLayout>
@@ -59,7 +60,7 @@ PosePanel::PosePanel(QWidget* parent)
 
 PosePanel::Row PosePanel::makeRow(PoseAxis axis)
 {
-    Row row{withText(roleLabel("label"), [axis] { return labelOf(axis); }), new NumberField(formatOf(axis)),
+    Row row{withText(roleLabel("label"), [this, axis] { return wordsOf(axis); }), new NumberField(formatOf(axis)),
             new LockDot};
     withName(row.field, [axis] { return tr("Pose %1").arg(labelOf(axis)); });
     withTip(row.field, [axis] { return explanationOf(axis); });
@@ -90,8 +91,8 @@ void PosePanel::showLocks(const PoseLocks& locks)
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i].lock->setChecked(locks[i]);
         rows_[i].field->setReadOnly(locks[i]);
-        setRole(rows_[i].label, locks[i] ? "attention" : "label");
     }
+    mark();
 }
 
 void PosePanel::showPickedPivot(bool isPicked)
@@ -108,10 +109,34 @@ void PosePanel::showNudgeMode(bool on)
 
 void PosePanel::setActiveAxis(std::optional<PoseAxis> axis)
 {
-    for (const PoseAxis each : poseAxes) {
-        const Row& row = rows_[static_cast<std::size_t>(each)];
-        const bool marked = locks_[static_cast<std::size_t>(each)];
-        setRole(row.label, marked ? "attention" : axis == each ? "strong" : "label");
+    activeAxis_ = axis;
+    mark();
+}
+
+void PosePanel::showDepthDoubt(std::optional<double> depthSigmaMm)
+{
+    depthSigmaMm_ = depthSigmaMm;
+    rows_[static_cast<std::size_t>(PoseAxis::AlongRay)].label->setText(wordsOf(PoseAxis::AlongRay));
+    mark();
+}
+
+/// "along ray ±4": what is doubtful says how much.
+QString PosePanel::wordsOf(PoseAxis axis) const
+{
+    return axis == PoseAxis::AlongRay && depthSigmaMm_
+               ? tr("%1 ±%2").arg(labelOf(axis), numberText(*depthSigmaMm_, *depthSigmaMm_ < 9.95 ? 1 : 0))
+               : labelOf(axis);
+}
+
+/// What needs a look is amber: locked, or hardly told by the image.
+void PosePanel::mark()
+{
+    for (const PoseAxis axis : poseAxes) {
+        const bool isDoubtful = axis == PoseAxis::AlongRay && depthSigmaMm_;
+        setRole(rows_[static_cast<std::size_t>(axis)].label, locks_[static_cast<std::size_t>(axis)] || isDoubtful
+                                                                 ? "attention"
+                                                             : activeAxis_ == axis ? "strong"
+                                                                                   : "label");
     }
 }
 

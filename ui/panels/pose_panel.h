@@ -19,7 +19,8 @@ public:
     void showLocks(const PoseLocks& locks);
     void showPickedPivot(bool isPicked);   ///< else the numbers are about the centroid
     void showNudgeMode(bool on);
-    void setActiveAxis(std::optional<PoseAxis> axis);   ///< the one in use, marked in amber
+    void setActiveAxis(std::optional<PoseAxis> axis);   ///< the one in use, marked
+    void showDepthDoubt(std::optional<double> depthSigmaMm);   ///< what one view hardly tells, marked in amber
 
 signals:
     void offsetEdited(const core::PoseOffset& offset);
@@ -35,10 +36,14 @@ private:
     Row makeRow(PoseAxis axis);
     void editAxis(PoseAxis axis, double value);
     void toggleLock(PoseAxis axis);
+    QString wordsOf(PoseAxis axis) const;
+    void mark();
 
     core::PoseOffset offset_;
     bool isNudging_ = false;
     PoseLocks locks_{};
+    std::optional<PoseAxis> activeAxis_;
+    std::optional<double> depthSigmaMm_;
     std::array<Row, poseAxes.size()> rows_{};
     QLabel* pivotNote_ = nullptr;
     QAbstractButton* reset_;

@@ -10,6 +10,8 @@
 
 #include <QHBoxLayout>
 
+#include <algorithm>
+
 namespace angiopose::ui {
 namespace {
 
@@ -26,6 +28,16 @@ void showIn(QLabel* box, const QStringList& sentences)
 {
     box->setText(joinedSentences(sentences));
     box->setVisible(!sentences.isEmpty());
+}
+
+/// While a pose is moved by hand its sentences come and go: what lies below stays where it is.
+void keepRoom(QLabel* box, bool isKept)
+{
+    const int heightPx = isKept && box->isVisible() ? box->height() : box->minimumHeight();
+    box->setMinimumHeight(isKept ? std::max(box->minimumHeight(), heightPx) : 0);
+    QSizePolicy policy = box->sizePolicy();
+    policy.setRetainSizeWhenHidden(isKept && box->minimumHeight() > 0);
+    box->setSizePolicy(policy);
 }
 
 QString runSummary(const core::RegistrationResult& result)
@@ -145,6 +157,9 @@ void ResultPanel::showJudgement(const JudgedPose& judged, const core::VesselTree
 
 void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree& tree)
 {
+    for (QLabel* box : {certain_, doubtful_}) {
+        keepRoom(box, judged.source == PoseSource::Edited);
+    }
     if (judged.source == PoseSource::Start) {
         showIn(certain_, {});
         showIn(doubtful_, {tr("This is the start pose: nothing is fitted yet. R registers, N nudges.")});
@@ -164,6 +179,9 @@ void ResultPanel::showNothing(const QString& why)
         label->setText(QStringLiteral("–"));
     }
     section_->setHint(why);
+    for (QLabel* box : {certain_, doubtful_}) {
+        keepRoom(box, false);
+    }
     showIn(certain_, {});
     showIn(doubtful_, {});
     histogram_->showValues({}, 0.0);

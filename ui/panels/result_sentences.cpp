@@ -60,13 +60,13 @@ QString depthWords(const core::RegistrationResult& result)
     if (std::ranges::any_of(result.warnings, speaksOfDepth)) {
         return {};
     }
-    if (!uncertainty.observed[5]) {
-        return ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(uncertainty.depthMm));
+    const std::optional<double> depthMm = doubtfulDepthMm(uncertainty);
+    if (!depthMm) {
+        return {};
     }
-    if (uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm)) {
-        return ResultWords::tr("Depth is the least certain: ±%1 mm.").arg(resultNumber(uncertainty.depthMm));
-    }
-    return {};
+    return uncertainty.observed[5]
+               ? ResultWords::tr("Depth is the least certain: ±%1 mm.").arg(resultNumber(*depthMm))
+               : ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(*depthMm));
 }
 
 /// Of branches that the run itself does not call empty.
@@ -122,6 +122,13 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
         }
     }
     return sentences;
+}
+
+std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty)
+{
+    const bool isDoubtful =
+        !uncertainty.observed[5] || uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm);
+    return isDoubtful ? std::optional(uncertainty.depthMm) : std::nullopt;
 }
 
 QString displayName(const core::VesselBranch& branch)

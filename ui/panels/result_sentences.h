@@ -5,6 +5,8 @@
 
 #include <QStringList>
 
+#include <optional>
+
 namespace angiopose::ui {
 
 /// What the judgement of a pose means, in a clinician's words.
@@ -15,6 +17,9 @@ struct ResultSentences {
 
 ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
                             double millimetresPerPixel);
+
+/// 1-σ along the ray where the image tells it much less than the rest; nothing where it is as certain.
+std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty);
 
 /// "LAD", or "Branch 3" where the tree has no names.
 QString displayName(const core::VesselBranch& branch);

@@ -21,6 +21,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int snapshotIdRole = Qt::UserRole;
+constexpr int snapshotDoubtRole = Qt::UserRole + 1;
 constexpr int mostSnapshotRows = 8;
 
 enum SnapshotColumn { SnapshotMark, SnapshotName, SnapshotMedian, SnapshotColumnCount };
@@ -138,8 +139,7 @@ void SnapshotPanel::fillItem(QTreeWidgetItem& item, const core::PoseSnapshot& sn
     for (int column = 0; column < SnapshotColumnCount; ++column) {
         item.setToolTip(column, toolTipOf(snapshot));
     }
-    const bool doubtful = snapshot.metrics && !snapshot.metrics->isTrustworthy;
-    item.setForeground(SnapshotMedian, toQColor(doubtful ? activePalette().attention : activePalette().label));
+    item.setData(SnapshotMedian, snapshotDoubtRole, snapshot.metrics && !snapshot.metrics->isTrustworthy);
 }
 
 void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
@@ -150,7 +150,6 @@ void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
     }
     auto* group = new QTreeWidgetItem(list_, {QString(), tr("Runs (%1)").arg(count), QString()});
     group->setFlags(Qt::ItemIsEnabled);
-    group->setForeground(SnapshotName, toQColor(activePalette().label));
     std::for_each(snapshots.rbegin(), snapshots.rend(), [&](const core::PoseSnapshot& run) {   // newest first
         if (run.kind == core::SnapshotKind::Run) {
             fillItem(*new QTreeWidgetItem(group), run);
@@ -190,7 +189,30 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
         const int id = (*each)->data(SnapshotName, snapshotIdRole).toInt();
         const QString mark = marks.a == id ? tr("A") : marks.b == id ? tr("B") : QString();
         (*each)->setText(SnapshotMark, marks.shown == id ? mark + QStringLiteral("●") : mark);
-        (*each)->setForeground(SnapshotMark, toQColor(activePalette().accent));
+    }
+    colour();
+}
+
+/// In the tones of the theme, which may change.
+void SnapshotPanel::colour()
+{
+    const QScopedValueRollback quiet(showing_, true);
+    const Palette& tones = activePalette();
+    for (QTreeWidgetItemIterator each(list_); *each; ++each) {
+        QTreeWidgetItem& item = **each;
+        const bool isGroup = item.childCount() > 0;
+        const bool isDoubtful = item.data(SnapshotMedian, snapshotDoubtRole).toBool();
+        item.setForeground(SnapshotName, toQColor(isGroup ? tones.label : tones.text));
+        item.setForeground(SnapshotMedian, toQColor(isDoubtful ? tones.attention : tones.label));
+        item.setForeground(SnapshotMark, toQColor(tones.accent));
+    }
+}
+
+void SnapshotPanel::changeEvent(QEvent* event)
+{
+    Section::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        colour();
     }
 }
 

@@ -46,6 +46,7 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     void setUpList();
@@ -57,6 +58,7 @@ private:
     void addRuns(const std::vector<core::PoseSnapshot>& snapshots);
     void showContextMenu(const QPoint& position);
     void fitHeight();
+    void colour();
 
     QTreeWidget* list_;
     QLabel* empty_;

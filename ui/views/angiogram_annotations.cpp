@@ -119,7 +119,7 @@ void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations
 {
     const bool inMm = annotations.scaleMaximumMm > 0.0;
     const double maximum = inMm ? annotations.scaleMaximumMm : annotations.scaleMaximumPx;
-    painter.fillRect(scaleRoom(bar), colorOf(annotationTones().canvas, 0.45));
+    painter.fillRect(bar.adjusted(-1.0, -10.0, 1.0, 1.0), colorOf(annotationTones().canvas, 0.6));
 
     QLinearGradient ramp(bar.bottomLeft(), bar.topLeft());
     for (int k = 0; k <= 8; ++k) {

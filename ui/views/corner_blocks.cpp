@@ -73,9 +73,6 @@ QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const Q
         if (ground.isTaken(block) || ground.hasVessels(block) || (coversPicture && font == full)) {
             continue;
         }
-        if (coversPicture) {
-            painter.fillRect(block.adjusted(-5.0, -3.0, 5.0, 3.0), colorOf(annotationTones().canvas, 0.4));
-        }
         painter.setFont(font);
         const int flags = (isRight(corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;
         for (int i = 0; i < shown.size(); ++i) {

@@ -22,9 +22,11 @@ QFont sized(QFont font, int px)
 
 void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
 {
-    painter.setPen(colorOf(annotationTones().canvas, 0.75));
-    for (const QPointF& offset : {QPointF(1.0, 1.0), QPointF(-1.0, 0.0), QPointF(0.0, -1.0)}) {
-        painter.drawText(box.translated(offset), flags, text);
+    painter.setPen(colorOf(annotationTones().canvas, 0.6));
+    for (const double y : {-1.0, 0.0, 1.0}) {   // a rim all round: readable on any picture, without a box
+        for (const double x : {-1.0, 0.0, 1.0}) {
+            painter.drawText(box.translated(x, y), flags, text);
+        }
     }
     painter.setPen(color);
     painter.drawText(box, flags, text);

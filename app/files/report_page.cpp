@@ -1,0 +1,288 @@
+#include "app/files/report_page.h"
+
+#include "app/messages/says.h"
+#include "app/words/geometry_state.h"
+#include "app/words/view_words.h"
+#include "core/case/case_patients.h"
+#include "ui/panels/result_sentences.h"
+#include "ui/panels/snapshot_panel.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+#include "ui/words/number.h"
+#include "ui/words/terms.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+constexpr int shownWidth = 670;   // of 680 between the margins
+constexpr int markWidth = 36;
+constexpr std::size_t branchesListed = 12;
+
+/// The words of this file.
+struct ReportWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
+};
+
+using Rows = std::vector<std::pair<QString, QString>>;
+
+QString fromCore(const std::string& text)
+{
+    return QString::fromStdString(text);
+}
+
+QString heading(const QString& text)
+{
+    return QStringLiteral("<p style=\"font-size:10pt; font-weight:600; margin-top:10px; margin-bottom:3px\">%1</p>")
+        .arg(text.toHtmlEscaped());
+}
+
+/// Two columns: what it is, what it is here.
+QString table(const Rows& rows)
+{
+    QString text = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"2\">");
+    for (const auto& [name, value] : rows) {
+        text += QStringLiteral("<tr><td style=\"color:#555555\">%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+    }
+    return text + QStringLiteral("</table>");
+}
+
+/// Sentences on a ground of their own, as the window's card has them; nothing where there are none.
+QString card(const QStringList& sentences, const char* ground, const char* ink)
+{
+    return sentences.isEmpty()
+               ? QString()
+               : QStringLiteral(
+                     "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"5\"><tr>"
+                     "<td style=\"background-color:%1; color:%2\">%3</td></tr></table>")
+                     .arg(QLatin1String(ground), QLatin1String(ink), ui::joinedSentences(sentences).toHtmlEscaped());
+}
+
+/// Two columns of parts.
+QString beside(const QString& left, const QString& right)
+{
+    return QStringLiteral(
+               "<table width=\"100%\"><tr><td width=\"50%\" valign=\"top\">%1</td>"
+               "<td width=\"50%\" valign=\"top\">%2</td></tr></table>")
+        .arg(left, right);
+}
+
+QString imageTag(const QString& url, const QSize& size, int width)
+{
+    return QStringLiteral("<img src=\"%1\" width=\"%2\" height=\"%3\"/>")
+        .arg(url)
+        .arg(width)
+        .arg(size.scaled(width, size.height(), Qt::KeepAspectRatio).height());
+}
+
+double mmPerPxOf(const core::Case& theCase)
+{
+    const auto camera = core::cameraOf(theCase.shown());
+    const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
+    return camera ? core::millimetresPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
+}
+
+/// That the images are not of one patient stands where nobody overlooks it.
+QString mismatchLines(const core::Case& theCase)
+{
+    QString lines;
+    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+        lines +=
+            QStringLiteral("<p><b style=\"color:#b00020\">%1</b></p>").arg(ui::messageText(mismatch).toHtmlEscaped());
+    }
+    return lines;
+}
+
+QString patientWords(const ReportedView& view)
+{
+    if (view.look.identity == Identity::Hidden) {
+        return ui::messageText(says::identityHidden());
+    }
+    const core::StudyIdentity& study = view.theCase.shown().angiogram->identity;
+    QStringList patient;
+    for (const std::string& part : {study.patientName, study.patientId, study.birthDate, study.institution}) {
+        patient << fromCore(part).replace(QLatin1Char('^'), QLatin1Char(' ')).simplified();
+    }
+    patient.removeAll(QString());
+    return patient.join(QStringLiteral(" · "));
+}
+
+/// Of the shown view; the others must be of the same patient, or it is said.
+QString titleLines(const ReportedView& shown, const QString& mark)
+{
+    return QStringLiteral(
+               "<table width=\"100%\" cellspacing=\"0\"><tr><td valign=\"middle\">"
+               "<span style=\"font-size:15pt; font-weight:600\">%1</span><br/>"
+               "<b style=\"color:#9a5b00\">%2</b> · %3</td><td align=\"right\" valign=\"middle\">%4</td></tr></table>")
+               .arg(fromCore(shown.theCase.title).toHtmlEscaped(),
+                    ui::messageText(says::notForClinicalUse()).toHtmlEscaped(), patientWords(shown).toHtmlEscaped(),
+                    mark) +
+           mismatchLines(shown.theCase);
+}
+
+QString methodWordsOf(const core::RegistrationResult& judged)
+{
+    return ui::methodWords(judged.method) + QStringLiteral(" · ") + ui::termText(core::toText(judged.stopReason));
+}
+
+/// How the pose came about.
+Rows originRows(const ReportedView& view)
+{
+    const auto& result = view.theCase.shown().result;
+    if (!result) {
+        return {{ReportWords::tr("Method"), ReportWords::tr("pose set by hand")}};
+    }
+    Rows rows{{ReportWords::tr("Method"), methodWordsOf(*result)}};
+    const QDateTime found = QDateTime::fromString(fromCore(result->provenance.time), Qt::ISODate).toLocalTime();
+    if (found.isValid()) {
+        const QString& author = fromCore(result->provenance.author);
+        rows.emplace_back(ReportWords::tr("Found"),
+                          ui::languageLocale().toString(found, QLocale::ShortFormat) +
+                              (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
+    }
+    return rows;
+}
+
+QString resultPart(const ReportedView& view)
+{
+    const core::DistanceMetrics& metrics = view.judgement.metrics;
+    Rows rows{
+        {ReportWords::tr("Median distance"),
+         ReportWords::tr("%1 mm (%2 px)")
+             .arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
+        {ReportWords::tr("95 % nearer than"),
+         ReportWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
+        {ReportWords::tr("Traced vessels covered"),
+         QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
+    const Rows origin = originRows(view);
+    rows.insert(rows.end(), origin.begin(), origin.end());
+    const ui::ResultSentences sentences =
+        ui::sentencesOf(view.judgement, *view.theCase.vessels.tree, mmPerPxOf(view.theCase));
+    return heading(ReportWords::tr("Result")) + table(rows) + card(sentences.certain, "#e3f2e6", "#14532d") +
+           card(sentences.doubtful, "#fbefd9", "#7a4a00");
+}
+
+QString branchPart(const ReportedView& view)
+{
+    std::vector<core::BranchResidual> worstFirst = view.judgement.branches;
+    std::ranges::stable_sort(worstFirst, std::greater{}, &core::BranchResidual::medianPx);
+    const std::size_t count = std::min(worstFirst.size(), branchesListed);
+    Rows rows;
+    for (const core::BranchResidual& residual : std::span(worstFirst).first(count)) {
+        if (const core::VesselBranch* branch = view.theCase.vessels.tree->find(residual.branchId)) {
+            rows.emplace_back(ui::displayName(*branch),
+                              ReportWords::tr("%1 mm median · %2 mm long")
+                                  .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.theCase), 2),
+                                       ui::numberText(branch->lengthMm(), 0)));
+        }
+    }
+    const QString name = worstFirst.size() > count
+                             ? ReportWords::tr("The %1 worst of %2 branches").arg(count).arg(worstFirst.size())
+                             : ReportWords::tr("Branches, the worst first");
+    return heading(name) + table(rows);
+}
+
+QString geometryPart(const core::Case& theCase)
+{
+    const ui::GeometryState state = geometryState(theCase);
+    Rows rows;
+    for (std::size_t i = 0; i < ui::geometryValueCount; ++i) {
+        const auto value = static_cast<ui::GeometryValue>(i);
+        const core::Sourced<double> shown = ui::shownValue(state, value);
+        if (!shown.value || shown.origin == core::Origin::Missing) {
+            continue;
+        }
+        const ui::GeometryValueKind& kind = ui::kindOf(value);
+        const bool isAngle = kind.format.unit == QStringLiteral("°");   // written close to its number
+        rows.emplace_back(QCoreApplication::translate("angiopose::ui::GeometryPanel", kind.label),
+                          ui::numberText(*shown.value, kind.format.decimals) +
+                              (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
+                              QStringLiteral(" (%1)").arg(ui::messageText(originWord(shown.origin))));
+    }
+    return heading(ReportWords::tr("Geometry")) + table(rows);
+}
+
+QString posePart(const core::Case& theCase)
+{
+    QString text =
+        heading(ReportWords::tr("Pose: camera from patient, mm")) + QStringLiteral("<table cellpadding=\"3\">");
+    for (int row = 0; row < 4; ++row) {
+        text += QStringLiteral("<tr>");
+        for (int column = 0; column < 4; ++column) {
+            text += QStringLiteral("<td align=\"right\">%1</td>")
+                        .arg(theCase.shown().cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
+        }
+        text += QStringLiteral("</tr>");
+    }
+    return text + QStringLiteral("</table>");
+}
+
+/// All that is about one view; `isAlone`: the case has no other.
+QString viewPart(const ReportedView& view, const QString& picture, bool isAlone)
+{
+    const core::Case& theCase = view.theCase;
+    const QString title = isAlone ? QString() : heading(numberedTitle(theCase.views, theCase.shownView));
+    if (view.problem) {
+        return title + card({ui::messageText(*view.problem)}, "#fbefd9", "#7a4a00");
+    }
+    return title + QStringLiteral("<p>%1</p>").arg(picture) +
+           beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase));
+}
+
+QString inputPart(const CaseReport& report)
+{
+    Rows rows;
+    const auto add = [&rows](const QString& name, const core::InputFile& file) {
+        if (!file.path.empty()) {
+            rows.emplace_back(name, QFileInfo(fromCore(file.path)).fileName() + QStringLiteral(" · SHA-256 ") +
+                                        fromCore(file.sha256).left(16));
+        }
+    };
+    const core::Case& theCase = report.views.front().theCase;
+    add(ReportWords::tr("Vessels"), theCase.vessels.file);
+    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
+        const core::View& view = theCase.views[place];
+        const QString number = theCase.views.size() > 1 ? QStringLiteral(" %1").arg(place + 1) : QString();
+        add(ReportWords::tr("Angiogram") + number, view.imageFile);
+        add(ReportWords::tr("Traced vessels") + number, view.target.file);
+    }
+    rows.emplace_back(ReportWords::tr("Program"), QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
+    rows.emplace_back(ReportWords::tr("Made"),
+                      ui::languageLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat) +
+                          (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
+    return heading(ReportWords::tr("Inputs")) + table(rows) +
+           QStringLiteral("<p><br/>%1 ____________________________</p>")
+               .arg(ReportWords::tr("Signature").toHtmlEscaped());
+}
+
+}   // namespace
+
+QString reportPage(const CaseReport& report, const std::vector<QImage>& pictures, const PictureUrl& urlOf)
+{
+    const ReportedView& shown = report.views.front();
+    const std::size_t mark = pictures.size() - 1;
+    QString body = titleLines(shown, imageTag(urlOf(mark), pictures[mark].size(), markWidth));
+    for (std::size_t i = 0; i < report.views.size(); ++i) {
+        const QString picture = pictures[i].isNull() ? QString() : imageTag(urlOf(i), pictures[i].size(), shownWidth);
+        body += viewPart(report.views[i], picture, report.views.size() == 1);
+    }
+    QStringList families;
+    for (const QString& family : report.typeface) {
+        families << QStringLiteral("'%1'").arg(family);
+    }
+    return QStringLiteral(
+               "<html><head><meta charset=\"utf-8\"/><title>%1</title></head>"
+               "<body style=\"font-family:%2; font-size:8.5pt\">%3</body></html>")
+        .arg(fromCore(shown.theCase.title).toHtmlEscaped(),
+             (families << QStringLiteral("sans-serif")).join(QStringLiteral(", ")), body + inputPart(report));
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,34 @@
+#include "app/words/view_words.h"
+
+#include "app/texts/number_text.h"
+#include "ui/words/number.h"
+
+#include <QFileInfo>
+
+namespace angiopose::app {
+
+QString fileNameOf(const core::View& view)
+{
+    const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
+    return QFileInfo(QString::fromStdString(path)).fileName();
+}
+
+QString anglesOf(const core::View& view)
+{
+    const core::CArm& cArm = view.geometry.cArm;
+    if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
+        return fileNameOf(view);
+    }
+    return ui::withDecimalSign(QString::fromStdString(primaryAngleText(*cArm.primaryAngleDeg.value)) +
+                               QStringLiteral(" · ") +
+                               QString::fromStdString(secondaryAngleText(*cArm.secondaryAngleDeg.value)));
+}
+
+QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
+{
+    const core::View& view = views[place];
+    const QString title = view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
+    return QStringLiteral("%1 · %2").arg(place + 1).arg(title);
+}
+
+}   // namespace angiopose::app
