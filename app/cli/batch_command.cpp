@@ -5,6 +5,7 @@
 #include "app/cli/register_outputs.h"
 #include "app/cli/shard.h"
 #include "app/messages/says.h"
+#include "core/support/stopwatch.h"
 #include "io/support/atomic_file.h"
 
 #include <cstdio>
@@ -18,17 +19,19 @@ namespace fs = std::filesystem;
 
 core::Result<core::RegistrationResult> registerEntry(const io::BatchEntry& entry, const std::string& folder)
 {
+    core::Stopwatch watch;
     auto loaded = loadCaseForCommand(entry.casePath, entry.frame);
     if (!loaded) {
         return loaded.error();
     }
+    const double readMs = watch.lapMs();
     core::Case theCase = std::move(loaded).value();
     RegisterArguments arguments;
     arguments.method = entry.method;
     if (const auto status = applyArguments(theCase, arguments); !status) {
         return status.error();
     }
-    const auto registered = registerForCommand(std::move(theCase), entry.name);
+    const auto registered = registerForCommand(std::move(theCase), entry.name, {.readMs = readMs});
     if (!registered) {
         return registered.error();
     }

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
+#include "core/support/stopwatch.h"
 #include "io/result_file.h"
 
 #include <cstdio>
@@ -46,6 +47,7 @@ int exitCodeOf(const core::RegisteredCase& registered)
 
 int runRegister(const RegisterArguments& arguments)
 {
+    core::Stopwatch watch;
     auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
     if (!loaded) {
         return failInput(loaded.error(), arguments.format);
@@ -59,6 +61,7 @@ int runRegister(const RegisterArguments& arguments)
         return failInput(status.error(), arguments.format);
     }
     core::RegistrationPlan plan;
+    plan.readMs = watch.lapMs();
     plan.isBending = arguments.isBending;
     const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {

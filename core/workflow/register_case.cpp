@@ -35,27 +35,36 @@ Error about(const Error& error, const View& view, std::size_t viewCount)
     return viewCount > 1 && !error.isStop() ? error.about(view.imageFile.path) : error;
 }
 
-Result<std::vector<Centerline2d>> traceViews(const Case& theCase, const std::vector<std::size_t>& places,
-                                             std::optional<Centerline2d> shownTarget, Course& course)
-{
+/// The vessels of the views that are registered, and what finding them took (NaN where they were known).
+struct TracedViews {
     std::vector<Centerline2d> targets;
+    std::vector<double> tookMs;
+};
+
+Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_t>& places,
+                               std::optional<Centerline2d> shownTarget, Course& course)
+{
+    TracedViews traced;
     const double share = tracingShare / static_cast<double>(places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
         course.enter(share * static_cast<double>(k), share * static_cast<double>(k + 1), places[k]);
         if (k == 0 && shownTarget) {
-            targets.push_back(*std::move(shownTarget));
+            traced.targets.push_back(*std::move(shownTarget));
+            traced.tookMs.push_back(StageTimes::notMeasured);
             continue;
         }
         if (course.tell("tracing", 0.0) == Verdict::Stop) {
             return Stopped{says::stoppedBeforeRun()};
         }
+        Stopwatch watch;
         auto target = targetOf(theCase.views[places[k]]);
         if (!target) {
             return about(target.error(), theCase.views[places[k]], places.size());
         }
-        targets.push_back(std::move(target).value());
+        traced.targets.push_back(std::move(target).value());
+        traced.tookMs.push_back(watch.lapMs());
     }
-    return targets;
+    return traced;
 }
 
 /// What a solver says of the views at `places` goes to the course, as its part from `first` to `last`.
@@ -81,7 +90,21 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
     return result;
 }
 
-Status registerOne(RegisteredCase& run, const Provenance& provenance, const IterationObserver& observe)
+/// What every result of a run keeps besides what was found.
+struct RunNotes {
+    Provenance provenance;
+    double readMs;
+    std::vector<double> traceMs;   ///< of each registered view
+
+    void addTo(RegistrationResult& result, std::size_t number) const
+    {
+        result.provenance = provenance;
+        result.time.readMs = readMs;
+        result.time.traceMs = traceMs[number];
+    }
+};
+
+Status registerOne(RegisteredCase& run, const RunNotes& notes, const IterationObserver& observe)
 {
     const auto input = registrationInputOf(run.theCase, run.targets.front());
     if (!input) {
@@ -92,12 +115,12 @@ Status registerOne(RegisteredCase& run, const Provenance& provenance, const Iter
         return found.error();
     }
     RegistrationResult result = std::move(found).value();
-    result.provenance = provenance;
+    notes.addTo(result, 0);
     takeOver(run.theCase.shown(), std::move(result));
     return Done{};
 }
 
-Status registerTogether(RegisteredCase& run, const Provenance& provenance, const IterationObserver& observe)
+Status registerTogether(RegisteredCase& run, const RunNotes& notes, const IterationObserver& observe)
 {
     Stopwatch watch;
     MultiViewOptions multiView;
@@ -117,7 +140,7 @@ Status registerTogether(RegisteredCase& run, const Provenance& provenance, const
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
-        result.provenance = provenance;
+        notes.addTo(result, k);
         takeOver(run.theCase.views[run.places[k]], k == 0 ? resultOfAll(*run.joint) : result);
     }
     return Done{};
@@ -140,17 +163,19 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
         return places.error();
     }
     Course course(observe);
-    auto targets = traceViews(theCase, places.value(), std::move(plan.shownTarget), course);
-    if (!targets) {
-        return targets.error();
+    auto traced = traceViews(theCase, places.value(), std::move(plan.shownTarget), course);
+    if (!traced) {
+        return traced.error();
     }
-    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(targets).value(), {}, {}};
+    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}, {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
     const double end = plan.isBending ? 1.0 - bendingShare : 1.0;
     const IterationObserver observer = solverObserver(course, run.places, begin, end);
-    const Provenance provenance{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options};
+    const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},
+                         plan.readMs,
+                         traced.value().tookMs};
     const Status status =
-        run.places.size() > 1 ? registerTogether(run, provenance, observer) : registerOne(run, provenance, observer);
+        run.places.size() > 1 ? registerTogether(run, notes, observer) : registerOne(run, notes, observer);
     if (!status) {
         return status.error();
     }

@@ -19,6 +19,7 @@ struct RegistrationPlan {
     Views views = Views::All;
     std::optional<Centerline2d> shownTarget{};   ///< vessels of the shown view where they are known; else traced
     bool isBending = false;   ///< afterwards the vessels are bent where evidence asks for it
+    double readMs = StageTimes::notMeasured;   ///< what reading the case took; kept with the result
     std::string author{};   ///< who asks for it; kept with the result
     std::string time{};   ///< when, ISO 8601, UTC; kept with the result
 };

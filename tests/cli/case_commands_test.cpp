@@ -65,6 +65,8 @@ TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
     EXPECT_GT(json["metrics"]["coverage"].get<double>(),
               0.9);   // half of this tree is unfilled, but all that is is met
     EXPECT_TRUE(fs::exists(folder_.file("result/overlay.png")));
+    EXPECT_GT(json["timeMs"]["reading"].get<double>(), 0.0);
+    EXPECT_GT(json["timeMs"]["tracing"].get<double>(), 0.0);
 
     const auto found = io::readPose(folder_.file("result/result.json"));
     const auto truth = io::readPose(folder_.file("demo/true-pose.json"));

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,11 +89,16 @@ struct PoseUncertainty {
     Vector6d weakestDirection = Vector6d::Zero();   ///< unit, same order, in (ρ·rad, mm)
 };
 
+/// Wall times of a registration.
 struct StageTimes {
+    static constexpr double notMeasured = std::numeric_limits<double>::quiet_NaN();
+
     double targetMs = 0.0;
     double searchMs = 0.0;
     double solveMs = 0.0;
-    double totalMs = 0.0;
+    double totalMs = 0.0;   ///< from curves to the judged pose; reading and tracing come before it
+    double readMs = notMeasured;   ///< of the files
+    double traceMs = notMeasured;   ///< of the view's vessels in the image
 };
 
 /// Another pose that explains the image nearly as well.

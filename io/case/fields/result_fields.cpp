@@ -145,7 +145,8 @@ StoredFields<Hypothesis> hypothesisFields()
 StoredFields<StageTimes> timeFields()
 {
     return {storedMeasure("target", &StageTimes::targetMs), storedMeasure("search", &StageTimes::searchMs),
-            storedMeasure("solve", &StageTimes::solveMs), storedMeasure("total", &StageTimes::totalMs)};
+            storedMeasure("solve", &StageTimes::solveMs),   storedMeasure("total", &StageTimes::totalMs),
+            storedMeasure("reading", &StageTimes::readMs),  storedMeasure("tracing", &StageTimes::traceMs)};
 }
 
 StoredField<IterationReport> stageField()
