@@ -137,7 +137,7 @@ void bindSimulation(py::module_& module)
         .def_readonly("theCase", &SimulatedCase::theCase, "with a start pose as a header gives it")
         .def_property_readonly("trueCameraFromPatient", asArray<&SimulatedCase::trueCameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
-        .def_readonly("trueTarget", &SimulatedCase::trueTarget, "exact projections of what is filled")
+        .def_readonly("trueTarget", &SimulatedCase::trueTarget, "the curves of what is filled, sampled every px")
         .def_property_readonly("missingBranchIds", asTuple<&SimulatedCase::missingBranchIds>(),
                                "not filled in the image");
     module.def("simulateCase", &simulateCase, py::arg("seed"),

@@ -44,6 +44,7 @@ Phantom makePhantom(std::uint64_t seed, int pointCount, int imageSizePx)
     phantom.tree = resampled(tree, lengthMm(tree) / (pointCount - static_cast<double>(tree.branches.size())));
     phantom.camera = cameraOfSize(imageSizePx);
     phantom.trueCameraFromPatient = clinicalPose(phantom.tree, CounterRandom(seed).fork(1));
+    phantom.target = projectCurves(phantom.tree, phantom.camera, phantom.trueCameraFromPatient);
     phantom.exactTarget = projectTree(phantom.tree, phantom.camera, phantom.trueCameraFromPatient);
     return phantom;
 }

@@ -15,7 +15,8 @@ struct Phantom {
     VesselTree tree;
     ProjectionCamera camera;
     RigidTransform trueCameraFromPatient;
-    Centerline2d exactTarget;   ///< projections of the tree's points, one curve per branch
+    Centerline2d target;   ///< the tree's curves sampled anew, see projectCurves
+    Centerline2d exactTarget;   ///< projections of the tree's own points, one curve per branch: exact partners exist
 };
 
 /// The tree of this seed with about `pointCount` points, seen on a square image of `imageSizePx`.

@@ -1,6 +1,11 @@
 #include "core/simulation/simulated_case.h"
 
 namespace angiopose::core {
+namespace {
+
+constexpr double imageSpacingPx = 1.0;
+
+}   // namespace
 
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient)
@@ -25,6 +30,12 @@ Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
         }
     }
     return target;
+}
+
+Centerline2d projectCurves(const VesselTree& tree, const ProjectionCamera& camera,
+                           const RigidTransform& cameraFromPatient)
+{
+    return resampled(projectTree(tree, camera, cameraFromPatient), imageSpacingPx);
 }
 
 }   // namespace angiopose::core

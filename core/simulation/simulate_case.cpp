@@ -177,8 +177,8 @@ SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const
         dsa.nonRigidStdMm > 0.0 ? bestRigidPose(grown.tree, bent.tree, geometry.camera, geometry.trueCameraFromPatient)
                                 : geometry.trueCameraFromPatient;
     result.missingBranchIds = vessels.missingBranchIds;
-    result.trueTarget = projectTree(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);
-    result.trueCatheter = projectTree(vessels.catheter, geometry.camera, geometry.trueCameraFromPatient);
+    result.trueTarget = projectCurves(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);
+    result.trueCatheter = projectCurves(vessels.catheter, geometry.camera, geometry.trueCameraFromPatient);
     const DsaScene scene{std::move(vessels.paths), vessels.longestPathMm, geometry.camera,
                          geometry.trueCameraFromPatient};
     DsaRun run = formDsaFrames(scene, dsa, random.fork(ImageStream));

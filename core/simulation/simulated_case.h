@@ -48,7 +48,7 @@ struct SimulatedCase {
     RigidTransform trueCameraFromPatient;   ///< best rigid pose
     RigidTransform initialCameraFromPatient;   ///< DICOM-like: angles ±1°, isocentre off by lateral 15 mm, depth 30 mm
     std::vector<int> missingBranchIds;   ///< not filled in the image
-    Centerline2d trueTarget;   ///< exact projections of the filled branches and the extra vessels
+    Centerline2d trueTarget;   ///< the filled branches and the extra vessels, as projectCurves shows them
     Centerline2d trueCatheter;   ///< one curve, or none without a catheter
     ImageF trueContrast;   ///< of the suggested frame: grey values by which contrast medium darkens it, without noise
 };
@@ -76,5 +76,10 @@ RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const
 /// Exact projections of every tree point, one curve per branch (points behind the source are left out).
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient);
+
+/// The same curves as an ideal image shows them, sampled anew every px: but for the ends no point is the projection of
+/// a tree point, so that nothing has an exact partner.
+Centerline2d projectCurves(const VesselTree& tree, const ProjectionCamera& camera,
+                           const RigidTransform& cameraFromPatient);
 
 }   // namespace angiopose::core

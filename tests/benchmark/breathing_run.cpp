@@ -37,7 +37,7 @@ BreathingRun breathingRun(const core::Trial& trial, std::size_t frames)
     core::CounterRandom random(11);
     for (std::size_t frame = 1; frame <= frames; ++frame) {
         run.truth.push_back(breathed(trial, frame));
-        run.targets.push_back(core::projectTree(*trial.tree, trial.input.camera, run.truth.back()));
+        run.targets.push_back(core::projectCurves(*trial.tree, trial.input.camera, run.truth.back()));
         for (core::Curve2d& curve : run.targets.back().curves) {
             for (Eigen::Vector2d& point : curve.pointsPx) {
                 point += jitterPx * Eigen::Vector2d(random.normal(), random.normal());

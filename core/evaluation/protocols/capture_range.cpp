@@ -31,7 +31,7 @@ std::vector<CaptureSetting> makeCaptureSettings()
             const std::string range = plainText(from) + "-" + plainText(to);
             rows.push_back({{(isDegraded ? "degraded-" : "clean-") + range,
                              "start " + plainText(from) + "–" + plainText(to) + " mm, " +
-                                 (isDegraded ? "degraded target" : "exact target"),
+                                 (isDegraded ? "degraded target" : "curves sampled anew"),
                              !isDegraded},
                             isDegraded,
                             from,

@@ -37,11 +37,18 @@ Trial SharedPhantom::makeTrial() const
 {
     Trial trial;
     trial.input.tree = scene.tree;
-    trial.input.target = scene.exactTarget;
+    trial.input.target = scene.target;
     trial.input.camera = scene.camera;
     trial.input.initialCameraFromPatient = scene.trueCameraFromPatient;
     trial.tree = tree;
     trial.trueCameraFromPatient = scene.trueCameraFromPatient;
+    return trial;
+}
+
+Trial SharedPhantom::makeExactTrial() const
+{
+    Trial trial = makeTrial();
+    trial.input.target = scene.exactTarget;
     trial.targetIsExact = true;
     return trial;
 }
@@ -63,7 +70,6 @@ CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std:
 void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Trial& trial)
 {
     trial.input.target = degraded(phantom.scene.exactTarget, phantom.scene.camera, random);
-    trial.targetIsExact = false;
     trial.errorBound =
         cramerRaoBound(*phantom.tree, visibleBranches(*phantom.tree, trial.input.target), phantom.scene.camera,
                        phantom.scene.trueCameraFromPatient, {degradedJitterPx, degradedCorrelationPoints, true});

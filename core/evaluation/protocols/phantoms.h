@@ -13,8 +13,10 @@ namespace angiopose::core {
 struct SharedPhantom {
     explicit SharedPhantom(Phantom phantom);
 
-    /// A trial on the exact target, starting from the true pose.
+    /// A trial on the curves sampled anew, starting from the true pose.
     Trial makeTrial() const;
+    /// The same on the projections of the tree's own points.
+    Trial makeExactTrial() const;
 
     Phantom scene;
     std::shared_ptr<const VesselTree> tree;
@@ -29,7 +31,7 @@ Phantoms makePhantoms(std::uint64_t seed, int count);
 /// What trial number `trial` of a protocol draws from: the same for every condition, so that these compare.
 CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std::uint64_t trial);
 
-/// Replaces the exact target by a degraded one and says what it allows.
+/// Replaces the target by a degraded one and says what it allows.
 void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Trial& trial);
 
 /// A vector of the given length in a random direction.

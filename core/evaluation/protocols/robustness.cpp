@@ -97,8 +97,8 @@ TrialMaker prepareRobustness(std::size_t condition, std::uint64_t seed)
         Trial trial = phantom.makeTrial();
         if (setting.pruning != Pruning::None) {
             CounterRandom imageSide = random.fork(1);
-            trial.input.target = projectTree(pruned(*phantom.tree, prunedLeaves, imageSide), phantom.scene.camera,
-                                             phantom.scene.trueCameraFromPatient);
+            trial.input.target = projectCurves(pruned(*phantom.tree, prunedLeaves, imageSide), phantom.scene.camera,
+                                               phantom.scene.trueCameraFromPatient);
         }
         if (setting.pruning == Pruning::BothSides) {
             CounterRandom treeSide = random.fork(2);

@@ -10,37 +10,46 @@ namespace {
 constexpr int simulationAnatomies = 10;
 
 enum class Pivot { Centroid, Source, SourceByNorm };   ///< OBJ, CAM and CAM of fixed length (ALGORITHMS §4.2)
-enum class Target { Exact, Degraded };
+/// Projections of the tree's own points, the same curves sampled anew, or what tracing would make of them.
+enum class Target { Exact, Resampled, Degraded };
 
 struct SimulationSetting {
     Condition condition;
     Pivot pivot = Pivot::Centroid;
     double rotationStdDeg = 0.0;   ///< per axis, or the whole turn
     double translationStdMm = 0.0;   ///< per axis, or the whole shift
-    Target target = Target::Exact;
+    Target target = Target::Resampled;
     double depthStdMm = 0.0;   ///< besides
 };
 
 const std::vector<SimulationSetting>& simulationSettings()
 {
+    using enum Target;
     static const std::vector<SimulationSetting> rows{
-        {{"cam-2-5", "2°/5 mm about the source (CAM), exact target", true}, Pivot::Source, 2, 5, Target::Exact},
-        {{"obj-2-5", "2°/5 mm about the centroid (OBJ), exact target", true}, Pivot::Centroid, 2, 5, Target::Exact},
-        {{"degraded-cam-2-5", "CAM 2°/5 mm, degraded target", true}, Pivot::Source, 2, 5, Target::Degraded},
-        {{"degraded-obj-2-5", "OBJ 2°/5 mm, degraded target", true}, Pivot::Centroid, 2, 5, Target::Degraded},
-        {{"cam-norm-2-5", "2° and 5 mm about the source in a random direction, exact target", true},
+        {{"cam-2-5", "2°/5 mm about the source (CAM)", true}, Pivot::Source, 2, 5, Resampled},
+        {{"obj-2-5", "2°/5 mm about the centroid (OBJ)", true}, Pivot::Centroid, 2, 5, Resampled},
+        {{"degraded-cam-2-5", "CAM 2°/5 mm, degraded target", true}, Pivot::Source, 2, 5, Degraded},
+        {{"degraded-obj-2-5", "OBJ 2°/5 mm, degraded target", true}, Pivot::Centroid, 2, 5, Degraded},
+        {{"exact-cam-2-5", "CAM 2°/5 mm, the tree's own points as target", true}, Pivot::Source, 2, 5, Exact},
+        {{"exact-cam-norm-2-5", "2° and 5 mm about the source in a random direction, the tree's own points", true},
          Pivot::SourceByNorm,
          2,
          5,
-         Target::Exact},
-        {{"cam-3-8", "CAM 3°/8 mm, exact target", false}, Pivot::Source, 3, 8, Target::Exact},
-        {{"cam-5-10", "CAM 5°/10 mm, exact target", false}, Pivot::Source, 5, 10, Target::Exact},
-        {{"degraded-cam-5-10", "CAM 5°/10 mm, degraded target", false}, Pivot::Source, 5, 10, Target::Degraded},
-        {{"obj-5-10", "OBJ 5°/10 mm, exact target", false}, Pivot::Centroid, 5, 10, Target::Exact},
-        {{"obj-10-20", "OBJ 10°/20 mm, exact target", false}, Pivot::Centroid, 10, 20, Target::Exact},
-        {{"obj-15-30", "OBJ 15°/30 mm, exact target", false}, Pivot::Centroid, 15, 30, Target::Exact},
-        {{"depth-20", "OBJ 2°/5 mm, depth ±20 mm, exact target", false}, Pivot::Centroid, 2, 5, Target::Exact, 20},
-        {{"depth-60", "OBJ 2°/5 mm, depth ±60 mm, exact target", false}, Pivot::Centroid, 2, 5, Target::Exact, 60},
+         Exact},
+        {{"exact-obj-2-5", "OBJ 2°/5 mm, the tree's own points as target", false}, Pivot::Centroid, 2, 5, Exact},
+        {{"cam-norm-2-5", "2° and 5 mm about the source in a random direction", false},
+         Pivot::SourceByNorm,
+         2,
+         5,
+         Resampled},
+        {{"cam-3-8", "CAM 3°/8 mm", false}, Pivot::Source, 3, 8, Resampled},
+        {{"cam-5-10", "CAM 5°/10 mm", false}, Pivot::Source, 5, 10, Resampled},
+        {{"degraded-cam-5-10", "CAM 5°/10 mm, degraded target", false}, Pivot::Source, 5, 10, Degraded},
+        {{"obj-5-10", "OBJ 5°/10 mm", false}, Pivot::Centroid, 5, 10, Resampled},
+        {{"obj-10-20", "OBJ 10°/20 mm", false}, Pivot::Centroid, 10, 20, Resampled},
+        {{"obj-15-30", "OBJ 15°/30 mm", false}, Pivot::Centroid, 15, 30, Resampled},
+        {{"depth-20", "OBJ 2°/5 mm, depth ±20 mm", false}, Pivot::Centroid, 2, 5, Resampled, 20},
+        {{"depth-60", "OBJ 2°/5 mm, depth ±60 mm", false}, Pivot::Centroid, 2, 5, Resampled, 60},
     };
     return rows;
 }
@@ -77,7 +86,7 @@ TrialMaker prepareSimulation(std::size_t condition, std::uint64_t seed)
             seed](std::uint64_t number) {
         const CounterRandom random = trialRandom(simulationNumber, seed, number);
         const SharedPhantom& phantom = (*phantoms)[number % simulationAnatomies];
-        Trial trial = phantom.makeTrial();
+        Trial trial = setting.target == Target::Exact ? phantom.makeExactTrial() : phantom.makeTrial();
         if (setting.target == Target::Degraded) {
             degradeTarget(phantom, random.fork(1), trial);
         }
@@ -91,7 +100,7 @@ TrialMaker prepareSimulation(std::size_t condition, std::uint64_t seed)
 Protocol simulationProtocol()
 {
     return {"simulation",
-            "Generated trees, Gaussian start poses, exact or degraded projections (ALGORITHMS 4.2, 4.4).",
+            "Generated trees, Gaussian start poses, ideal or degraded targets (ALGORITHMS 4.2, 4.4).",
             1000,
             simulationAnatomies,
             Success::ProjectionWithin5Px,

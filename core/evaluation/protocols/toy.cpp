@@ -66,6 +66,7 @@ Phantom makeToy(int segmentsPerEdge)
     toy.trueCameraFromPatient.translation =
         Eigen::Vector3d(0.0, 0.0, middle.z()) - toy.trueCameraFromPatient.rotation * middle;
     toy.exactTarget = projectTree(toy.tree, toy.camera, toy.trueCameraFromPatient);
+    toy.target = toy.exactTarget;   // the number of points is what the experiment varies
     return toy;
 }
 
@@ -77,7 +78,7 @@ TrialMaker prepareToy(std::size_t condition, std::uint64_t seed)
         CounterRandom random = trialRandom(toyNumber, seed, number);
         const Eigen::Vector3d shift = randomDirection(shiftMm, random);
         const RigidTransform disturbance{expSo3(randomDirection(rotationDeg * radiansPerDegree, random)), shift};
-        Trial trial = toy->makeTrial();
+        Trial trial = toy->makeExactTrial();
         trial.input.initialCameraFromPatient = disturbance * trial.trueCameraFromPatient;
         return trial;
     };

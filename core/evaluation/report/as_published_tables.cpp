@@ -10,8 +10,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr double agreeing = 2.0;   ///< factor within which a figure counts as reproduced
-constexpr std::string_view startsAsLength = "cam-norm-2-5";
-constexpr std::string_view startsPerAxis = "cam-2-5";
+constexpr std::string_view startsAsLength = "exact-cam-norm-2-5";
+constexpr std::string_view startsPerAxis = "exact-cam-2-5";
 
 /// The paper's measures of one method, PR taken to the nearest target point, mm at the depth of the centroid.
 struct Measured {

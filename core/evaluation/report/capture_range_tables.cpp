@@ -76,7 +76,7 @@ std::vector<ResultTable> captureRangeTables(const RunGroups& groups)
 {
     std::vector<ResultTable> tables;
     for (const auto& [target, title] :
-         {std::pair<std::string, std::string>{"clean", "exact target"}, {"degraded", "degraded target"}}) {
+         {std::pair<std::string, std::string>{"clean", "curves sampled anew"}, {"degraded", "degraded target"}}) {
         if (!binsOf(groups, target).empty()) {
             tables.push_back(tableOf(groups, target, title));
         }

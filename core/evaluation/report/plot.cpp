@@ -190,7 +190,8 @@ std::vector<Plot> plotsOf(const RunSet& runs)
     const RunGroups groups(runs);
     std::vector<Plot> plots;
     if (groups.protocol().id == "capture-range") {
-        plots = {capturePlot(groups, "clean", "exact target"), capturePlot(groups, "degraded", "degraded target")};
+        plots = {capturePlot(groups, "clean", "curves sampled anew"),
+                 capturePlot(groups, "degraded", "degraded target")};
     } else {
         for (const Condition& condition : groups.conditions()) {
             plots.push_back(cumulativePlot(groups, condition));

@@ -13,7 +13,7 @@ const std::string yardstick = "dt-icp";   // machines compare through it alone
 std::optional<double> publishedMs(const Condition& condition, const std::string& methodId)
 {
     double ms = unknownMeasure;
-    if (const auto simulated = publishedSimulation(methodId); simulated && condition.id == "cam-2-5") {
+    if (const auto simulated = publishedSimulation(methodId); simulated && condition.id == "exact-cam-2-5") {
         ms = simulated->timeMs;
     }
     if (const auto inVivo = publishedInVivo(methodId); inVivo && condition.id == "nonrigid-1") {

@@ -18,22 +18,14 @@ FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const Targe
       prior_(prior),
       options_(options),
       target_(target),
-      partners_(problem),
       few_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
 {
 }
 
 RefinementResult FinalRefinement::refine(const CentroidPose& pose, const RefinementObserver& observe)
 {
-    if (const auto exact = partners_.refine(pose)) {
-        return {*exact, fewSchedule.startScalePx, 0, StopReason::Converged};
-    }
     few_.resetVisibility();
     RefinementResult result = core::refine(few_, prior_, pose, fewSchedule);
-    if (const auto exact = partners_.refine(result.pose)) {
-        result.pose = *exact;
-        return result;
-    }
     if (!all_) {
         const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
         all_.emplace(tellingPoints(problem_.tree, millimetresPerPixel(problem_.camera, depthMm)), problem_.camera,
@@ -44,8 +36,7 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations, true};
     result = core::refine(*all_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
-        const auto exact = partners_.refine(result.pose);
-        result.pose = exact ? *exact : refineTolerantly(*all_, prior_, result.pose, result.scalePx);
+        result.pose = refineTolerantly(*all_, prior_, result.pose, result.scalePx);
     }
     return result;
 }

@@ -1,14 +1,13 @@
 #pragma once
 
-#include "core/registration/alignment/exact_partners.h"
 #include "core/registration/alignment/graduated_refinement.h"
 
 #include <optional>
 
 namespace angiopose::core {
 
-/// From a roughly refined pose to the answer: few points until the noise shows, then all that can tell more, then what
-/// the data allow beyond that (exact partners, or tolerance of the tree's shape errors).
+/// From a roughly refined pose to the answer: few points until the noise shows, then all that can tell more, then
+/// tolerance of the tree's shape errors (ALGORITHMS §6.5, §6.14).
 class FinalRefinement {
 public:
     FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
@@ -21,9 +20,8 @@ private:
     const StartPrior& prior_;
     const RegistrationOptions& options_;
     const TargetLines& target_;
-    ExactPartners partners_;
     Alignment few_;
-    std::optional<Alignment> all_;   ///< made when first needed: exact partners never do
+    std::optional<Alignment> all_;   ///< made when first needed: its spacing follows from the depth
 };
 
 }   // namespace angiopose::core

@@ -179,13 +179,6 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
         problem.notes.push_back(says::targetReordered(static_cast<int>(reordered->reorderedPoints)).as(Severity::Note));
     }
     problem.target = sampledTarget(target, options);
-    for (const VesselBranch& branch : tree.branches) {
-        const auto& points = branch.pointsInPatient;
-        problem.givenTreePoints.insert(problem.givenTreePoints.end(), points.begin(), points.end());
-    }
-    for (const Curve2d& curve : target.curves) {
-        problem.givenTargetPoints.insert(problem.givenTargetPoints.end(), curve.pointsPx.begin(), curve.pointsPx.end());
-    }
     problem.freedom = freedomOf(input, options.locks, problem);
     problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds, options);
     problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();

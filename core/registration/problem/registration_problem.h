@@ -40,8 +40,6 @@ struct RegistrationProblem {
     Eigen::Vector3d wholeTreeCentroid = Eigen::Vector3d::Zero();   ///< by length, excluded branches too: what users see
     PoseFreedom freedom;   ///< by the options' locks
     TargetSamples target;
-    std::vector<Eigen::Vector3d> givenTreePoints;   ///< of the used branches, before resampling
-    std::vector<Eigen::Vector2d> givenTargetPoints;   ///< before resampling
     std::vector<int> auxiliary;   ///< {p'}: tree points by option `auxiliary`
     bool auxiliaryIsChosen = false;   ///< the user named branches for {p'}
     std::shared_ptr<const ImageF> image;   ///< as given, the size of the camera's; or null

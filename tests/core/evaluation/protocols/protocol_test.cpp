@@ -111,6 +111,16 @@ TEST(SimulationProtocol, DisturbsAboutSourceOrCentroid)
     EXPECT_NEAR(meanStartPx("obj-2-5"), 17.0, 4.0);
 }
 
+TEST(SimulationProtocol, HasExactPartnersOnlyWhereItSaysSo)
+{
+    for (const auto& [condition, isExact] :
+         {std::pair<std::string, bool>{"exact-obj-2-5", true}, {"obj-2-5", false}, {"cam-2-5", false}}) {
+        const Trial trial = makeTrial("simulation", condition, 4);
+        EXPECT_EQ(trial.targetIsExact, isExact) << condition;
+        EXPECT_EQ(trial.input.target.pointCount() == trial.tree->pointCount(), isExact) << condition;
+    }
+}
+
 TEST(SimulationProtocol, KnowsTheBoundOfDegradedTargets)
 {
     const Trial trial = makeTrial("simulation", "degraded-obj-2-5", 4);
