@@ -1,5 +1,6 @@
 #include "io/pose_file.h"
 
+#include "io/decode/itk_transform_file.h"
 #include "io/messages/says.h"
 #include "io/pose/itk_transform.h"
 #include "io/support/atomic_file.h"
@@ -61,6 +62,9 @@ core::Result<core::RigidTransform> readPose(const std::string& path)
         const auto pose = poseFromItkMatlab(content);
         return pose ? pose : fileError(path, pose.error());
     }
+    if (describeContent(content) == &says::anHdf5File) {
+        return poseFromItkHdf5(path);
+    }
     if (describeContent(content) == &says::aJsonFile || extension == ".json") {
         return poseFromJson(content, path);
     }
@@ -75,6 +79,9 @@ core::Status writePose(const core::RigidTransform& cameraFromPatient, const std:
     const std::string extension = extensionOf(path);
     if (extension == ".tfm") {
         return writeAtomically(path, itkText(cameraFromPatient));
+    }
+    if (extension == ".h5") {
+        return writeItkHdf5(cameraFromPatient, path);
     }
     if (extension == ".json") {
         return writeAtomically(path, jsonText(cameraFromPatient));

@@ -70,7 +70,7 @@ void addProject(CLI::App& app, int& exitCode)
     auto arguments = std::make_shared<ProjectArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--pose", arguments->posePath,
-                        "Pose: .json, or .tfm or .mat of ITK (default: the pose of the case)");
+                        "Pose: .json, or .tfm, .mat or .h5 of ITK (default: the pose of the case)");
     command->add_option("--output", arguments->outputPath, "Picture to write, .png")->required();
     command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));

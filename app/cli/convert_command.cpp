@@ -155,7 +155,7 @@ Status convert(const ConvertArguments& arguments)
     if (endsWith(out, {".stl"})) {
         return convertSurface(arguments);
     }
-    if (endsWith(out, {".json", ".tfm"})) {
+    if (endsWith(out, {".json", ".tfm", ".h5"})) {
         return convertPose(arguments);
     }
     if (endsWith(out, {".dcm"})) {

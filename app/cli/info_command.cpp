@@ -168,7 +168,7 @@ core::Result<Json> describe(const std::string& path)
     if (extension == ".stl" || extension == ".ply" || extension == ".obj") {
         return surfaceJson(path);
     }
-    if (extension == ".json" || extension == ".tfm" || extension == ".mat") {
+    if (extension == ".json" || extension == ".tfm" || extension == ".mat" || extension == ".h5") {
         return poseOrTreeJson(path);
     }
     const bool isTree =

@@ -100,7 +100,7 @@ void addConvert(CLI::App& app, int& exitCode)
         ->add_option(
             "OUT", arguments->outputPath,
             "Centrelines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
-            ".tfm; X-ray runs: .dcm")
+            ".tfm .h5; X-ray runs: .dcm")
         ->required();
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centreline file, mm")

@@ -199,7 +199,7 @@ void ExportController::askResult()
 
 void ExportController::askPose()
 {
-    askFile({tr("Export pose"), tr("Poses (*.json *.tfm)"), QStringLiteral("pose.json")},
+    askFile({tr("Export pose"), tr("Poses (*.json *.tfm *.h5)"), QStringLiteral("pose.json")},
             [pose = document_.current().shown().cameraFromPatient](const QString& path) {
                 return io::writePose(pose, path.toStdString());
             });

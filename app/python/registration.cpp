@@ -207,11 +207,11 @@ void bindRegistration(py::module_& module)
         "(1-sigma per axis), as headers are off by as much: `corrections` says by how much it did.");
     module.def(
         "readPose", [](const Path& path) { return readPose(path.string()); }, py::arg("path"),
-        "(4, 4) from .json, or an ITK .tfm or .mat.");
+        "(4, 4) from .json, or an ITK .tfm, .mat or .h5.");
     module.def(
         "writePose", [](const Pose& pose, const Path& path) { writePose(pose, path.string()); },
         py::arg("cameraFromPatient"), py::arg("path"),
-        "To .json or .tfm, by the extension; every number restores to the last bit.");
+        "To .json, .tfm or .h5, by the extension; every number restores to the last bit.");
 }
 
 }   // namespace angiopose::python

@@ -368,8 +368,8 @@
         <translation>Lage exportieren</translation>
     </message>
     <message>
-        <source>Poses (*.json *.tfm)</source>
-        <translation>Lagen (*.json *.tfm)</translation>
+        <source>Poses (*.json *.tfm *.h5)</source>
+        <translation>Lagen (*.json *.tfm *.h5)</translation>
     </message>
     <message>
         <source>No vessels have been traced in this frame yet.</source>
@@ -2587,9 +2587,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ist weder Volumen noch Oberfläche und ergibt daher kein Volumen. CT-Daten (DICOM, NIfTI, NRRD, MetaImage) oder eine Oberfläche wählen, oder einen anderen Ausgabenamen angeben.</translation>
     </message>
     <message>
-        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm.</source>
+        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
         <comment>convert.extension</comment>
-        <translation>diese Endung wird nicht geschrieben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm; Röntgenaufnahmen: .dcm.</translation>
+        <translation>diese Endung wird nicht geschrieben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm, .h5; Röntgenaufnahmen: .dcm.</translation>
     </message>
     <message>
         <source>this is the input, which is never overwritten. Choose another name.</source>
@@ -3957,6 +3957,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nennt mehr Daten, als in den Speicher passen. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
+        <source>it is decoded by the program %1, which is not there or does not start. Install AngioPose again.</source>
+        <comment>file.decoder-missing</comment>
+        <translation>wird von dem Programm %1 dekodiert, das fehlt oder nicht startet. AngioPose neu installieren.</translation>
+    </message>
+    <message>
+        <source>its content makes the decoder fail. The file is damaged; export it again, or in another format.</source>
+        <comment>file.decoder-died</comment>
+        <translation>ihr Inhalt lässt den Dekodierer scheitern. Die Datei ist beschädigt; neu oder in einem anderen Format exportieren.</translation>
+    </message>
+    <message>
+        <source>decoding it takes far longer than a file of its size may. The file is damaged; export it again.</source>
+        <comment>file.decoder-too-long</comment>
+        <translation>das Dekodieren dauert viel länger, als eine Datei dieser Größe brauchen darf. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
+        <source>decoding it takes far more memory than a file of its size may. The file is damaged; export it again.</source>
+        <comment>file.decoder-too-large</comment>
+        <translation>das Dekodieren braucht viel mehr Speicher, als eine Datei dieser Größe brauchen darf. Die Datei ist beschädigt; neu exportieren.</translation>
+    </message>
+    <message>
         <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
         <comment>file.hash-impossible</comment>
         <translation>SHA-256 lässt sich nicht berechnen. Die OpenSSL-Installation prüfen.</translation>
@@ -4057,14 +4077,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
     </message>
     <message>
-        <source>it is too large for a pose. Choose a .json, .tfm or .mat file.</source>
+        <source>it is too large for a pose. Choose a .json, .tfm, .mat or .h5 file.</source>
         <comment>pose.too-large</comment>
-        <translation>ist zu groß für eine Lage. Eine .json-, .tfm- oder .mat-Datei wählen.</translation>
+        <translation>ist zu groß für eine Lage. Eine .json-, .tfm-, .mat- oder .h5-Datei wählen.</translation>
     </message>
     <message>
-        <source>this is no pose. Choose a .json, or an ITK .tfm or .mat file.</source>
+        <source>this is no pose. Choose a .json, or an ITK .tfm, .mat or .h5 file.</source>
         <comment>pose.unknown</comment>
-        <translation>das ist keine Lage. Eine .json-Datei oder eine von ITK (.tfm, .mat) wählen.</translation>
+        <translation>das ist keine Lage. Eine .json-Datei oder eine von ITK (.tfm, .mat, .h5) wählen.</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
@@ -4072,9 +4092,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
     </message>
     <message>
-        <source>poses are written as .json or .tfm. Change the extension.</source>
+        <source>poses are written as .json, .tfm or .h5. Change the extension.</source>
         <comment>pose.extension</comment>
-        <translation>Lagen werden als .json oder .tfm geschrieben. Die Endung ändern.</translation>
+        <translation>Lagen werden als .json, .tfm oder .h5 geschrieben. Die Endung ändern.</translation>
     </message>
     <message>
         <source>this is not a log of observer trials. Choose another name.</source>

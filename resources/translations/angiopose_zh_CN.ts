@@ -368,8 +368,8 @@
         <translation>导出位姿</translation>
     </message>
     <message>
-        <source>Poses (*.json *.tfm)</source>
-        <translation>位姿 (*.json *.tfm)</translation>
+        <source>Poses (*.json *.tfm *.h5)</source>
+        <translation>位姿 (*.json *.tfm *.h5)</translation>
     </message>
     <message>
         <source>No vessels have been traced in this frame yet.</source>
@@ -2587,9 +2587,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>既不是体数据也不是表面，因此无法生成体数据。请选择扫描（DICOM、NIfTI、NRRD、MetaImage）或表面，或改用其他输出文件名。</translation>
     </message>
     <message>
-        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm; X-ray runs: .dcm.</source>
+        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
         <comment>convert.extension</comment>
-        <translation>不支持写入该扩展名。中心线：.vtp、.csv、.swc、.mrk.json；体数据：.nii、.nii.gz、.nrrd、.mha；表面：.stl；位姿：.json、.tfm；X 射线序列：.dcm。</translation>
+        <translation>不支持写入该扩展名。中心线：.vtp、.csv、.swc、.mrk.json；体数据：.nii、.nii.gz、.nrrd、.mha；表面：.stl；位姿：.json、.tfm、.h5；X 射线序列：.dcm。</translation>
     </message>
     <message>
         <source>this is the input, which is never overwritten. Choose another name.</source>
@@ -3957,6 +3957,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>声明的数据超过内存。文件损坏；请重新导出。</translation>
     </message>
     <message>
+        <source>it is decoded by the program %1, which is not there or does not start. Install AngioPose again.</source>
+        <comment>file.decoder-missing</comment>
+        <translation>它由程序 %1 解码，但该程序不存在或无法启动。请重新安装 AngioPose。</translation>
+    </message>
+    <message>
+        <source>its content makes the decoder fail. The file is damaged; export it again, or in another format.</source>
+        <comment>file.decoder-died</comment>
+        <translation>其内容导致解码程序失败。文件已损坏；请重新导出，或导出为其他格式。</translation>
+    </message>
+    <message>
+        <source>decoding it takes far longer than a file of its size may. The file is damaged; export it again.</source>
+        <comment>file.decoder-too-long</comment>
+        <translation>解码所需时间远超该大小的文件所应需。文件已损坏；请重新导出。</translation>
+    </message>
+    <message>
+        <source>decoding it takes far more memory than a file of its size may. The file is damaged; export it again.</source>
+        <comment>file.decoder-too-large</comment>
+        <translation>解码所需内存远超该大小的文件所应需。文件已损坏；请重新导出。</translation>
+    </message>
+    <message>
         <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
         <comment>file.hash-impossible</comment>
         <translation>无法计算 SHA-256。请检查 OpenSSL 安装。</translation>
@@ -4057,14 +4077,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 左上 3 x 3 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
-        <source>it is too large for a pose. Choose a .json, .tfm or .mat file.</source>
+        <source>it is too large for a pose. Choose a .json, .tfm, .mat or .h5 file.</source>
         <comment>pose.too-large</comment>
-        <translation>作为位姿过大。请选择 .json、.tfm 或 .mat 文件。</translation>
+        <translation>作为位姿过大。请选择 .json、.tfm、.mat 或 .h5 文件。</translation>
     </message>
     <message>
-        <source>this is no pose. Choose a .json, or an ITK .tfm or .mat file.</source>
+        <source>this is no pose. Choose a .json, or an ITK .tfm, .mat or .h5 file.</source>
         <comment>pose.unknown</comment>
-        <translation>这不是位姿。请选择 .json 或 ITK 的 .tfm、.mat 文件。</translation>
+        <translation>这不是位姿。请选择 .json 或 ITK 的 .tfm、.mat、.h5 文件。</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
@@ -4072,9 +4092,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位姿不是有限数的刚体变换。保存前请重置。</translation>
     </message>
     <message>
-        <source>poses are written as .json or .tfm. Change the extension.</source>
+        <source>poses are written as .json, .tfm or .h5. Change the extension.</source>
         <comment>pose.extension</comment>
-        <translation>位姿写为 .json 或 .tfm。请更改扩展名。</translation>
+        <translation>位姿写为 .json、.tfm 或 .h5。请更改扩展名。</translation>
     </message>
     <message>
         <source>this is not a log of observer trials. Choose another name.</source>

@@ -36,7 +36,7 @@ TEST(Sha256OfFile, MatchesTheStandardsExample)
 TEST(WritePose, RestoresEveryBit)
 {
     const test::TemporaryFolder folder;
-    for (const char* name : {"pose.json", "pose.tfm"}) {
+    for (const char* name : {"pose.json", "pose.tfm", "pose.h5"}) {
         ASSERT_TRUE(io::writePose(oddPose(), folder.file(name)));
         const auto pose = io::readPose(folder.file(name));
         ASSERT_TRUE(pose) << pose.error().message;
@@ -101,6 +101,19 @@ TEST(ReadPose, TakesTheMatlabFilesOfItk)
     EXPECT_TRUE((pose.value() * centre).isApprox(centre + Eigen::Vector3d(1.5, -2, 740.25), 1e-14));
     for (std::size_t size = 0; size < content.size(); ++size) {
         EXPECT_FALSE(io::readPose(folder.write("cut.mat", content.substr(0, std::max<std::size_t>(size, 1)))));
+    }
+}
+
+TEST(ReadPose, CutHdf5FilesAreRefused)
+{
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(io::writePose(oddPose(), folder.file("pose.h5")));
+    const std::string content = test::readText(folder.file("pose.h5"));
+    ASSERT_GT(content.size(), 1000U);
+    for (std::size_t size = 8; size < content.size(); size += content.size() / 40) {
+        const auto pose = io::readPose(folder.write("cut.h5", content.substr(0, size)));
+        ASSERT_FALSE(pose) << size;
+        EXPECT_TRUE(pose.error().message.text().starts_with(folder.file("cut.h5"))) << pose.error().message;
     }
 }
 

@@ -134,7 +134,9 @@ std::vector<SmallFile> smallFiles(const std::string& dataFolder, const std::stri
     for (const char* name : {"tree.vtp", "tree.csv", "tree.swc", "tree.mrk.json"}) {
         written(name, [](const std::string& path) { return io::writeVesselTree(smallTree(), path); });
     }
-    written("pose.tfm", [](const std::string& path) { return io::writePose({}, path); });
+    for (const char* name : {"pose.tfm", "pose.h5"}) {
+        written(name, [](const std::string& path) { return io::writePose({}, path); });
+    }
     files.push_back({"pose.mat", matlabPose()});
     files.push_back({"lines.vtk", legacyText});
     files.push_back({"grid.vtk", gridText});

@@ -109,10 +109,10 @@ struct MultiViewResult {
 ANGIOPOSE_EXPORT MultiViewResult registerViews(const std::vector<RegistrationInput>& views,
                                                const RegistrationOptions& options = {}, const Observer& observe = {});
 
-/// From .json, or an ITK .tfm or .mat; the latter map patient points to camera points.
+/// From .json, or an ITK .tfm, .mat or .h5; the latter map patient points to camera points.
 ANGIOPOSE_EXPORT Pose readPose(const std::string& path);
 
-/// To .json or .tfm, by the extension; every number restores to the last bit.
+/// To .json, .tfm or .h5, by the extension; every number restores to the last bit.
 ANGIOPOSE_EXPORT void writePose(const Pose& cameraFromPatient, const std::string& path);
 
 }   // namespace angiopose

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+// What a helper program writes to its standard output: progress as single bytes of percent, then one byte that says
+// what follows, the length of that and that. Both programs run on one machine: numbers are as memory holds them.
+
+namespace angiopose::io {
+
+constexpr unsigned char largestPercent = 100;
+
+/// What follows the progress.
+enum class ReplyKind : unsigned char {
+    Result = 201,
+    Refusal = 202,   ///< the library found the file damaged; what follows says where, or is empty
+    TooLarge = 203,   ///< it needed more memory than it was given
+};
+
+struct DecoderReply {
+    ReplyKind kind = ReplyKind::Refusal;
+    std::string content;
+};
+
+/// Values in a row, as bytes: numbers (and arrays of numbers), texts, and vectors and maps of them.
+class ReplyWriter {
+public:
+    template <class Value>
+    requires std::is_arithmetic_v<Value>
+    void put(const Value& value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
+
+    template <class Value, std::size_t Count>
+    void put(const std::array<Value, Count>& values)
+    {
+        putAll(values);
+    }
+
+    void put(const std::string& text)
+    {
+        put(std::uint64_t{text.size()});
+        bytes_ += text;
+    }
+    template <class Value>
+    void put(const std::vector<Value>& values)
+    {
+        put(std::uint64_t{values.size()});
+        putAll(values);
+    }
+    template <class Value>
+    void put(const std::map<std::string, Value>& values)
+    {
+        put(std::uint64_t{values.size()});
+        for (const auto& [name, value] : values) {
+            put(name);
+            put(value);
+        }
+    }
+
+    std::string bytes() && { return std::move(bytes_); }
+
+private:
+    template <class Values>
+    void putAll(const Values& values)
+    {
+        for (const auto& value : values) {
+            put(value);
+        }
+    }
+
+    std::string bytes_;
+};
+
+/// Takes them back. Nothing is allocated for values that the bytes cannot hold; once one is missing all that follow
+/// are.
+class ReplyReader {
+public:
+    explicit ReplyReader(std::string_view bytes) : rest_(bytes) {}
+
+    template <class Value>
+    requires std::is_arithmetic_v<Value>
+    void take(Value& value)
+    {
+        if (has(sizeof value)) {
+            std::memcpy(&value, rest_.data(), sizeof value);
+            rest_.remove_prefix(sizeof value);
+        }
+    }
+    template <class Value, std::size_t Count>
+    void take(std::array<Value, Count>& values)
+    {
+        takeAll(values);
+    }
+
+    void take(std::string& text)
+    {
+        text = rest_.substr(0, takeCount(1));
+        rest_.remove_prefix(text.size());
+    }
+    template <class Value>
+    void take(std::vector<Value>& values)
+    {
+        values.resize(takeCount(std::is_arithmetic_v<Value> ? sizeof(Value) : 8));
+        takeAll(values);
+    }
+    template <class Value>
+    void take(std::map<std::string, Value>& values)
+    {
+        for (std::size_t left = takeCount(16); left > 0 && isSound_; --left) {
+            std::string name;
+            take(name);
+            take(values[name]);
+        }
+    }
+
+    /// True when everything was there, and nothing else.
+    bool isDone() const { return isSound_ && rest_.empty(); }
+
+private:
+    bool has(std::size_t size)
+    {
+        isSound_ = isSound_ && size <= rest_.size();
+        return isSound_;
+    }
+    /// A number of things of at least `size` bytes each.
+    std::size_t takeCount(std::size_t size)
+    {
+        std::uint64_t count = 0;
+        take(count);
+        isSound_ = isSound_ && count <= rest_.size() / size;
+        return isSound_ ? static_cast<std::size_t>(count) : 0;
+    }
+    template <class Values>
+    void takeAll(Values& values)
+    {
+        for (auto& value : values) {
+            take(value);
+        }
+    }
+
+    std::string_view rest_;
+    bool isSound_ = true;
+};
+
+}   // namespace angiopose::io
