@@ -6,14 +6,14 @@
 namespace angiopose::core {
 namespace {
 
-/// The registered views, each with its pose from `poseOf`; the others as they are.
+/// The registered views, each with its pose from `poseOf` its place; the others as they are.
 template <class PoseOf>
 std::vector<View> withPoses(const Case& theCase, const PoseOf& poseOf)
 {
     std::vector<View> views = theCase.views;
     for (const std::size_t place : registeredViews(theCase)) {
         View& view = views[place];
-        view.cameraFromPatient = poseOf(view);
+        view.cameraFromPatient = poseOf(place);
         view.result.reset();
         view.caseFile = {};
     }
@@ -61,18 +61,24 @@ std::vector<View> viewsAt(const Case& theCase, const std::vector<std::size_t>& p
     return views;
 }
 
+RigidTransform poseMovedAlong(const Case& theCase, std::size_t place, const RigidTransform& cameraFromPatient)
+{
+    if (place == theCase.shownView) {
+        return cameraFromPatient;   // to the last bit
+    }
+    const RigidTransform patientMotion = theCase.shown().cameraFromPatient.inverse() * cameraFromPatient;
+    return theCase.views[place].cameraFromPatient * patientMotion;
+}
+
 std::vector<View> movedAlong(const Case& theCase, const RigidTransform& cameraFromPatient)
 {
-    const RigidTransform patientMotion = theCase.shown().cameraFromPatient.inverse() * cameraFromPatient;
-    auto views =
-        withPoses(theCase, [&patientMotion](const View& view) { return view.cameraFromPatient * patientMotion; });
-    views[theCase.shownView].cameraFromPatient = cameraFromPatient;   // to the last bit
-    return views;
+    return withPoses(theCase, [&](std::size_t place) { return poseMovedAlong(theCase, place, cameraFromPatient); });
 }
 
 std::vector<View> atStart(const Case& theCase)
 {
-    return withPoses(theCase, [&theCase](const View& view) {
+    return withPoses(theCase, [&theCase](std::size_t place) {
+        const View& view = theCase.views[place];
         const auto start = startPoseOf(view, theCase.vessels);
         return start ? start.value() : view.cameraFromPatient;
     });

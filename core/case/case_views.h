@@ -21,6 +21,10 @@ std::vector<std::size_t> registeredViews(const Case& theCase);
 /// These views, in the same order.
 std::vector<View> viewsAt(const Case& theCase, const std::vector<std::size_t>& places);
 
+/// The pose in view `place` when the vessels are moved to `cameraFromPatient` in the shown one and the cameras keep
+/// their places to each other.
+RigidTransform poseMovedAlong(const Case& theCase, std::size_t place, const RigidTransform& cameraFromPatient);
+
 /// The views after the vessels were moved to `cameraFromPatient` in the shown one: the cameras keep their places to
 /// each other, as they are now, and results of runs hold no longer. Views without an image stay as they are.
 std::vector<View> movedAlong(const Case& theCase, const RigidTransform& cameraFromPatient);

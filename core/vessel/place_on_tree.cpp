@@ -45,8 +45,8 @@ std::optional<Eigen::Vector3d> nearestOnTree(const VesselTree& tree, const Eigen
     return std::isfinite(nearest.distance) ? std::optional(nearest.pointInPatient) : std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const TreeSight& sight,
-                                               const Eigen::Vector2d& pixel, double reachPx)
+std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const Sight& sight, const Eigen::Vector2d& pixel,
+                                               double reachPx)
 {
     Nearest nearest;
     for (const VesselBranch& branch : tree.branches) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/geometry/projection_camera.h"
-#include "core/geometry/rigid_transform.h"
+#include "core/geometry/sight.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <optional>
@@ -11,14 +10,8 @@ namespace angiopose::core {
 /// The place on the tree nearest to a point in space; nothing on an empty tree.
 std::optional<Eigen::Vector3d> nearestOnTree(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
-/// How a tree is seen.
-struct TreeSight {
-    ProjectionCamera camera;
-    RigidTransform cameraFromPatient;
-};
-
 /// The place on the tree that projects nearest to a pixel; nothing where that is farther than `reachPx`.
-std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const TreeSight& sight,
-                                               const Eigen::Vector2d& pixel, double reachPx);
+std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const Sight& sight, const Eigen::Vector2d& pixel,
+                                               double reachPx);
 
 }   // namespace angiopose::core

@@ -26,7 +26,7 @@ TEST(PlaceOnTree, IsBetweenThePointsOfABranch)
 
 TEST(PlaceOnTree, IsFoundUnderThePixelThatShowsIt)
 {
-    const TreeSight sight{{-2000.0, 2000.0, 256.0, 256.0, 512, 512}, {Eigen::Matrix3d::Identity(), {0.0, 0.0, 700.0}}};
+    const Sight sight{{-2000.0, 2000.0, 256.0, 256.0, 512, 512}, {Eigen::Matrix3d::Identity(), {0.0, 0.0, 700.0}}};
     const Eigen::Vector3d shown(0.0, 12.0, 50.0);
     const auto pixel = project(sight.camera, sight.cameraFromPatient * shown);
     ASSERT_TRUE(pixel);
@@ -38,7 +38,7 @@ TEST(PlaceOnTree, IsFoundUnderThePixelThatShowsIt)
 
 TEST(PlaceOnTree, BehindTheSourceIsNowhere)
 {
-    const TreeSight sight{{-2000.0, 2000.0, 256.0, 256.0, 512, 512}, {Eigen::Matrix3d::Identity(), {0.0, 0.0, -700.0}}};
+    const Sight sight{{-2000.0, 2000.0, 256.0, 256.0, 512, 512}, {Eigen::Matrix3d::Identity(), {0.0, 0.0, -700.0}}};
     EXPECT_FALSE(placeUnderPixel(crossing(), sight, {256.0, 256.0}, 1e6));
 }
 

@@ -15,7 +15,7 @@ std::vector<Eigen::Vector3d> straight(const Eigen::Vector3d& from, const Eigen::
 }
 
 /// A trunk of 80 mm, left in its middle by a branch of 40 mm, which forks into two of 40 mm.
-TreeSamples forkedTree()
+TreeSamples forkedSamples()
 {
     VesselTree tree;
     tree.branches.push_back({1, "", straight({0, 0, 0}, {0, 0, 80}), {}});
@@ -31,7 +31,7 @@ TreeSamples forkedTree()
 }
 
 struct VesselFillingTest : ::testing::Test {
-    TreeSamples tree = forkedTree();
+    TreeSamples tree = forkedSamples();
     VesselFilling filling{tree};
 
     std::vector<std::uint8_t> likeliest(const std::vector<double>& gain) { return filling.likeliest(gain, 6.0); }

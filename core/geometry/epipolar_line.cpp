@@ -1,0 +1,78 @@
+#include "core/geometry/epipolar_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+/// A ray in the frame of a camera, mm; its direction is a unit vector.
+struct CameraRay {
+    Eigen::Vector3d origin;
+    Eigen::Vector3d direction;
+};
+
+/// From where to where on a ray, mm from its origin.
+struct RayStretch {
+    double from = 0.0;
+    double to = std::numeric_limits<double>::infinity();
+
+    /// Keeps what of it fulfils `value + slope s >= 0`.
+    void keepWhere(double value, double slope)
+    {
+        if (slope > 0.0) {
+            from = std::max(from, -value / slope);
+        } else if (slope < 0.0) {
+            to = std::min(to, -value / slope);
+        } else if (!(value >= 0.0)) {
+            to = -std::numeric_limits<double>::infinity();
+        }
+    }
+
+    /// Likewise of a linear function of the place: `normal · X >= offset`.
+    void keepWhere(const CameraRay& ray, const Eigen::Vector3d& normal, double offset)
+    {
+        keepWhere(normal.dot(ray.origin) - offset, normal.dot(ray.direction));
+    }
+};
+
+/// What of the ray the camera shows: in front of the source, u ≥ −½ is `fx X + (cx + ½) Z ≥ 0`, and so on.
+RayStretch seenBy(const ProjectionCamera& camera, const CameraRay& ray)
+{
+    RayStretch seen;
+    seen.keepWhere(ray, Eigen::Vector3d::UnitZ(), minProjectableDepthMm);
+    seen.keepWhere(ray, {camera.fx, 0.0, camera.cx + 0.5}, 0.0);
+    seen.keepWhere(ray, {-camera.fx, 0.0, camera.width - 0.5 - camera.cx}, 0.0);
+    seen.keepWhere(ray, {0.0, camera.fy, camera.cy + 0.5}, 0.0);
+    seen.keepWhere(ray, {0.0, -camera.fy, camera.height - 0.5 - camera.cy}, 0.0);
+    return seen;
+}
+
+/// A place on the ray as a pixel; at infinity the vanishing point.
+Eigen::Vector2d pixelAt(const ProjectionCamera& camera, const CameraRay& ray, double mm)
+{
+    const Eigen::Vector3d at = std::isfinite(mm) ? Eigen::Vector3d(ray.origin + mm * ray.direction) : ray.direction;
+    return {camera.fx * at.x() / at.z() + camera.cx, camera.fy * at.y() / at.z() + camera.cy};
+}
+
+}   // namespace
+
+std::optional<ImageSegment> epipolarLine(const Sight& first, const Eigen::Vector2d& pixel, const Sight& other)
+{
+    if (findProblem(first.camera) || findProblem(other.camera)) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d throughPixel = rayThroughPixel(first.camera, pixel);
+    const RigidTransform otherFromFirst = other.cameraFromPatient * first.cameraFromPatient.inverse();
+    const CameraRay ray{otherFromFirst.translation, otherFromFirst.rotation * throughPixel};
+    RayStretch seen = seenBy(other.camera, ray);
+    seen.from = std::max(seen.from, minProjectableDepthMm / throughPixel.z());
+    if (!(seen.from <= seen.to)) {
+        return std::nullopt;
+    }
+    const ImageSegment segment{pixelAt(other.camera, ray, seen.from), pixelAt(other.camera, ray, seen.to)};
+    return segment.beginPx.allFinite() && segment.endPx.allFinite() ? std::optional(segment) : std::nullopt;
+}
+
+}   // namespace angiopose::core
