@@ -53,6 +53,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
               window.trialBar(), window.strip(), window}),
       places_(window),
       views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
+      sideBySide_({document_, preview_, branches_, look_, views_},
+                  {window.actions(), window.views(), window.sideBySide()}),
+      crosshair_(document_, preview_,
+                 {window.actions(), window.views(), window.sideBySide(), window.treeView(), window.slices()}),
       follow_({document_, review_, judgement_, sync_, preview_, session_.exporting(), notices_, window.actions(),
                window.result(), window.strip()}),
       radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
@@ -104,6 +108,8 @@ void CaseController::connectNotes()
     connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
     connect(&treeActions_, &TreeActions::refused, &notices_, &Notices::showNote);
     connect(&views_, &ViewController::refused, &notices_, &Notices::showNote);
+    connect(&sideBySide_, &SideBySideController::told, &notices_, &Notices::showNote);
+    connect(&crosshair_, &LinkedCrosshair::told, &notices_, &Notices::showNote);
     connect(&pivot_, &PivotController::told, &notices_, &Notices::showNote);
     connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
@@ -122,6 +128,8 @@ void CaseController::connectTracing()
 void CaseController::connectReview()
 {
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
+    connect(&window_.registration(), &ui::RegistrationPanel::allViewsToggled, &preview_,
+            &PosePreview::setMovesAllViews);
     connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
 }
 

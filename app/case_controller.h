@@ -34,6 +34,8 @@
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 #include "app/step_controller.h"
+#include "app/views/linked_crosshair.h"
+#include "app/views/side_by_side_controller.h"
 #include "app/views/view_controller.h"
 #include "ui/main_window.h"
 
@@ -108,6 +110,8 @@ private:
     PoseTools poses_;
     ViewPlacesController places_;
     ViewController views_;
+    SideBySideController sideBySide_;
+    LinkedCrosshair crosshair_;
     FollowController follow_;
     RadiographController radiograph_;
     Habits habits_;

@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/controls/wheel_guard.h"
+#include "ui/places/side_by_side.h"
 #include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(QWidget* parent)
       slicesPage_(new SlicesPage(*slices_)),
       tracing_(new TracingPanel),
       angiogramView_(new AngiogramView),
+      sideBySide_(new SideBySide(*angiogramView_)),
       views_(new ViewStrip),
       welcome_(new WelcomePage),
       centre_(new QStackedWidget),
@@ -127,7 +129,7 @@ QWidget* MainWindow::makeLeftColumn()
     return leftSplitter_;
 }
 
-/// The angiogram with the strip of its views: they leave together.
+/// The angiogram with the strip of its views, and those beside it: they leave together.
 QWidget* MainWindow::makeImagePlace()
 {
     auto* place = new QWidget;
@@ -135,7 +137,7 @@ QWidget* MainWindow::makeImagePlace()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(views_);
-    layout->addWidget(angiogramView_, 1);
+    layout->addWidget(sideBySide_, 1);
     place->setFocusProxy(angiogramView_);
     return place;
 }

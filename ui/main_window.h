@@ -31,6 +31,7 @@ namespace angiopose::ui {
 
 class AngiogramView;
 class CornerViews;
+class SideBySide;
 class SlicesPage;
 class TreeView;
 class ViewFrame;
@@ -46,6 +47,7 @@ public:
 
     AngiogramView& angiogramView() { return *angiogramView_; }
     ViewStrip& views() { return *views_; }
+    SideBySide& sideBySide() { return *sideBySide_; }
     TreeView& treeView() { return *treeView_; }
     SliceModel& slices() { return *slices_; }
     CornerViews& corner() { return *corner_; }
@@ -120,6 +122,7 @@ private:
     SlicesPage* slicesPage_;
     TracingPanel* tracing_;
     AngiogramView* angiogramView_;
+    SideBySide* sideBySide_;
     ViewStrip* views_;
     WelcomePage* welcome_;
     QStackedWidget* centre_;

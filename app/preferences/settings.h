@@ -36,6 +36,8 @@ inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
+inline const Setting<bool> sideBySide{"view/sideBySide", false};
+inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between views side by side
 inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
 inline const Setting<QString> observer{"user/observer", {}};   ///< of the last blind trial
 inline const Setting<QString> trialLog{"user/trialLog", {}};

@@ -13,13 +13,13 @@ using namespace std::chrono_literals;
 constexpr qsizetype keptSeries = 200;
 
 /// A series without telling whose it is: settings are no place for identities.
-QString seriesKey(const core::Case& current)
+QString seriesKey(const core::View& view)
 {
-    if (!current.shown().angiogram) {
+    if (!view.angiogram) {
         return {};
     }
-    const std::string& uid = current.shown().angiogram->identity.seriesUid;
-    const std::string& known = uid.empty() ? current.shown().imageFile.sha256 : uid;
+    const std::string& uid = view.angiogram->identity.seriesUid;
+    const std::string& known = uid.empty() ? view.imageFile.sha256 : uid;
     const QByteArray text(known.data(), static_cast<qsizetype>(known.size()));
     return known.empty() ? QString()
                          : QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex());
@@ -34,7 +34,8 @@ BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::AngiogramVi
     storing_.setInterval(2s);
     connect(&storing_, &QTimer::timeout, this, [this] { settings::brightness.write(remembered_); });
     connect(&document_, &CaseDocument::changed, this, &BrightnessMemory::followDocument);
-    connect(&view_, &ui::AngiogramView::windowLevelChanged, this, &BrightnessMemory::remember);
+    connect(&view_, &ui::AngiogramView::windowLevelChanged, this,
+            [this](double window, double level) { keep(series_, window, level); });
 }
 
 BrightnessMemory::~BrightnessMemory()
@@ -55,28 +56,39 @@ void BrightnessMemory::followDocument()
 
 void BrightnessMemory::recall()
 {
-    const QString series = seriesKey(document_.current());
-    bool isKnown = false;
-    for (const QString& line : std::as_const(remembered_)) {
-        const QStringList parts = line.split(QLatin1Char(' '));
-        if (parts.size() == 3 && parts[0] == series) {
-            isKnown = true;
-            view_.setWindowLevel(parts[1].toDouble(), parts[2].toDouble());
-            break;
-        }
-    }
-    if (!isKnown && shown_) {
+    if (const auto range = rangeOf(document_.current().shown())) {
+        view_.setWindowLevel(range->window(), range->level());
+    } else if (shown_) {
         view_.autoWindowLevel();
     }
-    series_ = series;
+    series_ = seriesKey(document_.current().shown());
 }
 
-void BrightnessMemory::remember(double window, double level)
+std::optional<core::DisplayRange> BrightnessMemory::rangeOf(const core::View& view) const
 {
-    if (series_.isEmpty()) {
+    const QString series = seriesKey(view);
+    for (const QString& line : remembered_) {
+        const QStringList parts = line.split(QLatin1Char(' '));
+        if (parts.size() == 3 && parts[0] == series) {
+            const double window = parts[1].toDouble();
+            const double level = parts[2].toDouble();
+            return core::DisplayRange{level - 0.5 * window, level + 0.5 * window};
+        }
+    }
+    return std::nullopt;
+}
+
+void BrightnessMemory::keep(const core::View& view, double window, double level)
+{
+    keep(seriesKey(view), window, level);
+}
+
+void BrightnessMemory::keep(const QString& series, double window, double level)
+{
+    if (series.isEmpty()) {
         return;
     }
-    const QString prefix = series_ + QLatin1Char(' ');
+    const QString prefix = series + QLatin1Char(' ');
     remembered_.removeIf([&prefix](const QString& line) { return line.startsWith(prefix); });
     remembered_.prepend(prefix + QString::number(window, 'g', 9) + QLatin1Char(' ') + QString::number(level, 'g', 9));
     remembered_ = remembered_.first(std::min(remembered_.size(), keptSeries));

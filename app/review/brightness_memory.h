@@ -1,12 +1,14 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "core/imaging/display_range.h"
 
 #include <QObject>
 #include <QStringList>
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 
 namespace angiopose::ui {
 class AngiogramView;
@@ -22,10 +24,13 @@ public:
     BrightnessMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent = nullptr);
     ~BrightnessMemory() override;
 
+    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< as its series was left, where known
+    void keep(const core::View& view, double window, double level);
+
 private:
     void followDocument();
     void recall();
-    void remember(double window, double level);
+    void keep(const QString& series, double window, double level);
 
     const CaseDocument& document_;
     ui::AngiogramView& view_;

@@ -7,6 +7,8 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/words/number.h"
 
+#include <QApplication>
+
 #include <algorithm>
 
 namespace angiopose::app {
@@ -27,22 +29,23 @@ void LookController::connectOverlay()
 {
     ui::WindowActions& actions = ui_.actions;
     ui::AngiogramView& view = ui_.view;
-    connect(actions[ui::Command::Fit], &QAction::triggered, &view, &ui::AngiogramView::fitToWindow);
+    connect(actions[ui::Command::Fit], &QAction::triggered, this, [this] { image().fitToWindow(); });
     connect(actions[ui::Command::Outline], &QAction::triggered, this, &LookController::nextStyle);
     connect(actions[ui::Command::Swipe], &QAction::triggered, this, &LookController::nextCutout);
     connect(actions[ui::Command::WorstBranch], &QAction::triggered, this, &LookController::showNextWorst);
     connect(actions[ui::Command::FromSource], &QAction::toggled, this, [this, &view](bool on) {
         view.setFromSource(on);
+        emit changed();
         ui_.strip.showStatus(on ? tr("Seen from the source: only the view is mirrored") : tr("Seen from the detector"));
     });
     connect(actions[ui::Command::DepthCue], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().setDepthCue(on ? ui::DepthCue::NearBright : ui::DepthCue::None);
-        view.update();
+        redraw();
         ui_.strip.showStatus(on ? tr("Near vessels bright, far ones dim") : tr("Depth cue off"));
     });
-    connect(actions[ui::Command::ShowTrace], &QAction::toggled, &view, [&view](bool on) {
+    connect(actions[ui::Command::ShowTrace], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().showTracedCenterline(on);
-        view.update();
+        redraw();
     });
     connect(actions[ui::Command::MoreOpacity], &QAction::triggered, this, [this] { changeOpacity(opacityStep); });
     connect(actions[ui::Command::LessOpacity], &QAction::triggered, this, [this] { changeOpacity(-opacityStep); });
@@ -63,24 +66,36 @@ void LookController::connectBrightness()
     ui::AngiogramPanel& panel = ui_.panel;
     connect(&view, &ui::AngiogramView::windowLevelChanged, &panel, &ui::AngiogramPanel::showWindowLevel);
     connect(&panel, &ui::AngiogramPanel::windowLevelTyped, &view, &ui::AngiogramView::setWindowLevel);
-    connect(actions[ui::Command::AutoWindow], &QAction::triggered, &view, &ui::AngiogramView::autoWindowLevel);
+    connect(actions[ui::Command::AutoWindow], &QAction::triggered, this, [this] { image().autoWindowLevel(); });
     connect(actions[ui::Command::VesselWindow], &QAction::triggered, this, [this] {
         const auto& angiogram = document_.current().shown().angiogram;
         const core::Polarity polarity = angiogram ? angiogram->polarity : core::Polarity::VesselsDark;
-        showRange(core::vesselRange(ui_.view.scene().frame(), polarity));
+        showRange(core::vesselRange(image().scene().frame(), polarity));
     });
     connect(actions[ui::Command::SoftWindow], &QAction::triggered, this, [this] {
         constexpr double soft = 1.8;
-        ui_.view.autoWindowLevel();
+        image().autoWindowLevel();
         scaleWindow(soft);
     });
     connect(actions[ui::Command::FullRange], &QAction::triggered, this, &LookController::showFullRange);
     connect(actions[ui::Command::MoreContrast], &QAction::triggered, this, [this] { scaleWindow(0.5); });
     connect(actions[ui::Command::LessContrast], &QAction::triggered, this, [this] { scaleWindow(2.0); });
-    connect(actions[ui::Command::Invert], &QAction::toggled, &view, [&view](bool on) {
+    connect(actions[ui::Command::Invert], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().setInverted(on);
-        view.update();
+        redraw();
     });
+}
+
+ui::AngiogramView& LookController::image() const
+{
+    auto* focused = qobject_cast<ui::AngiogramView*>(QApplication::focusWidget());
+    return focused ? *focused : ui_.view;
+}
+
+void LookController::redraw()
+{
+    ui_.view.update();
+    emit changed();
 }
 
 void LookController::holdHidden(bool held)
@@ -92,7 +107,7 @@ void LookController::holdHidden(bool held)
 void LookController::showStyle()
 {
     ui_.view.scene().setMode(heldHidden_ || isRadiograph_ ? ui::OverlayMode::Hidden : style_);
-    ui_.view.update();
+    redraw();
     emit radiographWanted(isRadiograph_ && !heldHidden_);
 }
 
@@ -138,25 +153,25 @@ void LookController::changeOpacity(double by)
     const double opacity = std::clamp(settings::overlayOpacity.read() + by, opacityStep, 1.0);
     settings::overlayOpacity.write(opacity);
     ui_.view.scene().setOpacity(opacity);
-    ui_.view.update();
+    redraw();
     ui_.strip.showStatus(tr("Overlay opacity %1 %").arg(ui::numberText(100.0 * opacity, 0)));
 }
 
 void LookController::scaleWindow(double factor)
 {
-    ui::AngiogramView& view = ui_.view;
+    ui::AngiogramView& view = image();
     const core::DisplayRange shown = view.shownRange();
     view.setWindowLevel(factor * shown.window(), shown.level());
 }
 
 void LookController::showRange(const core::DisplayRange& range)
 {
-    ui_.view.setWindowLevel(range.window(), range.level());
+    image().setWindowLevel(range.window(), range.level());
 }
 
 void LookController::showFullRange()
 {
-    ui::AngiogramView& view = ui_.view;
+    ui::AngiogramView& view = image();
     const std::vector<float>& pixels = view.scene().frame().pixels;
     if (!pixels.empty()) {
         const auto [low, high] = std::ranges::minmax(pixels);

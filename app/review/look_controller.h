@@ -37,13 +37,20 @@ public:
     /// What W goes through, from the worst branch on.
     void knowResiduals(std::vector<core::BranchResidual> branches, double millimetresPerPixel);
 
+    /// As what the vessels are drawn, where nobody makes radiographs of them.
+    ui::OverlayMode lines() const { return heldHidden_ ? ui::OverlayMode::Hidden : style_; }
+    BrightnessMemory& brightness() { return brightness_; }
+
 signals:
+    void changed();   ///< how the overlay looks, or the image's inversion
     void branchWanted(int branchId);   ///< to be selected
     void radiographWanted(bool wanted);   ///< of the vessels, in place of their lines
 
 private:
     void connectOverlay();
     void connectBrightness();
+    ui::AngiogramView& image() const;   ///< that has the keys; else the shown one
+    void redraw();
     void showStyle();
     void nextStyle();
     QString radiographWords() const;

@@ -1,5 +1,7 @@
 #include "app/showing/pose_preview.h"
 
+#include "core/case/case_views.h"
+
 #include <utility>
 
 namespace angiopose::app {
@@ -30,6 +32,30 @@ void PosePreview::end(PreviewOf whose)
 const core::RigidTransform& PosePreview::pose() const
 {
     return shown_ ? pose_ : document_.current().shown().cameraFromPatient;
+}
+
+core::RigidTransform PosePreview::poseIn(std::size_t view) const
+{
+    const core::Case& current = document_.current();
+    if (view == current.shownView) {
+        return pose();
+    }
+    const core::View& other = current.views[view];
+    if (!shown_ || !movesAllViews_ || shown_ == PreviewOf::Frame) {
+        return other.cameraFromPatient;
+    }
+    if (shown_ == PreviewOf::Start) {
+        const auto start = core::startPoseOf(other, current.vessels);
+        return start ? start.value() : other.cameraFromPatient;
+    }
+    return core::poseMovedAlong(current, view, pose_);
+}
+
+void PosePreview::setMovesAllViews(bool all)
+{
+    if (std::exchange(movesAllViews_, all) != all) {
+        emit changed();
+    }
 }
 
 }   // namespace angiopose::app

@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include <cstddef>
 #include <optional>
 
 namespace angiopose::app {
@@ -27,6 +28,11 @@ public:
 
     std::optional<PreviewOf> shown() const { return shown_; }   ///< nothing: the document's pose
     const core::RigidTransform& pose() const;   ///< camera from patient, as it is shown
+    /// Camera from patient in any view of the case as it is shown: where the views move together, the others go along
+    /// with a preview; each has its own start pose, and following a run moves none but the shown one.
+    core::RigidTransform poseIn(std::size_t view) const;
+    void setMovesAllViews(bool all);   ///< where the case has several
+    bool movesAllViews() const { return movesAllViews_; }
     ResidualColors colors() const { return colors_; }
 
 signals:
@@ -38,6 +44,7 @@ private:
     std::optional<PreviewOf> shown_;
     core::RigidTransform pose_;   ///< of the preview
     ResidualColors colors_ = ResidualColors::Kept;
+    bool movesAllViews_ = true;
 };
 
 }   // namespace angiopose::app

@@ -2,6 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 
+#include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
 #include "app/words/corner_words.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
@@ -14,10 +15,8 @@
 #include "ui/views/tree_view.h"
 #include "ui/words/spoken.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace angiopose::app {
@@ -27,28 +26,6 @@ double sourceToDetectorMm(const core::Case& current)
 {
     // Only the drawing of the detector hangs on this: a usual C-arm where nobody says.
     return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
-}
-
-double depthOfTreeMm(const core::Case& current)
-{
-    const double depth = (current.shown().cameraFromPatient * core::centroidInPatient(*current.vessels.tree)).z();
-    return std::max(depth, core::minProjectableDepthMm);
-}
-
-/// Whether the tree's coordinates are the patient's. A case brings its own start pose with whatever axes its tree has:
-/// believed only while it agrees with the angles of the C-arm, which are the patient's.
-bool isOrientationKnown(const core::Case& current)
-{
-    constexpr double farthestDeg = 45.0;
-    core::View byAngles = current.shown();
-    byAngles.initialCameraFromPatient.reset();
-    const auto expected = core::startPoseOf(byAngles, current.vessels);
-    if (!expected) {
-        return false;
-    }
-    const Eigen::AngleAxisd turn(
-        Eigen::Matrix3d(expected.value().rotation * current.shown().cameraFromPatient.rotation.transpose()));
-    return std::abs(turn.angle()) < farthestDeg * std::numbers::pi / 180.0;
 }
 
 /// Bar heights: the fullest frame fills its cell.
@@ -93,7 +70,7 @@ void ViewSync::refresh()
     if (!preview_.shown()) {
         showPose();
     }
-    ui_.view.setOrientationKnown(shownCamera_ && isOrientationKnown(current));
+    ui_.view.setOrientationKnown(shownCamera_ && isOrientationKnown(current.shown(), current.vessels));
     showCornerTexts();
 }
 
@@ -212,7 +189,7 @@ void ViewSync::showJudgement(const SharedJudgement& judgement)
         ui_.branches.showResiduals({}, 0.0);
         return;
     }
-    const double depthMm = depthOfTreeMm(current);
+    const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
     const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
     std::map<int, double> residualMm;
     for (const core::BranchResidual& branch : judgement_->result.branches) {
@@ -229,7 +206,7 @@ void ViewSync::showResidualColors()
         view.scene().clearResiduals();
         view.setResidualScale(0.0, 0.0);
     } else {
-        const double depthMm = depthOfTreeMm(current);
+        const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
         const double scalePx = residualScaleMaximumPx(*shownCamera_, depthMm);
         view.scene().setResiduals(judgement_->residualPx, scalePx);
         view.setResidualScale(scalePx, scalePx * core::millimetresPerPixel(*shownCamera_, depthMm));

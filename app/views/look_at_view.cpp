@@ -15,13 +15,6 @@ bool isSameTarget(const ViewSight& a, const ViewSight& b)
            a.traceOptions == b.traceOptions;
 }
 
-std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known, const ViewSight& sight)
-{
-    const auto found = std::ranges::find_if(
-        known, [&sight](const ViewLook& look) { return look.target && isSameTarget(look.of, sight); });
-    return found == known.end() ? nullptr : found->target;
-}
-
 core::Status judge(ViewLook& look, const core::Case& showing)
 {
     if (!look.target) {
@@ -71,6 +64,13 @@ ViewSight sightOf(const core::View& view)
             view.traceOptions,
             camera ? std::optional(camera.value()) : std::nullopt,
             view.cameraFromPatient.matrix()};
+}
+
+std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known, const ViewSight& sight)
+{
+    const auto found = std::ranges::find_if(
+        known, [&sight](const ViewLook& look) { return look.target && isSameTarget(look.of, sight); });
+    return found == known.end() ? nullptr : found->target;
 }
 
 std::vector<ViewLook> lookAtViews(const core::Case& theCase,

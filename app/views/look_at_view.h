@@ -31,6 +31,9 @@ struct ViewLook {
     std::shared_ptr<const core::Centerline2d> target;   ///< as it was traced for the metrics
 };
 
+/// What was traced already in the frame of a view, whatever pose and camera it had then; null: nothing.
+std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known, const ViewSight& sight);
+
 /// Looks at the views of the case, in order; the target of the shown one is `shownTarget` (null: none yet). What is
 /// traced already is taken from `known`. For a worker: takes a tenth of a second per view and more.
 std::vector<ViewLook> lookAtViews(const core::Case& theCase,

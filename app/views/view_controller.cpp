@@ -10,7 +10,6 @@
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
-#include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 
@@ -48,16 +47,19 @@ void ViewController::connectWindow()
     connect(&strip, &ui::ViewStrip::viewPicked, this, &ViewController::show);
     connect(&strip, &ui::ViewStrip::removeRequested, this, &ViewController::remove);
     connect(&strip, &ui::ViewStrip::addRequested, actions[ui::Command::AddView], &QAction::trigger);
-    connect(&strip, &ui::ViewStrip::menuRequested, this, [this](int line, const QPoint& at) {
-        auto* menu = new QMenu(&ui_.dialogParent);
-        menu->setObjectName(QStringLiteral("viewMenu"));
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        menu->addAction(tr("Show this view"), this, [this, line] { show(line); });
-        menu->addAction(tr("Name this view…"), this, [this, line] { askName(line); });
-        menu->addAction(tr("Take this view out"), this, [this, line] { remove(line); });
-        menu->popup(at);
-    });
+    connect(&strip, &ui::ViewStrip::menuRequested, this, &ViewController::openMenu);
     connect(actions[ui::Command::NextView], &QAction::triggered, this, &ViewController::showNext);
+}
+
+void ViewController::openMenu(int line, const QPoint& at)
+{
+    auto* menu = new QMenu(&ui_.dialogParent);
+    menu->setObjectName(QStringLiteral("viewMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Show this view"), this, [this, line] { show(line); });
+    menu->addAction(tr("Name this view…"), this, [this, line] { askName(line); });
+    menu->addAction(tr("Take this view out"), this, [this, line] { remove(line); });
+    menu->popup(at);
 }
 
 void ViewController::followDocument()
@@ -149,6 +151,12 @@ void ViewController::showPictures(std::vector<ViewLook> looks)
             ui_.panel.showPicture(static_cast<int>(place), *look->picture);
         }
     }
+    emit looked();
+}
+
+std::shared_ptr<const core::Centerline2d> ViewController::targetOf(std::size_t place) const
+{
+    return knownTarget(looks_, sightOf(document_.current().views[place]));
 }
 
 void ViewController::show(int line)
@@ -181,8 +189,7 @@ void ViewController::askName(int line)
     auto* dialog = new QInputDialog(&ui_.dialogParent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Name this view"));
-    dialog->setLabelText(tr("Name of the view %1 (empty: its angles)")
-                             .arg(ui::withDecimalSign(anglesOf(document_.current().views[place]))));
+    dialog->setLabelText(tr("Name of the view %1 (empty: its angles)").arg(anglesOf(document_.current().views[place])));
     dialog->setTextValue(QString::fromStdString(document_.current().views[place].name));
     connect(dialog, &QInputDialog::textValueSelected, this, [this, place](const QString& name) {
         core::Case named = document_.current();

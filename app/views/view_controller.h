@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+class QPoint;
 class QWidget;
 
 namespace angiopose::ui {
@@ -36,12 +37,17 @@ public:
     ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
     bool isLooking() const { return looking_.isRunning(); }   ///< making pictures and numbers of the views
+    /// The traced vessels of view `place`; null until somebody has looked. See `looked`.
+    std::shared_ptr<const core::Centerline2d> targetOf(std::size_t place) const;
+    void show(int line);
     void showNext();
+    void openMenu(int line, const QPoint& at);   ///< what can be done with that view
     void askName(int line);
     void remove(int line);   ///< in place of the shown view the next one is shown
 
 signals:
     void refused(const QString& reason);
+    void looked();   ///< at the views: `targetOf`
 
 private:
     /// Something of a case that the pictures and numbers hang on.
@@ -56,7 +62,6 @@ private:
     };
     void connectWindow();
     void followDocument();
-    void show(int line);
     void showLines();
     void showPictures(std::vector<ViewLook> looks);
     void look();

@@ -696,6 +696,13 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>angiopose::app::LinkedCrosshair</name>
+    <message>
+        <source>The cross-hair links views that stand side by side (%1).</source>
+        <translation>Das Fadenkreuz verbindet Ansichten, die nebeneinander stehen (%1).</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::app::LookController</name>
     <message>
         <source>Near vessels bright, far ones dim</source>
@@ -1405,6 +1412,53 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Clear the list</source>
         <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::SideBySideController</name>
+    <message>
+        <source>No other views during a blind trial: they would tell the answer.</source>
+        <translation>Während eines Blindversuchs keine anderen Ansichten: sie würden die Lösung verraten.</translation>
+    </message>
+    <message>
+        <source>There is no angiogram yet that another could stand beside.</source>
+        <translation>Es gibt noch kein Angiogramm, neben dem ein anderes stehen könnte.</translation>
+    </message>
+    <message>
+        <source>This case has one view. Another angiogram of the same vessels (%1) will stand beside it.</source>
+        <translation>Dieser Fall hat eine Ansicht. Ein weiteres Angiogramm derselben Gefäße (%1) steht dann daneben.</translation>
+    </message>
+    <message>
+        <source>no geometry</source>
+        <translation>keine Geometrie</translation>
+    </message>
+    <message>
+        <source>moves along</source>
+        <translation>bewegt sich mit</translation>
+    </message>
+    <message>
+        <source>pose of its own</source>
+        <translation>eigene Lage</translation>
+    </message>
+    <message>
+        <source>The vessels move here as they do in the shown view.</source>
+        <translation>Die Gefäße bewegen sich hier wie in der gezeigten Ansicht.</translation>
+    </message>
+    <message>
+        <source>The views are not registered together: the vessels stay here while they are moved in the shown view.</source>
+        <translation>Die Ansichten werden nicht gemeinsam registriert: hier bleiben die Gefäße, während sie in der gezeigten Ansicht bewegt werden.</translation>
+    </message>
+    <message>
+        <source>A click here, or a double click in the image, makes it the shown view.</source>
+        <translation>Ein Klick hier oder ein Doppelklick ins Bild macht sie zur gezeigten Ansicht.</translation>
+    </message>
+    <message>
+        <source>The image of this view could not be read.</source>
+        <translation>Das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Choose another frame</source>
+        <translation>Anderes Bild wählen</translation>
     </message>
 </context>
 <context>
@@ -5824,6 +5878,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Views side by side</source>
+        <translation>Ansichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Cross-hair through views side by side</source>
+        <translation>Fadenkreuz durch Ansichten nebeneinander</translation>
+    </message>
+    <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
     </message>
@@ -8535,7 +8597,30 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
+    <name>angiopose::ui::ViewPane</name>
+    <message>
+        <source>Frames of this view</source>
+        <translation>Bilder dieser Ansicht</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::ViewStrip</name>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>All views beside each other, or the shown one alone</source>
+        <translation>Alle Ansichten nebeneinander oder die gezeigte allein</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
+        <translation>Was in einer Ansicht unter dem Zeiger liegt, ist in den anderen eine Linie, und ein Punkt auf den Gefäßen</translation>
+    </message>
     <message>
         <source>Views of the case</source>
         <translation>Ansichten des Falls</translation>

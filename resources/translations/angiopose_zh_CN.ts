@@ -696,6 +696,13 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>angiopose::app::LinkedCrosshair</name>
+    <message>
+        <source>The cross-hair links views that stand side by side (%1).</source>
+        <translation>十字线用于联动并排显示的视图（%1）。</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::app::LookController</name>
     <message>
         <source>Near vessels bright, far ones dim</source>
@@ -1405,6 +1412,53 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Clear the list</source>
         <translation>清空列表</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::SideBySideController</name>
+    <message>
+        <source>No other views during a blind trial: they would tell the answer.</source>
+        <translation>盲法试验期间不显示其他视图：它们会泄露答案。</translation>
+    </message>
+    <message>
+        <source>There is no angiogram yet that another could stand beside.</source>
+        <translation>尚无血管造影可与另一幅并排。</translation>
+    </message>
+    <message>
+        <source>This case has one view. Another angiogram of the same vessels (%1) will stand beside it.</source>
+        <translation>此病例只有一个视图。添加同一血管的另一造影（%1）后将并排显示。</translation>
+    </message>
+    <message>
+        <source>no geometry</source>
+        <translation>无几何参数</translation>
+    </message>
+    <message>
+        <source>moves along</source>
+        <translation>随动</translation>
+    </message>
+    <message>
+        <source>pose of its own</source>
+        <translation>独立位姿</translation>
+    </message>
+    <message>
+        <source>The vessels move here as they do in the shown view.</source>
+        <translation>此处的血管随当前视图一同移动。</translation>
+    </message>
+    <message>
+        <source>The views are not registered together: the vessels stay here while they are moved in the shown view.</source>
+        <translation>各视图未一起配准：在当前视图中移动血管时，此处的血管保持不动。</translation>
+    </message>
+    <message>
+        <source>A click here, or a double click in the image, makes it the shown view.</source>
+        <translation>单击此处或双击图像即可将其设为当前视图。</translation>
+    </message>
+    <message>
+        <source>The image of this view could not be read.</source>
+        <translation>无法读取此视图的图像。</translation>
+    </message>
+    <message>
+        <source>Choose another frame</source>
+        <translation>选择另一帧</translation>
     </message>
 </context>
 <context>
@@ -5824,6 +5878,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Views side by side</source>
+        <translation>并排显示视图</translation>
+    </message>
+    <message>
+        <source>Cross-hair through views side by side</source>
+        <translation>并排视图间的联动十字线</translation>
+    </message>
+    <message>
         <source>Messages</source>
         <translation>消息</translation>
     </message>
@@ -8534,7 +8596,30 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
+    <name>angiopose::ui::ViewPane</name>
+    <message>
+        <source>Frames of this view</source>
+        <translation>此视图的帧</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::ViewStrip</name>
+    <message>
+        <source>Side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>All views beside each other, or the shown one alone</source>
+        <translation>并排显示所有视图，或只显示当前视图</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>十字线</translation>
+    </message>
+    <message>
+        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
+        <translation>一个视图中指针所指之处，在其他视图中显示为一条线，在血管上显示为一个点</translation>
+    </message>
     <message>
         <source>Views of the case</source>
         <translation>病例的视图</translation>

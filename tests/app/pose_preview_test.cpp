@@ -62,5 +62,52 @@ TEST(PosePreview, TellsWhomAnotherTakesThePlaceOf)
     EXPECT_EQ(preview.shown(), PreviewOf::Run);
 }
 
+/// Two views, the second turned by 90° and 20 mm nearer.
+core::Case twoPoses()
+{
+    core::Case values;
+    values.views.resize(2);
+    values.views[0].cameraFromPatient = atDepth(700.0);
+    values.views[1].cameraFromPatient = {core::expSo3({0.0, 1.5707963267948966, 0.0}), {0.0, 0.0, 680.0}};
+    values.views[1].initialCameraFromPatient = atDepth(650.0);
+    return values;
+}
+
+TEST(PosePreview, TakesTheOtherViewsAlong)
+{
+    CaseDocument document;
+    document.replace(twoPoses(), {});
+    PosePreview preview(document);
+    const core::RigidTransform own = document.current().views[1].cameraFromPatient;
+    EXPECT_EQ(preview.poseIn(1).matrix(), own.matrix());
+    core::RigidTransform moved = atDepth(700.0);
+    moved.translation.x() = 6.0;
+    preview.show(PreviewOf::Drag, moved, ResidualColors::Kept);
+    EXPECT_EQ(preview.poseIn(0).matrix(), moved.matrix());
+    // 6 mm across the first view is 6 mm along the ray of the second
+    const Eigen::Vector3d way = preview.poseIn(1).translation - own.translation;
+    EXPECT_NEAR(std::abs(way.z()), 6.0, 1e-9);
+    EXPECT_NEAR(way.head<2>().norm(), 0.0, 1e-9);
+    EXPECT_EQ(preview.poseIn(1).rotation, own.rotation);
+
+    preview.show(PreviewOf::Start, atDepth(720.0), ResidualColors::Hidden);
+    EXPECT_EQ(preview.poseIn(1).matrix(), atDepth(650.0).matrix()) << "each has its own start";
+    preview.show(PreviewOf::Frame, moved, ResidualColors::Hidden);
+    EXPECT_EQ(preview.poseIn(1).matrix(), own.matrix()) << "the heart moves in one run only";
+}
+
+TEST(PosePreview, LeavesViewsAloneThatDoNotMoveTogether)
+{
+    CaseDocument document;
+    document.replace(twoPoses(), {});
+    PosePreview preview(document);
+    const QSignalSpy changed(&preview, &PosePreview::changed);
+    preview.setMovesAllViews(false);
+    preview.setMovesAllViews(false);
+    EXPECT_EQ(changed.count(), 1);
+    preview.show(PreviewOf::Drag, atDepth(720.0), ResidualColors::Kept);
+    EXPECT_EQ(preview.poseIn(1).matrix(), document.current().views[1].cameraFromPatient.matrix());
+}
+
 }   // namespace
 }   // namespace angiopose::app

@@ -1,7 +1,12 @@
-// How long a pose edit takes until both views show it, and the tree's lines alone by our rasteriser and by QPainter.
+// How long a pose edit takes until both views show it, a drag in nudge mode until the whole window does, with one view
+// and with two side by side, and the tree's lines alone by our rasteriser and by QPainter.
 // Run it on a screen or under xvfb-run -a -s "-screen 0 1920x1200x24".
+#include "app/case_controller.h"
 #include "core/geometry/pose_offset.h"
 #include "core/simulation/simulated_case.h"
+#include "tests/support/simulated_views.h"
+#include "ui/main_window.h"
+#include "ui/places/side_by_side.h"
 #include "ui/scenes/fill_strokes.h"
 #include "ui/scenes/overlay_pens.h"
 #include "ui/scenes/overlay_strokes.h"
@@ -14,6 +19,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QScreen>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QVBoxLayout>
 
@@ -111,6 +117,91 @@ bool measure(const core::SimulatedCase& simulated, const QSize& size, ui::Overla
     return true;
 }
 
+/// Two views of one tree of 3000 points, with frames of 1024 × 1024 as C-arms have them.
+core::Case twoLargeViews()
+{
+    core::DsaOptions dsa;
+    dsa.width = dsa.height = 1024;
+    dsa.frameCount = 3;
+    core::Case values;
+    values.views.clear();
+    for (const std::uint64_t seed : {1U, 4U}) {
+        const core::SimulatedCase simulated = core::simulateView(1, seed, {.pointSpacingMm = 0.5}, dsa);
+        values.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+        values.views.push_back(test::viewOf(simulated));
+        values.views.back().cameraFromPatient = simulated.trueCameraFromPatient;
+    }
+    return values;
+}
+
+/// Waits until everything that shows a pose has drawn itself again.
+class AllRedrawn {
+public:
+    AllRedrawn(ui::MainWindow& window) : window_(window), images_(window.sideBySide().images()), before_(counts()) {}
+    void wait() const
+    {
+        const auto isStale = [this] {
+            const std::vector<int> now = counts();
+            return !std::ranges::equal(before_, now, std::ranges::less());
+        };
+        while (isStale()) {
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        }
+        QApplication::processEvents();
+        window_.screen()->grabWindow(window_.winId(), 0, 0, 1, 1);
+    }
+
+private:
+    std::vector<int> counts() const
+    {
+        std::vector<int> counts{window_.treeView().renderCount()};
+        std::ranges::transform(images_, std::back_inserter(counts), &ui::AngiogramView::renderCount);
+        return counts;
+    }
+
+    ui::MainWindow& window_;
+    std::vector<ui::AngiogramView*> images_;
+    std::vector<int> before_;
+};
+
+/// Prints the time of a drag's steps in the whole window, judging included, as a user of the nudge mode sees them.
+bool measureDrag(std::size_t viewCount)
+{
+    ui::MainWindow window;
+    app::CaseController controller(window);
+    window.resize(1920, 1080);
+    window.show();
+    core::Case views = twoLargeViews();
+    views.views.resize(viewCount);
+    controller.document().replace(std::move(views), {});
+    window.actions()[ui::Command::SideBySide]->setChecked(true);
+    if (!QTest::qWaitForWindowExposed(&window) ||
+        !QTest::qWaitFor([&controller] { return controller.judgement() != nullptr; }, 60000)) {
+        std::fputs("The window did not appear.\n", stderr);
+        return false;
+    }
+    QTest::qWait(3000);   // small pictures of the views are made
+    window.actions()[ui::Command::Nudge]->setChecked(true);
+    ui::AngiogramView& image = window.angiogramView();
+    const QPoint from = image.rect().center() + QPoint(5, 7);
+    QTest::mousePress(&image, Qt::LeftButton, {}, from);
+    std::vector<double> wallMs;
+    for (int i = 0; i < editCount; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        const AllRedrawn all(window);
+        QTest::mouseMove(&image, from + QPoint(10 + i % 50, 10 + i % 31));
+        all.wait();
+        wallMs.push_back(1e-6 * static_cast<double>(timer.nsecsElapsed()));
+    }
+    QTest::mouseRelease(&image, Qt::LeftButton, {}, from);
+    std::ranges::sort(wallMs);
+    const double medianMs = wallMs[editCount / 2];
+    std::printf("drag in nudge mode, whole window, %dx%d, %zu view(s): median %.1f ms (%.0f frames/s), p95 %.1f ms\n",
+                window.width(), window.height(), viewCount, medianMs, 1e3 / medianMs, wallMs[editCount * 95 / 100]);
+    return true;
+}
+
 /// Milliseconds of one call, the median of many.
 template <class Draw>
 double medianMsOf(const Draw& draw)
@@ -187,7 +278,11 @@ void measureLines(const core::SimulatedCase& simulated, const QSize& size, ui::O
 
 int main(int argc, char** argv)
 {
+    const QTemporaryDir home;   // nobody's settings count, and none are changed
+    qputenv("XDG_DATA_HOME", home.path().toUtf8());
+    qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
     QApplication application(argc, argv);
+    ui::applyTheme(application, ui::ThemeMode::Dark);
     QApplication::setQuitOnLastWindowClosed(false);
     const core::SimulatedCase simulated = core::simulateCase(1, {.pointSpacingMm = 0.5});
     bool isMeasured = true;
@@ -195,6 +290,9 @@ int main(int argc, char** argv)
         for (const ui::OverlayMode mode : {ui::OverlayMode::Centerline, ui::OverlayMode::Tube}) {
             isMeasured = isMeasured && measure(simulated, size, mode);
         }
+    }
+    for (const std::size_t viewCount : {1U, 2U}) {
+        isMeasured = isMeasured && measureDrag(viewCount);
     }
     for (const ui::OverlayMode mode : {ui::OverlayMode::Centerline, ui::OverlayMode::Tube}) {
         measureLines(simulated, QSize(1920, 1080), mode);

@@ -47,6 +47,8 @@ enum class Command {
     TraceAgain,
     AddView,
     NextView,
+    SideBySide,
+    LinkedCrosshair,
     FollowFrames,
     Subtract,
     ShiftMask,

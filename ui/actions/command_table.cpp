@@ -75,6 +75,8 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
         {Command::TraceAgain, QT_TR_NOOP("Trace this frame again")},
         {Command::AddView, QT_TR_NOOP("Add a view …"), "Ctrl+Shift+V", StartsGroup},
         {Command::NextView, QT_TR_NOOP("Show the next view"), "Ctrl+Tab"},
+        {Command::SideBySide, QT_TR_NOOP("Views side by side"), "6", Switch},
+        {Command::LinkedCrosshair, QT_TR_NOOP("Cross-hair through views side by side"), "Z", Switch},
         {Command::Subtract, QT_TR_NOOP("Subtract mask, native"), "B", Switch | StartsGroup},
         {Command::ShiftMask, QT_TR_NOOP("Move the mask by hand"), "Shift+B", Switch},
         {Command::MaskHere, QT_TR_NOOP("This frame is the mask"), "Ctrl+B"},

@@ -1,5 +1,6 @@
 #include "ui/panels/view_strip.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/words/spoken.h"
 
 #include <QHBoxLayout>
@@ -7,6 +8,7 @@
 #include <QListWidget>
 #include <QScopedValueRollback>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 namespace angiopose::ui {
 namespace {
@@ -24,7 +26,8 @@ QPixmap emptyPicture(double ratio)
 
 }   // namespace
 
-ViewStrip::ViewStrip(QWidget* parent) : QWidget(parent), list_(new QListWidget)
+ViewStrip::ViewStrip(QWidget* parent)
+    : QWidget(parent), list_(new QListWidget), sideBySide_(new QToolButton), crosshair_(new QToolButton)
 {
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
@@ -42,12 +45,34 @@ ViewStrip::ViewStrip(QWidget* parent) : QWidget(parent), list_(new QListWidget)
     add->setText(QStringLiteral("+"));
     withName(add, [] { return tr("Add a view"); });
     withTip(add, [] { return tr("Another angiogram of the same vessels (Ctrl+Shift+V)"); });
+    withText(sideBySide_, [] { return tr("Side by side"); });
+    withTip(sideBySide_,
+            [] { return tipWithKey(tr("All views beside each other, or the shown one alone"), Command::SideBySide); });
+    sideBySide_->setCheckable(true);
+    withText(crosshair_, [] { return tr("Cross-hair"); });
+    withTip(crosshair_, [] {
+        return tipWithKey(
+            tr("What is under the pointer in one view is a line in the others, and a point on the vessels"),
+            Command::LinkedCrosshair);
+    });
+    crosshair_->setCheckable(true);
+    crosshair_->hide();
+    for (QToolButton* button : {sideBySide_, crosshair_}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    }
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 2, 8, 2);
     layout->setSpacing(6);
     layout->addWidget(list_, 1);
+    auto* switches = new QVBoxLayout;   // one over the other: the width is for the pictures
+    switches->setSpacing(2);
+    switches->addWidget(sideBySide_);
+    switches->addWidget(crosshair_);
+    layout->addLayout(switches);
     layout->addWidget(add);
     connect(add, &QToolButton::clicked, this, &ViewStrip::addRequested);
+    connect(crosshair_, &QToolButton::clicked, this, &ViewStrip::crosshairRequested);
+    connect(sideBySide_, &QToolButton::clicked, this, &ViewStrip::sideBySideRequested);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (!showing_ && row >= 0) {
             emit viewPicked(row);
@@ -78,6 +103,17 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
 int ViewStrip::pictureWidthPx() const
 {
     return static_cast<int>(viewPictureSize * devicePixelRatioF());
+}
+
+void ViewStrip::showSideBySide(bool on)
+{
+    sideBySide_->setChecked(on);
+    crosshair_->setVisible(on);
+}
+
+void ViewStrip::showCrosshair(bool on)
+{
+    crosshair_->setChecked(on);
 }
 
 int ViewStrip::count() const

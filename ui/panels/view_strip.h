@@ -7,6 +7,7 @@
 #include <vector>
 
 class QListWidget;
+class QToolButton;
 
 namespace angiopose::ui {
 
@@ -26,10 +27,14 @@ public:
     void showPicture(int index, const core::ColorImage& picture);
     int pictureWidthPx() const;   ///< in device pixels
     int count() const;
+    void showSideBySide(bool on);   ///< that the views stand side by side,
+    void showCrosshair(bool on);   ///< and that a cross-hair links them then
 
 signals:
     void viewPicked(int index);
     void addRequested();
+    void sideBySideRequested(bool on);
+    void crosshairRequested(bool on);
     void removeRequested(int index);
     void menuRequested(int index, const QPoint& globalPosition);
 
@@ -38,6 +43,8 @@ protected:
 
 private:
     QListWidget* list_;
+    QToolButton* sideBySide_;
+    QToolButton* crosshair_;
     bool showing_ = false;
 };
 

@@ -14,6 +14,7 @@ public:
     void setPixels(const core::ImageF& pixels);
     void setRange(const core::DisplayRange& range);
     void setInverted(bool inverted);
+    bool isInverted() const { return isInverted_; }
 
     const core::ImageF& pixels() const { return pixels_; }
     int width() const { return pixels_.width; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 namespace angiopose::ui {
@@ -104,8 +105,10 @@ void OverlayScene::setMarks(const BranchMarks& marks)
 
 void OverlayScene::setMode(OverlayMode mode)
 {
-    parts_->content.mode = mode;
-    parts_->content.revision = nextRevision();
+    if (parts_->content.mode != mode) {
+        parts_->content.mode = mode;
+        parts_->content.revision = nextRevision();
+    }
 }
 
 OverlayMode OverlayScene::mode() const
@@ -194,6 +197,20 @@ void OverlayScene::recolor()
 void OverlayScene::clearResiduals()
 {
     setResiduals({}, 0.0);
+}
+
+void OverlayScene::takeLookOf(const OverlayScene& other)
+{
+    OverlayContent& own = parts_->content;
+    const OverlayContent& wanted = other.parts_->content;
+    const auto look = [](auto& content) {
+        return std::tie(content.marks, content.depthCue, content.opacity, content.isTracedShown);
+    };
+    if (look(own) != look(wanted)) {
+        look(own) = look(wanted);
+        parts_->markLinesStale();
+    }
+    own.frame.setInverted(wanted.frame.isInverted());
 }
 
 void OverlayScene::setViewRect(const ViewRect& rect)

@@ -42,6 +42,9 @@ public:
     void recolor();   ///< after another colour scheme was chosen
     void clearResiduals();
 
+    /// Marks, depth cue, opacity, traced curves and inversion as in the other scene; what is shown, and as what, stays.
+    void takeLookOf(const OverlayScene& other);
+
     void setViewRect(const ViewRect& rect);
     const core::ImageF& frame() const;
     OverlayMode mode() const;

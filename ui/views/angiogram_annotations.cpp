@@ -66,7 +66,8 @@ double niceLength(double longestMm)
 /// A bar of a round number of millimetres at the vessel, above the bottom left block.
 void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow, double pxPerMm)
 {
-    const double lengthMm = niceLength(140.0 / pxPerMm);
+    const double longestPx = std::min(140.0, 0.3 * size.width());
+    const double lengthMm = niceLength(longestPx / pxPerMm);
     if (!(lengthMm > 0.0)) {
         return;
     }

@@ -12,6 +12,7 @@ namespace angiopose::ui {
 
 /// What an angiogram view remembers between events.
 struct AngiogramView::Interaction {
+    ImageRole role = ImageRole::Working;
     ImageViewport viewport;
     AngiogramAnnotations annotations;
     bool hasFrame = false;
@@ -25,6 +26,8 @@ struct AngiogramView::Interaction {
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();
     std::optional<Eigen::Vector3d> pickedPivot;
     double lineWidth = 2.4;
+    ImageCrosshair crosshair;
+    QString absence;
 
     QPointer<ImageTool> tool;
     MousePreset mouse;

@@ -20,8 +20,10 @@ double AngiogramView::Interaction::mmPerImagePx() const
     return isKnown ? core::millimetresPerPixel(camera, depth) : 0.0;
 }
 
-AngiogramView::AngiogramView(QWidget* parent) : QWidget(parent), interaction_(std::make_unique<Interaction>())
+AngiogramView::AngiogramView(ImageRole role, QWidget* parent)
+    : QWidget(parent), interaction_(std::make_unique<Interaction>())
 {
+    interaction_->role = role;
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
@@ -106,6 +108,36 @@ void AngiogramView::setResidualScale(double maximumPx, double maximumMm)
 void AngiogramView::setLineWidth(double px)
 {
     interaction_->lineWidth = px;
+    update();
+}
+
+void AngiogramView::setCrosshair(const ImageCrosshair& crosshair)
+{
+    const ImageCrosshair& former = interaction_->crosshair;
+    const bool isNothing = !crosshair.linePx && !crosshair.pointInPatient;
+    if (!isNothing || former.linePx || former.pointInPatient) {
+        interaction_->crosshair = crosshair;
+        update();
+    }
+}
+
+const ImageCrosshair& AngiogramView::crosshair() const
+{
+    return interaction_->crosshair;
+}
+
+void AngiogramView::setAbsence(const QString& words)
+{
+    interaction_->absence = words;
+    update();
+}
+
+void AngiogramView::takeLookOf(const AngiogramView& other)
+{
+    scene_.takeLookOf(other.scene_);
+    interaction_->mouse = other.interaction_->mouse;
+    interaction_->lineWidth = other.interaction_->lineWidth;
+    interaction_->viewport.setMirrored(other.isFromSource());
     update();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/epipolar_line.h"
 #include "core/imaging/display_range.h"
 #include "ui/actions/mouse_preset.h"
 #include "ui/scenes/overlay_painter.h"
@@ -18,6 +19,15 @@ namespace angiopose::ui {
 class GlOverlay;
 class ImageTool;
 
+/// The shown image, which all tools are about, or one that stands beside it.
+enum class ImageRole { Working, Beside };
+
+/// What the pointer in another image, or in this one, means here.
+struct ImageCrosshair {
+    std::optional<core::ImageSegment> linePx;   ///< where what lies under it may be
+    std::optional<Eigen::Vector3d> pointInPatient;   ///< the place on the vessels under it
+};
+
 /// The angiogram with the projected tree: window/level, pan and zoom by dragging as the mouse preset says, zoom also by
 /// Ctrl+wheel, frames by wheel, ↑ ↓, Home, End; a right click or the menu key asks for a menu. A tool may take the left
 /// button and keys; Esc takes its drag back, then puts it away. Shows what it is told, reports what the user wants;
@@ -25,7 +35,7 @@ class ImageTool;
 class AngiogramView : public QWidget {
     Q_OBJECT
 public:
-    explicit AngiogramView(QWidget* parent = nullptr);
+    explicit AngiogramView(ImageRole role = ImageRole::Working, QWidget* parent = nullptr);
     ~AngiogramView() override;
 
     OverlayScene& scene() { return scene_; }   ///< call update() after changing it
@@ -44,6 +54,10 @@ public:
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
     void setLineWidth(double px);   ///< device-independent px
+    void setCrosshair(const ImageCrosshair& crosshair);
+    const ImageCrosshair& crosshair() const;
+    void setAbsence(const QString& words);   ///< said in place of an image
+    void takeLookOf(const AngiogramView& other);   ///< lines, marks, mirror, mouse: not what is shown, nor how bright
     void setCutout(Cutout::Shape shape);   ///< follows the mouse
     Cutout::Shape cutout() const { return cutout_; }
     void setOrientationKnown(bool known);   ///< letters at the edges tell where the patient's sides are
@@ -70,6 +84,7 @@ public:
 
 signals:
     void frameStepRequested(int step);   ///< ±1, ±10; INT_MIN first, INT_MAX last
+    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< the mouse is there, or left the image
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
@@ -106,6 +121,8 @@ private:
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag();
     void paintPivot(QPainter& painter) const;
+    void paintAbsence(QPainter& painter) const;
+    void paintCrosshair(QPainter& painter) const;
     bool showsVessels() const;
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);

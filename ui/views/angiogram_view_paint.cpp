@@ -3,6 +3,7 @@
 #include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
+#include "ui/views/crosshair_mark.h"
 #include "ui/views/cutout_edge.h"
 #include "ui/views/gl_driver.h"
 #include "ui/views/gl_overlay.h"
@@ -53,10 +54,33 @@ void AngiogramView::paintPivot(QPainter& painter) const
     }
 }
 
-/// The keys of the review, where there are vessels to look at.
+void AngiogramView::paintCrosshair(QPainter& painter) const
+{
+    const ImageCrosshair& crosshair = interaction_->crosshair;
+    const auto place = crosshair.pointInPatient ? placeOf(*crosshair.pointInPatient) : std::nullopt;
+    if (crosshair.linePx) {
+        paintEpipolarLine(painter,
+                          {widgetFromImage(crosshair.linePx->beginPx), widgetFromImage(crosshair.linePx->endPx)},
+                          ui::palette(ThemeMode::Dark));
+    }
+    if (place) {
+        paintPlaceMark(painter, *place, ui::palette(ThemeMode::Dark));
+    }
+}
+
+void AngiogramView::paintAbsence(QPainter& painter) const
+{
+    const bool isWorking = interaction_->role == ImageRole::Working;
+    painter.setPen(toQColor(ui::palette(ThemeMode::Dark).label));
+    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                     isWorking ? tr("No angiogram yet: drop one here, or open it (%1).").arg(keyOf(Command::Open))
+                               : interaction_->absence);
+}
+
+/// The keys of the review, where there are vessels to look at: they are about the working image.
 QString AngiogramView::keyText() const
 {
-    if (showsVessels()) {
+    if (interaction_->role == ImageRole::Working && showsVessels()) {
         return tr("flicker %1 · swipe %2 · hide H · outline %3")
             .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));
     }
@@ -137,9 +161,7 @@ void AngiogramView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.drawImage(QPointF(0.0, 0.0), picture_);
     if (!interaction_->hasFrame) {
-        painter.setPen(toQColor(ui::palette(ThemeMode::Dark).label));
-        painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No angiogram yet: drop one here, or open it (%1).").arg(keyOf(Command::Open)));
+        paintAbsence(painter);
         return;
     }
     if (!interaction_->keptOut.isNull()) {
@@ -168,6 +190,7 @@ void AngiogramView::paintEvent(QPaintEvent*)
         interaction_->tool ? ModeLabel{interaction_->tool->caption(), interaction_->tool->tone()} : ModeLabel{};
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
     paintPivot(painter);
+    paintCrosshair(painter);
     if (interaction_->tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         interaction_->tool->paint(painter);

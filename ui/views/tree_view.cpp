@@ -1,5 +1,6 @@
 #include "ui/views/tree_view.h"
 
+#include "ui/views/crosshair_mark.h"
 #include "ui/views/pivot_mark.h"
 #include "ui/words/spoken.h"
 
@@ -22,16 +23,6 @@ constexpr double zoomPerStep = 1.15;
 QColor colorOf(const Color& color)
 {
     return {color.red, color.green, color.blue};
-}
-
-void paintCrosshair(QPainter& painter, const QPointF& at, const QColor& color)
-{
-    constexpr double near = 4.0;
-    constexpr double far = 10.0;
-    painter.setPen(QPen(color, 1.2));
-    for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
-        painter.drawLine(at + near * way, at + far * way);
-    }
 }
 
 }   // namespace
@@ -83,6 +74,14 @@ void TreeView::setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient
     }
 }
 
+void TreeView::setPointed(const std::optional<Eigen::Vector3d>& pointInPatient)
+{
+    if (pointInPatient != pointed_) {
+        pointed_ = pointInPatient;
+        update();
+    }
+}
+
 void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                              const std::optional<Eigen::Vector3d>& pendingInPatient)
 {
@@ -111,9 +110,11 @@ void TreeView::paintAnnotations(QPainter& painter)
 {
     const Palette& tones = ui::palette(theme_);
     const double ratio = devicePixelRatio();
-    if (crosshair_) {
-        const Eigen::Vector2d device = scene_.deviceFromPatient(*crosshair_);
-        paintCrosshair(painter, {device.x() / ratio, height() - device.y() / ratio}, colorOf(tones.accent));
+    for (const auto& place : {crosshair_, pointed_}) {
+        if (place) {
+            const Eigen::Vector2d device = scene_.deviceFromPatient(*place);
+            paintPlaceMark(painter, {device.x() / ratio, height() - device.y() / ratio}, tones);
+        }
     }
     QFont small = font();
     small.setPixelSize(11);

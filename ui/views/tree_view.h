@@ -24,6 +24,7 @@ public:
     void setTheme(ThemeMode mode);
     void nextView();   ///< everything, the vessels alone
     void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< the place that the slices show
+    void setPointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what is pointed at in an image
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what the vessels turn about
@@ -61,6 +62,7 @@ private:
     bool isDragging_ = false;
     std::optional<int> hovered_;
     std::optional<Eigen::Vector3d> crosshair_;
+    std::optional<Eigen::Vector3d> pointed_;
     std::vector<Eigen::Vector3d> landmarks_;
     bool isLastPending_ = false;
     std::optional<Eigen::Vector3d> pickedPivot_;

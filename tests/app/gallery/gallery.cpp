@@ -3,6 +3,7 @@
 #include "app/case_controller.h"
 #include "app/files/sample_case.h"
 #include "tests/app/gallery/clipped_texts.h"
+#include "tests/support/simulated_views.h"
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/dialogs/series_chooser.h"
@@ -97,6 +98,7 @@ void Gallery::run()
     showDialogs(window);
     showRareDialogs(window);
     showTrial(window, controller);
+    showViews(window, controller);
 }
 
 /// What commands open.
@@ -177,6 +179,25 @@ void Gallery::showTrial(ui::MainWindow& window, app::CaseController& controller)
         {QStringLiteral("Ada"), 7, 10.0, 5.0, folder.filePath(QStringLiteral("log.csv"))});
     showWindow(window, QStringLiteral("trial"));
     controller.poses().blindTrial().abandon();
+}
+
+/// Several views, beside each other.
+void Gallery::showViews(ui::MainWindow& window, app::CaseController& controller)
+{
+    core::Case views = twoViewCase();
+    controller.document().replace(views, {});
+    window.actions()[ui::Command::SideBySide]->setChecked(true);
+    QTest::qWait(2000);   // small pictures and colours are made by workers
+    showWindow(window, QStringLiteral("two_views"));
+    for (core::View& view : views.views) {
+        view.name = "A view with a name that is rather long for the room that it has";
+    }
+    views.views.insert(views.views.end(), 2, views.views.back());
+    views.views.back().angiogram.reset();
+    controller.document().replace(std::move(views), {});
+    window.resize(1024, 720);
+    QTest::qWait(2000);
+    showWindow(window, QStringLiteral("four_views"));
 }
 
 void Gallery::takeDialogs(QWidget& window, const QString& name)

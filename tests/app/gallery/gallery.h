@@ -30,6 +30,7 @@ private:
     void showDialogs(ui::MainWindow& window);
     void showRareDialogs(ui::MainWindow& window);
     void showTrial(ui::MainWindow& window, app::CaseController& controller);
+    void showViews(ui::MainWindow& window, app::CaseController& controller);
     void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
     void showWindow(QWidget& window, const QString& name);
     void showPanels(QWidget& window);

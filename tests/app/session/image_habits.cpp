@@ -1,4 +1,7 @@
 #include "tests/app/session/habit.h"
+#include "ui/places/pane_title.h"
+#include "ui/places/side_by_side.h"
+#include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>
@@ -96,12 +99,39 @@ QString shiftMask(Desk& desk)
     return QStringLiteral("move the mask");
 }
 
+/// Images beside the shown one, where there are any.
+QString useOtherView(Desk& desk)
+{
+    ui::SideBySide& images = desk.window.sideBySide();
+    if (images.paneCount() == 0) {
+        return {};
+    }
+    ui::ViewPane& pane = images.pane(static_cast<std::size_t>(desk.hand.below(static_cast<int>(images.paneCount()))));
+    switch (desk.hand.below(5)) {
+        case 0:
+            desk.hand.drag(pane.image(), Qt::LeftButton);
+            return QStringLiteral("drag in another view");
+        case 1:
+            desk.hand.wheel(pane.image());
+            return QStringLiteral("wheel over another view");
+        case 2:
+            desk.hand.click(pane.title());
+            return QStringLiteral("click on the name of another view");
+        case 3:
+            QTest::mouseDClick(&pane.image(), Qt::LeftButton, {}, desk.hand.somewhereIn(pane.image()));
+            return QStringLiteral("double click in another view");
+        default:
+            desk.hand.click(pane.image());
+            return QStringLiteral("click in another view");
+    }
+}
+
 }   // namespace
 
 std::vector<Habit> imageHabits()
 {
-    return {{16, pressModeKey}, {3, holdHide},   {14, dragInImage}, {10, wheelOverImage},
-            {8, clickInImage},  {2, askForMenu}, {3, drawCurves},   {2, shiftMask}};
+    return {{16, pressModeKey}, {3, holdHide},   {14, dragInImage}, {10, wheelOverImage}, {8, clickInImage},
+            {2, askForMenu},    {3, drawCurves}, {2, shiftMask},    {4, useOtherView}};
 }
 
 }   // namespace angiopose::test

@@ -1,0 +1,163 @@
+#include "app/views/other_view.h"
+
+#include "app/showing/seen_vessels.h"
+#include "app/texts/overlay_picture.h"
+#include "core/case/registration_input.h"
+#include "ui/places/view_pane.h"
+#include "ui/views/angiogram_view.h"
+
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+constexpr int colorPauseMs = 150;   ///< while a preview moves, the processor is for drawing and the shown view
+
+}   // namespace
+
+OtherView::OtherView(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+{
+    connect(&job_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) { showResiduals(*judgement); });
+    colors_.setSingleShot(true);
+    connect(&colors_, &QTimer::timeout, this, &OtherView::showColors);
+    connect(&job_, &JudgeJob::failed, this, [this] { on_.pane.image().scene().clearResiduals(); });
+    connect(&on_.pane.image(), &ui::AngiogramView::windowLevelChanged, this, [this](double window, double level) {
+        if (isBrightnessOwn_) {
+            on_.look.brightness().keep(view(), window, level);
+        }
+    });
+}
+
+void OtherView::show(std::size_t place)
+{
+    place_ = place;
+    showTree();
+    showImage();
+    const auto camera = core::cameraOf(view());
+    ui::AngiogramView& image = on_.pane.image();
+    if (const core::ProjectionCamera known = camera ? camera.value() : core::ProjectionCamera();
+        !(known == image.camera())) {
+        image.setCamera(known);
+    }
+    image.setOrientationKnown(camera && isOrientationKnown(view(), current().vessels));
+    showPose();
+}
+
+void OtherView::showTree()
+{
+    const core::Vessels& vessels = current().vessels;
+    if (vessels.tree == tree_ && vessels.hiddenBranchIds == hidden_) {
+        return;
+    }
+    tree_ = vessels.tree;
+    hidden_ = vessels.hiddenBranchIds;
+    hideResiduals();   // colours of what was would lie
+    ui::AngiogramView& image = on_.pane.image();
+    image.scene().setTree(tree_ ? core::without(*tree_, hidden_) : core::VesselTree());
+    image.setPivot(tree_ ? core::centroidInPatient(*tree_) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+}
+
+void OtherView::showImage()
+{
+    const bool isNew = std::exchange(angiogram_, view().angiogram) != view().angiogram;
+    if (isNew || frame_ != view().frame) {
+        hideResiduals();
+        on_.pane.image().scene().setTracedCenterline({});
+        isBrightnessOwn_ = isBrightnessOwn_ && !isNew;
+        showFrame();
+    }
+    if (isNew && angiogram_) {
+        ui::AngiogramView& image = on_.pane.image();
+        image.fitToWindow();
+        if (const auto range = on_.look.brightness().rangeOf(view())) {
+            image.setWindowLevel(range->window(), range->level());
+        } else {
+            image.autoWindowLevel();
+        }
+    }
+    isBrightnessOwn_ = angiogram_ != nullptr;
+}
+
+void OtherView::showFrame()
+{
+    frame_ = view().frame;
+    const int count = angiogram_ ? angiogram_->frameCount() : 0;
+    const bool isThere = frame_ >= 0 && frame_ < count;
+    on_.pane.image().setFrame(isThere ? angiogram_->frames[static_cast<std::size_t>(frame_)] : core::ImageF());
+    on_.pane.showFrame(frame_, count);
+}
+
+void OtherView::showPose()
+{
+    pose_ = on_.preview.poseIn(place_);
+    on_.pane.image().setPose(pose_);
+    if (!on_.preview.shown()) {
+        showColors();
+    } else if (!colors_.isActive()) {
+        colors_.start(colorPauseMs);
+    }
+}
+
+void OtherView::showColors()
+{
+    colors_.stop();
+    const auto target = on_.views.targetOf(place_);
+    const bool areHidden = on_.preview.colors() == ResidualColors::Hidden || on_.document.isLocked();
+    if (!target || !tree_ || areHidden) {
+        hideResiduals();
+        return;
+    }
+    Judged wanted{sightOf(view()), tree_, current().vessels.excludedBranchIds, target};
+    wanted.sight.pose = pose_.matrix();
+    if (judged_ == wanted) {
+        return;
+    }
+    auto input = core::registrationInputOf(view(), current().vessels, *target);
+    if (!input) {
+        hideResiduals();
+        return;
+    }
+    judged_ = std::move(wanted);
+    on_.pane.image().scene().setTracedCenterline(*target);
+    job_.request({std::move(input).value(), pose_});
+}
+
+void OtherView::showResiduals(const core::PoseJudgement& judgement)
+{
+    ui::AngiogramView& image = on_.pane.image();
+    image.scene().setResiduals(judgement.residualPx,
+                               residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
+    image.update();
+}
+
+void OtherView::hideResiduals()
+{
+    job_.cancel();
+    judged_.reset();
+    on_.pane.image().scene().clearResiduals();
+    on_.pane.image().update();
+}
+
+void OtherView::takeLook()
+{
+    ui::AngiogramView& image = on_.pane.image();
+    image.takeLookOf(on_.shown);
+    image.scene().setMode(on_.look.lines());
+    image.update();
+}
+
+void OtherView::clear()
+{
+    hideResiduals();
+    isBrightnessOwn_ = false;
+    tree_.reset();
+    hidden_.clear();
+    angiogram_.reset();
+    frame_ = -1;
+    ui::AngiogramView& image = on_.pane.image();
+    image.scene().setTree({});
+    image.scene().setTracedCenterline({});
+    image.setFrame({});
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,423 @@
+#include "tests/app/open_window.h"
+#include "tests/support/simulated_views.h"
+#include "tests/support/temporary_folder.h"
+
+#include "core/case/case_views.h"
+#include "core/case/registration_input.h"
+#include "core/geometry/epipolar_line.h"
+#include "core/workflow/pose_judgement.h"
+#include "ui/places/pane_title.h"
+#include "ui/places/side_by_side.h"
+#include "ui/places/view_pane.h"
+
+#include <QCheckBox>
+#include <QListWidget>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QWheelEvent>
+
+namespace angiopose::app {
+namespace {
+
+using test::OpenWindow;
+
+/// A simulated tree in views of known geometry, named "first", "second", …
+core::Case simulatedViews(std::size_t count = 2)
+{
+    core::Case values = test::twoViewCase();
+    while (values.views.size() < count) {
+        values.views.push_back(values.views.back());
+        values.views.back().cameraFromPatient.translation.x() += 5.0;
+    }
+    const std::array names{"first", "second", "third", "fourth"};
+    for (std::size_t i = 0; i < values.views.size(); ++i) {
+        values.views[i].name = names[i];
+    }
+    return values;
+}
+
+/// The views of a case beside each other.
+struct BesideWindow : OpenWindow {
+    explicit BesideWindow(const core::Case& shown = simulatedViews())
+    {
+        controller.document().replace(shown, {});
+        press(Qt::Key_6);
+        QApplication::processEvents();
+    }
+    ui::SideBySide& images() { return window.sideBySide(); }
+    ui::AngiogramView& image() { return window.angiogramView(); }
+    ui::AngiogramView& other(std::size_t index = 0) { return images().pane(index).image(); }
+    core::RigidTransform poseOf(std::size_t view) { return current().views[view].cameraFromPatient; }
+    void setTogether(bool together)
+    {
+        auto* box = window.registration().findChild<QCheckBox*>();
+        ASSERT_TRUE(box->isVisible());
+        if (box->isChecked() != together) {
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        }
+    }
+    void pointAt(ui::AngiogramView& view, const QPoint& at)
+    {
+        QTest::mouseMove(&view, at + QPoint(3, 3));
+        QTest::mouseMove(&view, at);
+    }
+};
+
+TEST(WindowSideBySide, ShowsTheOtherViewWithItsOwnFrameGeometryAndPose)
+{
+    BesideWindow w;
+    ASSERT_EQ(w.images().paneCount(), 1U);
+    EXPECT_TRUE(w.images().pane(0).isVisible());
+    EXPECT_EQ(w.images().pane(0).title().title(), QStringLiteral("2 · second"));
+    EXPECT_EQ(w.images().title().title(), QStringLiteral("1 · first"));
+    EXPECT_TRUE(w.images().title().isVisible());
+    const core::View& second = w.current().views[1];
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), second.cameraFromPatient.matrix());
+    EXPECT_EQ(w.other().camera(), *second.geometry.cameraOverride);
+    EXPECT_EQ(w.other().scene().frame().pixels,
+              second.angiogram->frames[static_cast<std::size_t>(second.frame)].pixels);
+    EXPECT_EQ(w.other().scene().content().tree.branches.size(), w.current().vessels.tree->branches.size());
+    EXPECT_EQ(w.image().cameraFromPatient().matrix(), w.poseOf(0).matrix());
+    EXPECT_GE(w.other().mapTo(&w.window, QPoint()).x(), w.image().mapTo(&w.window, QPoint(w.image().width(), 0)).x());
+
+    w.press(Qt::Key_6);
+    EXPECT_EQ(w.images().paneCount(), 0U);
+    EXPECT_FALSE(w.images().title().isVisible());
+    EXPECT_FALSE(settings::sideBySide.read());
+    EXPECT_FALSE(w.controller.document().isModified() && w.history().canUndo()) << "how it is shown is no edit";
+}
+
+TEST(WindowSideBySide, IsRememberedAndHasAButtonBesideTheSmallPictures)
+{
+    {
+        BesideWindow w;
+    }
+    OpenWindow again;
+    again.controller.document().replace(simulatedViews(), {});
+    QApplication::processEvents();
+    EXPECT_EQ(again.window.sideBySide().paneCount(), 1U);
+    for (auto* button : again.window.views().findChildren<QToolButton*>()) {
+        if (button->text() == QStringLiteral("Side by side")) {
+            EXPECT_TRUE(button->isChecked());
+            QTest::mouseClick(button, Qt::LeftButton);
+        }
+    }
+    EXPECT_EQ(again.window.sideBySide().paneCount(), 0U);
+    EXPECT_FALSE(again.window.actions()[ui::Command::SideBySide]->isChecked());
+}
+
+TEST(WindowSideBySide, OneViewSaysWhyNothingStandsBesideIt)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_6);
+    EXPECT_EQ(w.window.sideBySide().paneCount(), 0U);
+    ASSERT_FALSE(w.window.strip().told().all().empty());
+    const QString told = w.window.strip().told().all().back().text;
+    EXPECT_TRUE(told.contains(QStringLiteral("one view"))) << told.toStdString();
+    EXPECT_TRUE(told.contains(QStringLiteral("Ctrl+Shift+V")));
+    EXPECT_FALSE(w.window.sideBySide().title().isVisible());
+}
+
+TEST(WindowSideBySide, ADoubleClickOrAClickOnTheNameMakesItTheShownView)
+{
+    BesideWindow w;
+    const auto first = w.current().views[0].angiogram;
+    const auto second = w.current().views[1].angiogram;
+    QTest::mouseDClick(&w.other(), Qt::LeftButton, {}, w.other().rect().center());
+    EXPECT_EQ(w.current().shownView, 1U);
+    EXPECT_EQ(w.image().scene().frame().pixels,
+              second->frames[static_cast<std::size_t>(w.current().shown().frame)].pixels);
+    EXPECT_EQ(w.images().title().title(), QStringLiteral("2 · second"));
+    EXPECT_EQ(w.images().pane(0).title().title(), QStringLiteral("1 · first"));
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), w.poseOf(0).matrix());
+    EXPECT_TRUE(w.image().hasFocus());
+
+    QTest::mouseClick(&w.images().pane(0).title(), Qt::LeftButton);
+    EXPECT_EQ(w.current().shownView, 0U);
+    QTest::mouseClick(&w.images().title(), Qt::LeftButton);   // of the shown one: nothing to choose
+    EXPECT_EQ(w.current().shownView, 0U);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().shownView, 0U);
+    EXPECT_EQ(w.images().pane(0).title().title(), QStringLiteral("2 · second"));
+    EXPECT_EQ(w.current().shown().angiogram, first);
+}
+
+TEST(WindowSideBySide, TheChosenOneChangesPlacesWithTheShownOneAndTakesItsZoomAlong)
+{
+    BesideWindow w(simulatedViews(4));
+    w.other(1).zoomTo({100.0, 140.0, 100.0, 140.0});
+    const double middle = 0.5 * (w.other(1).visiblePart().left + w.other(1).visiblePart().right);
+    ASSERT_TRUE(w.image().isFitted());
+    QTest::mouseDClick(&w.other(1), Qt::LeftButton, {}, w.other(1).rect().center());
+    EXPECT_EQ(w.current().shownView, 2U);
+    EXPECT_EQ(w.images().pane(0).title().title(), QStringLiteral("2 · second"));
+    EXPECT_EQ(w.images().pane(1).title().title(), QStringLiteral("1 · first"));
+    EXPECT_EQ(w.images().pane(2).title().title(), QStringLiteral("4 · fourth"));
+    EXPECT_TRUE(w.other(1).isFitted());
+    EXPECT_NEAR(0.5 * (w.image().visiblePart().left + w.image().visiblePart().right), middle, 1e-6);
+}
+
+TEST(WindowSideBySide, AnotherViewFollowsADragThatIsUnderWay)
+{
+    BesideWindow w;
+    const core::RigidTransform before = w.poseOf(1);
+    const QPoint from = w.image().rect().center() + QPoint(3, 4);
+    w.press(Qt::Key_N);
+    QTest::mousePress(&w.image(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(&w.image(), from + QPoint(15, 8));
+    QTest::mouseMove(&w.image(), from + QPoint(30, 16));
+    const core::RigidTransform dragged = w.controller.preview().pose();
+    ASSERT_GT(test::distance(dragged, w.poseOf(0)), 0.5);
+    EXPECT_EQ(w.image().cameraFromPatient().matrix(), dragged.matrix());
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), core::poseMovedAlong(w.current(), 1, dragged).matrix());
+    EXPECT_GT(test::distance(w.other().cameraFromPatient(), before), 0.1);
+    EXPECT_EQ(test::distance(w.poseOf(1), before), 0.0) << "the case waits for the end of the drag";
+    w.press(Qt::Key_Escape);
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
+    QTest::mouseRelease(&w.image(), Qt::LeftButton);
+
+    w.press(Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_GT(test::distance(w.other().cameraFromPatient(), before), 0.1);
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), w.poseOf(1).matrix());
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
+}
+
+TEST(WindowSideBySide, PosesThatAreIndependentStayAndSaySo)
+{
+    BesideWindow w;
+    const ui::PaneTitle& title = w.images().pane(0).title();
+    EXPECT_EQ(title.note(), QStringLiteral("moves along"));
+    w.setTogether(false);
+    EXPECT_EQ(title.note(), QStringLiteral("pose of its own"));
+    const core::RigidTransform before = w.poseOf(1);
+    const QPoint from = w.image().rect().center() + QPoint(3, 4);
+    w.press(Qt::Key_N);
+    QTest::mousePress(&w.image(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(&w.image(), from + QPoint(15, 8));
+    QTest::mouseMove(&w.image(), from + QPoint(30, 16));
+    EXPECT_GT(test::distance(w.image().cameraFromPatient(), w.poseOf(0)), 0.5);
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
+    QTest::mouseRelease(&w.image(), Qt::LeftButton, {}, from + QPoint(30, 16));
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
+    w.setTogether(true);
+    EXPECT_EQ(title.note(), QStringLiteral("moves along"));
+}
+
+TEST(WindowSideBySide, ColoursTellHowEachPoseAgreesWithItsOwnImage)
+{
+    BesideWindow w;
+    const auto residuals = [&]() -> const std::map<int, std::vector<double>>& {
+        return w.other().scene().content().residualPx;
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !residuals().empty(); }, test::patienceMs));
+    const core::View& second = w.current().views[1];
+    const auto expectedAt = [&](const core::RigidTransform& pose) {
+        const auto input = core::registrationInputOf(second, w.current().vessels, *second.target.centerline);
+        return core::judgementOf(input.value(), pose).value().residualPx;
+    };
+    EXPECT_EQ(residuals(), expectedAt(second.cameraFromPatient));
+    EXPECT_NE(residuals(), w.image().scene().content().residualPx);
+
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right, Qt::ShiftModifier);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return residuals() == expectedAt(w.poseOf(1)); }, test::patienceMs));
+}
+
+TEST(WindowSideBySide, EachHasItsOwnFrame)
+{
+    BesideWindow w;
+    const int shownFrame = w.current().shown().frame;
+    w.other().setFocus();
+    QTest::keyClick(&w.other(), Qt::Key_Home);
+    EXPECT_EQ(w.current().views[1].frame, 0);
+    EXPECT_EQ(w.current().shown().frame, shownFrame);
+    EXPECT_EQ(w.other().scene().frame().pixels, w.current().views[1].angiogram->frames[0].pixels);
+    QWheelEvent wheel(QPointF(20, 20), w.other().mapToGlobal(QPointF(20, 20)), {}, {0, -120}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&w.other(), &wheel);
+    EXPECT_EQ(w.current().views[1].frame, 1);
+    auto* bar = w.images().pane(0).findChild<QScrollBar*>();
+    EXPECT_TRUE(bar->isVisible());
+    EXPECT_EQ(bar->value(), 1);
+    QTest::keyClick(bar, Qt::Key_End);
+    EXPECT_EQ(w.current().views[1].frame, 2);
+    QTest::keyClick(&w.other(), Qt::Key_Down);   // none behind the last
+    EXPECT_EQ(w.current().views[1].frame, 2);
+    w.press(Qt::Key_Z, Qt::ControlModifier);   // so quick that they are one step
+    EXPECT_NE(w.current().views[1].frame, 2);
+    EXPECT_EQ(bar->value(), w.current().views[1].frame);
+    EXPECT_FALSE(w.history().canUndo());
+}
+
+TEST(WindowSideBySide, EachHasItsOwnBrightnessAndZoom)
+{
+    BesideWindow w;
+    const double level = w.image().shownRange().level();
+    const double zoom = w.image().zoom();
+    w.other().setWindowLevel(0.5, 0.25);
+    QTest::mouseClick(&w.other(), Qt::LeftButton, {}, {5, 5});
+    ASSERT_TRUE(w.other().hasFocus());
+    QTest::keyClick(&w.other(), Qt::Key_7);   // keys are about the image that has them
+    EXPECT_DOUBLE_EQ(w.other().shownRange().window(), 1.0);
+    EXPECT_DOUBLE_EQ(w.image().shownRange().level(), level);
+    w.other().zoomTo({100.0, 140.0, 100.0, 140.0});
+    EXPECT_EQ(w.image().zoom(), zoom);
+    QTest::keyClick(&w.other(), Qt::Key_1);
+    EXPECT_TRUE(w.other().isFitted());
+    w.image().setFocus();
+    w.press(Qt::Key_I);   // how overlay and image are shown is common
+    w.press(Qt::Key_T);
+    EXPECT_TRUE(w.other().scene().content().frame.isInverted());
+    EXPECT_TRUE(w.other().scene().content().isTracedShown);
+    w.press(Qt::Key_I);
+    w.press(Qt::Key_T);
+}
+
+TEST(WindowSideBySide, ViewsComeAndGoWithTheCase)
+{
+    BesideWindow w(simulatedViews(4));
+    ASSERT_EQ(w.images().paneCount(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = i + 1; k < 3; ++k) {
+            EXPECT_FALSE(w.images().pane(i).geometry().intersects(w.images().pane(k).geometry()));
+        }
+        EXPECT_EQ(w.other(i).cameraFromPatient().matrix(), w.poseOf(i + 1).matrix());
+    }
+    auto& strip = *w.window.views().findChild<QListWidget*>();
+    strip.setFocus();
+    QTest::keyClick(&strip, Qt::Key_Delete);   // the shown one
+    ASSERT_EQ(w.current().views.size(), 3U);
+    ASSERT_EQ(w.images().paneCount(), 2U);
+    EXPECT_EQ(w.images().title().title(), QStringLiteral("1 · second"));
+    EXPECT_EQ(w.images().pane(1).title().title(), QStringLiteral("3 · fourth"));
+    QTest::keyClick(&strip, Qt::Key_Delete);
+    QTest::keyClick(&strip, Qt::Key_Delete);
+    EXPECT_EQ(w.images().paneCount(), 0U);
+    EXPECT_FALSE(w.images().title().isVisible());
+    for (int i = 0; i < 3; ++i) {
+        w.press(Qt::Key_Z, Qt::ControlModifier);
+    }
+    ASSERT_EQ(w.images().paneCount(), 3U);
+    EXPECT_EQ(w.other(2).cameraFromPatient().matrix(), w.poseOf(3).matrix());
+    EXPECT_TRUE(w.images().pane(2).isVisible());
+}
+
+TEST(WindowSideBySide, NothingOfAClosedCaseIsKept)
+{
+    BesideWindow w;
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return !w.other().scene().content().residualPx.empty(); }, test::patienceMs));
+    const std::weak_ptr<const core::VesselTree> tree = w.current().vessels.tree;
+    const std::weak_ptr<const core::Angiogram> other = w.current().views[1].angiogram;
+    w.controller.document().replace({}, {});
+    EXPECT_EQ(w.images().paneCount(), 0U);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.expired() && other.expired(); }, test::patienceMs))
+        << tree.use_count() << " " << other.use_count();
+}
+
+TEST(WindowSideBySide, ABlindTrialHidesThem)
+{
+    BesideWindow w;
+    const test::TemporaryFolder folder;
+    w.waitForJudgement();
+    w.controller.poses().blindTrial().start(
+        {QStringLiteral("Ada"), 7, 10.0, 5.0, QString::fromStdString(folder.file("trials.csv"))});
+    EXPECT_EQ(w.images().paneCount(), 0U);
+    w.controller.poses().blindTrial().abandon();
+    EXPECT_EQ(w.images().paneCount(), 1U);
+}
+
+/// A place on the tree, well inside the shown image, and the widget px nearest to where it is seen.
+struct SeenPlace {
+    Eigen::Vector3d inPatient;
+    QPoint at;
+};
+
+SeenPlace seenPlace(BesideWindow& w)
+{
+    for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            const auto here = w.image().placeOf(point);
+            const auto there = w.other().placeOf(point);
+            const QRectF inside = QRectF(w.image().rect()).adjusted(60, 120, -60, -120);
+            if (here && there && inside.contains(*here) && QRectF(w.other().rect()).contains(*there)) {
+                return {point, here->toPoint()};
+            }
+        }
+    }
+    ADD_FAILURE() << "no point of the tree is seen in both views";
+    return {};
+}
+
+double distancePx(const core::ImageSegment& line, const Eigen::Vector2d& point)
+{
+    const Eigen::Vector2d way = (line.endPx - line.beginPx).normalized();
+    const Eigen::Vector2d from = point - line.beginPx;
+    return std::abs(way.x() * from.y() - way.y() * from.x());
+}
+
+TEST(WindowSideBySide, ThePointerIsALineInTheOtherViewThroughWhatItPointsAt)
+{
+    BesideWindow w;
+    const SeenPlace place = seenPlace(w);
+    w.pointAt(w.image(), place.at);
+    ASSERT_TRUE(w.other().crosshair().linePx);
+    EXPECT_FALSE(w.image().crosshair().linePx) << "under the pointer it would be a point";
+    const auto seenIn = [](const ui::AngiogramView& image, const Eigen::Vector3d& point) {
+        return *core::project(image.camera(), image.cameraFromPatient() * point);
+    };
+    // the pointer stands on whole px of the widget: what it exactly points at lies on its own ray, as deep as the place
+    const Eigen::Vector3d inCamera = w.image().cameraFromPatient() * place.inPatient;
+    const Eigen::Vector3d ray = core::rayThroughPixel(w.image().camera(), w.image().imageFromWidget(place.at));
+    const Eigen::Vector3d pointed =
+        w.image().cameraFromPatient().inverse() * Eigen::Vector3d(ray * (inCamera.z() / ray.z()));
+    ASSERT_LT((pointed - place.inPatient).norm(), 1.0);
+    EXPECT_LT(distancePx(*w.other().crosshair().linePx, seenIn(w.other(), pointed)), 1e-6);
+    EXPECT_LT(distancePx(*w.other().crosshair().linePx, seenIn(w.other(), place.inPatient)), 1.0 / w.image().zoom());
+
+    for (ui::AngiogramView* image : w.images().images()) {   // the vessel under the pointer is a point in all
+        ASSERT_TRUE(image->crosshair().pointInPatient);
+        EXPECT_LT((seenIn(w.image(), *image->crosshair().pointInPatient) - seenIn(w.image(), place.inPatient)).norm(),
+                  2.0 / w.image().zoom());
+    }
+}
+
+TEST(WindowSideBySide, TheLineFollowsPosesAndGoesWithThePointerOrByKey)
+{
+    BesideWindow w;
+    const SeenPlace place = seenPlace(w);
+    w.pointAt(w.image(), place.at);
+    ASSERT_TRUE(w.other().crosshair().linePx);
+    w.setTogether(false);   // moves the pointer out of the image
+    w.pointAt(w.image(), place.at);
+    const Eigen::Vector2d before = w.other().crosshair().linePx->beginPx;
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_PageUp, Qt::ShiftModifier);
+    w.press(Qt::Key_Up, Qt::ShiftModifier);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return w.other().crosshair().linePx->beginPx != before; }, test::patienceMs));
+    const core::Sight first{w.image().camera(), w.image().cameraFromPatient()};
+    const core::Sight second{w.other().camera(), w.other().cameraFromPatient()};
+    const auto expected = core::epipolarLine(first, w.image().imageFromWidget(place.at), second);
+    ASSERT_TRUE(expected);
+    EXPECT_LT((w.other().crosshair().linePx->beginPx - expected->beginPx).norm(), 1e-9);
+
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Z);
+    EXPECT_FALSE(w.other().crosshair().linePx);
+    w.pointAt(w.image(), place.at);
+    EXPECT_FALSE(w.other().crosshair().linePx);
+    w.press(Qt::Key_Z);
+    EXPECT_TRUE(w.other().crosshair().linePx);
+
+    w.pointAt(w.other(), w.other().rect().center());   // the other way round
+    EXPECT_TRUE(w.image().crosshair().linePx);
+    EXPECT_FALSE(w.other().crosshair().linePx);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&w.other(), &leave);
+    EXPECT_FALSE(w.image().crosshair().linePx);
+}
+
+}   // namespace
+}   // namespace angiopose::app
