@@ -93,6 +93,12 @@ Json correctionJson(const core::Vector6d& correction)
             {"shiftMm", correction.tail<3>().norm()}};
 }
 
+Json cameraJson(const core::CameraEvidence& camera)
+{
+    const auto three = [](const core::CameraError& values) { return Json{values[0], values[1], values[2]}; };
+    return {{"error", three(camera.error)}, {"sigma", three(camera.std)}, {"gain", camera.gain}};
+}
+
 std::string jointJson(const core::RegisteredCase& registered)
 {
     const core::MultiViewResult& joint = *registered.joint;
@@ -107,6 +113,9 @@ std::string jointJson(const core::RegisteredCase& registered)
         Json view = Json::parse(resultJson(showing, *showing.shown().result));
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
+        if (k < joint.cameras.size()) {
+            view["cameraByAllViews"] = cameraJson(joint.cameras[k]);
+        }
         json["views"].push_back(std::move(view));
     }
     if (registered.bent) {

@@ -5,6 +5,7 @@
 #include "app/texts/overlay_picture.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
+#include "core/registration/judging/pose_uncertainty.h"
 #include "io/image_file.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
@@ -117,6 +118,12 @@ void printBent(const core::DeformableResult& bent)
     }
 }
 
+std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
+{
+    return "in plane ±" + fixedText(sigmas.inPlaneMm, 2) + " mm, depth ±" + fixedText(sigmas.depthMm, depthDecimals) +
+           " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
+}
+
 }   // namespace
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
@@ -146,9 +153,13 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
                              (registered.joint ? "" : " after " + std::to_string(result.iterations) + " iterations") +
                              ", " + fixedText(result.time.totalMs, 1) + " ms" + beforeText(result.time));
     printViews(registered);
-    printLine("uncertainty", "in plane ±" + fixedText(result.uncertainty.inPlaneMm, 2) + " mm, depth ±" +
-                                 fixedText(result.uncertainty.depthMm, registered.joint ? 2 : 1) + " mm, rotation ±" +
-                                 fixedText(result.uncertainty.rotationDeg.maxCoeff(), 2) + "°");
+    const core::PoseUncertainty& uncertainty = result.uncertainty;
+    const int depthDecimals = registered.joint ? 2 : 1;
+    printLine("uncertainty", sigmasText(core::sigmasOf(uncertainty.covariance), depthDecimals));
+    if (result.camera) {
+        printLine("", sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) +
+                          " where the geometry is right");
+    }
     printLine("trustworthy", result.trustworthy ? "yes" : "NO");
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());

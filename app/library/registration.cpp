@@ -104,7 +104,8 @@ RegistrationInput toPublic(const core::RegistrationInput& input)
 
 PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree)
 {
-    const auto& [covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection] = uncertainty;
+    const auto& [covariance, imageCovariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection] =
+        uncertainty;
     return {core::centroidInPatient(tree), covariance, rotationDeg, inPlaneMm, depthMm, observed, weakestDirection};
 }
 

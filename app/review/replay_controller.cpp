@@ -124,7 +124,9 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
     const core::Vector6d& direction = uncertainty_->weakestDirection;
     const core::Vector6d scaled = perMm.cwiseProduct(direction);
     Swing swing;
-    swing.sigmaMm = std::sqrt(std::max(0.0, scaled.dot(uncertainty_->covariance * scaled)));
+    const bool isKnown = uncertainty_->imageCovariance.diagonal().maxCoeff() > 0.0;   // not of earlier versions
+    const core::Matrix6d& byImage = isKnown ? uncertainty_->imageCovariance : uncertainty_->covariance;
+    swing.sigmaMm = std::sqrt(std::max(0.0, scaled.dot(byImage * scaled)));
     swing.perSigma = swing.sigmaMm * direction.cwiseQuotient(perMm);
     Eigen::Index axis = 0;
     direction.cwiseAbs().maxCoeff(&axis);

@@ -1,6 +1,7 @@
 #include "core/case/registration_input.h"
 
 #include "core/messages/says.h"
+#include "core/registration/problem/registration_problem.h"
 #include "core/registration/register_views.h"
 
 #include <cassert>
@@ -36,6 +37,7 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
     input.tree = *vessels.tree;
     input.target = std::move(target);
     input.camera = camera.value();
+    input.cameraSpread = cameraSpreadOf(view);
     input.initialCameraFromPatient = view.cameraFromPatient;
     if (const auto start = startPoseOf(view, vessels)) {
         input.lockReference = start.value();
@@ -53,7 +55,13 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
 
 Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d target)
 {
-    return registrationInputOf(theCase.shown(), theCase.vessels, std::move(target));
+    auto input = registrationInputOf(theCase.shown(), theCase.vessels, std::move(target));
+    if (!input) {
+        return input;
+    }
+    RegistrationInput wanted = std::move(input).value();
+    wanted.cameraSpread = spreadFor(wanted.cameraSpread, theCase.options.geometry);
+    return wanted;
 }
 
 Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views, const Vessels& vessels,

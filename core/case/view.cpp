@@ -23,6 +23,16 @@ Result<ProjectionCamera> cameraOf(const View& view)
     return cameraFromCArm(view.geometry.cArm, view.angiogram->width(), view.angiogram->height());
 }
 
+CameraSpread cameraSpreadOf(const View& view)
+{
+    const auto camera = cameraOf(view);
+    if (!camera) {
+        return {};
+    }
+    return view.geometry.cameraOverride ? spreadOfTyped(camera.value())
+                                        : spreadByOrigin(view.geometry.cArm, camera.value());
+}
+
 Messages contradictionsOf(const View& view)
 {
     if (!view.angiogram || view.geometry.cameraOverride) {

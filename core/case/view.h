@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/case/input_file.h"
-#include "core/geometry/c_arm.h"
+#include "core/geometry/camera_spread.h"
 #include "core/geometry/landmark.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/pose_snapshot.h"
@@ -59,6 +59,9 @@ struct View {
 
 /// The camera of a view: the override, which must be of the image size, or what follows from the C-arm and that size.
 Result<ProjectionCamera> cameraOf(const View& view);
+
+/// How far that camera may be off, by where its values come from; zero where there is none.
+CameraSpread cameraSpreadOf(const View& view);
 
 /// The C-arm when the chosen frame was taken: the gantry may turn during a run (ALGORITHMS §5.5).
 CArm cArmOfFrame(const View& view);

@@ -2,6 +2,7 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/messages/says.h"
+#include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/joint_solve.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/judging/pose_uncertainty.h"
@@ -11,6 +12,7 @@
 namespace angiopose::core {
 namespace {
 
+constexpr double clearlyLess = 0.9;   // of the agreement that the views reach each by itself
 constexpr double aloneShare = 0.9;   // of the progress of a view; the rest is its joint refinement
 
 Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
@@ -101,6 +103,14 @@ std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
     return poses;
 }
 
+/// Where the geometry is wrong no view's answer fits the others: how they contradict shows with each at its own.
+JointPose refinedAtItsOwn(JointSolve& solve, const JointPose& each, std::size_t lastView, JointProgress& progress)
+{
+    return solve.refine(each, [&](const JointPose& reached, double scalePx, double) {
+        return progress.report(lastView, reached, scalePx, 1.0);
+    });
+}
+
 /// Every view's own answers, carried to the first view, are where the joint solve starts from; the best score wins.
 Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationInput> inputs,
                                 const RegistrationOptions& options, const MultiViewOptions& multiView,
@@ -108,12 +118,16 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
 {
     JointPose best;
     double bestScore = -1.0;
+    std::vector<RigidTransform> aloneBest;
+    RegistrationOptions ofOneView = options;
+    ofOneView.geometry.otherFrames = false;   // all views together tell
     for (std::size_t k = 0; k < inputs.size() && !progress.isStopped(); ++k) {
-        const auto alone = registerVessels(inputs[k], options,
+        const auto alone = registerVessels(inputs[k], ofOneView,
                                            [&](const IterationReport& report) { return progress.report(k, report); });
         if (!alone) {
             return inView(multiView.numberOf(k), alone.error());
         }
+        aloneBest.push_back(alone.value().cameraFromPatient);
         const std::vector<RigidTransform> starts = posesOf(alone.value());
         for (std::size_t i = 0; i < starts.size(); ++i) {
             const JointPose joint =
@@ -125,6 +139,12 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
                 best = joint;
                 bestScore = score;
             }
+        }
+    }
+    if (aloneBest.size() == inputs.size() && !progress.isStopped()) {
+        const JointPose each = solve.ofEach(aloneBest);
+        if (bestScore < clearlyLess * solve.scoreOf(each)) {
+            best = refinedAtItsOwn(solve, each, inputs.size() - 1, progress);
         }
     }
     return best;
@@ -170,7 +190,10 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     const JointPose& pose = best.value();
     MultiViewResult result;
     result.corrections = pose.corrections;
-    result.uncertainty = poseUncertainty(first, solve.information(pose), solve.prior(), pose.first);
+    const JointKnowledge knowledge = solve.knowledge(pose);
+    result.uncertainty =
+        poseUncertainty(first, knowledge.information, knowledge.covarianceByCameras, solve.prior(), pose.first);
+    result.cameras = knowledge.cameras;
     result.trustworthy = true;
     for (std::size_t k = 0; k < views.size(); ++k) {
         MethodSolution solution;
@@ -178,6 +201,11 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
         solution.stopReason = progress.isStopped() ? StopReason::StoppedByUser : StopReason::Converged;
         addView(result, multiView.numberOf(k), *views[k], std::move(solution), solve.isPlausible(pose.corrections[k]),
                 options);
+    }
+    for (std::size_t k = 0; k < result.cameras.size(); ++k) {
+        for (const Message& said : contradictionsOf(result.cameras[k], views[k]->problem.camera, views.size())) {
+            result.warnings.push_back(says::inView(multiView.numberOf(k), said));
+        }
     }
     return result;
 }

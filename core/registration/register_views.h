@@ -24,6 +24,7 @@ struct MultiViewResult {
     /// tree's centroid (rad) and shift (mm) in that view's camera axes. Zero for the first.
     std::vector<Vector6d> corrections;
     PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
+    std::vector<CameraEvidence> cameras;   ///< from all views, one for each; empty: all cameras count as exact
     bool trustworthy = false;   ///< every view is, and no correction is implausible
     Messages warnings;
 };

@@ -81,6 +81,7 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
 {
     RegistrationResult result = joint.views.front();
     result.uncertainty = joint.uncertainty;
+    result.camera = joint.cameras.empty() ? std::nullopt : std::optional(joint.cameras.front());
     result.trustworthy = joint.trustworthy;
     for (const Message& warning : joint.warnings) {
         if (std::ranges::find(result.warnings, warning) == result.warnings.end()) {

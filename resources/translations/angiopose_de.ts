@@ -2353,6 +2353,38 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wie viel die als Hilfsmenge gewählten Äste gegen die Anpassung aller zählen; 1: sie werden nicht eigens angepasst.</translation>
     </message>
     <message>
+        <source>Errors of the geometry</source>
+        <translation>Fehler der Geometrie</translation>
+    </message>
+    <message>
+        <source>Whether focal length and principal point may be off by what is usual where they come from, by what is given below, or not at all.</source>
+        <translation>Ob Brennweite und Hauptpunkt um so viel falsch sein können, wie es bei ihrer Herkunft üblich ist, um das unten Angegebene, oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>Focal length ±</source>
+        <translation>Brennweite ±</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the focal length where it is given.</source>
+        <translation>Standardabweichung der Brennweite, wo sie angegeben wird.</translation>
+    </message>
+    <message>
+        <source>Principal point ±</source>
+        <translation>Hauptpunkt ±</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate of the principal point where it is given.</source>
+        <translation>Standardabweichung jeder Koordinate des Hauptpunkts, wo sie angegeben wird.</translation>
+    </message>
+    <message>
+        <source>Mirrored and turned images</source>
+        <translation>Gespiegelte und gedrehte Bilder</translation>
+    </message>
+    <message>
+        <source>Where a fit is in doubt, tells whether the image looks mirrored or turned.</source>
+        <translation>Sagt, wo eine Anpassung zweifelhaft ist, ob das Bild gespiegelt oder gedreht aussieht.</translation>
+    </message>
+    <message>
         <source>Start rotation ±</source>
         <translation>Startdrehung ±</translation>
     </message>
@@ -3414,6 +3446,76 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
         <comment>trust.depth-unknown</comment>
         <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
+    </message>
+    <message>
+        <source>One view does not tell the depth here: the distance from the source is %1 off the start pose and may be wrong. Lock the depth, or add a view.</source>
+        <comment>trust.depth-moved</comment>
+        <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder nehmen Sie eine Projektion hinzu.</translation>
+    </message>
+    <message>
+        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller).</source>
+        <comment>camera.focal-longer</comment>
+        <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und den Pixelabstand (vielleicht kleiner).</translation>
+    </message>
+    <message>
+        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger).</source>
+        <comment>camera.focal-shorter</comment>
+        <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und den Pixelabstand (vielleicht größer).</translation>
+    </message>
+    <message>
+        <source>The vessels fit clearly better with the principal point %1 aside, at (%2, %3). Check it, and whether the image was cropped or shifted.</source>
+        <comment>camera.principal-point-off</comment>
+        <translation>Die Gefäße passen deutlich besser, wenn der Hauptpunkt um %1 daneben liegt, bei (%2, %3). Prüfen Sie ihn, und ob das Bild beschnitten oder verschoben wurde.</translation>
+    </message>
+    <message>
+        <source>The image looks turned clockwise by 90°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, or the roll.</source>
+        <comment>frame.turned-clockwise</comment>
+        <translation>Das Bild scheint um 90° im Uhrzeigersinn gedreht: zurückgedreht stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde, oder die Bilddrehung.</translation>
+    </message>
+    <message>
+        <source>The image looks turned anticlockwise by 90°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, or the roll.</source>
+        <comment>frame.turned-anticlockwise</comment>
+        <translation>Das Bild scheint um 90° gegen den Uhrzeigersinn gedreht: zurückgedreht stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde, oder die Bilddrehung.</translation>
+    </message>
+    <message>
+        <source>The image looks turned by 180°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, the roll, and the patient&apos;s position.</source>
+        <comment>frame.upside-down</comment>
+        <translation>Das Bild scheint um 180° gedreht: zurückgedreht stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde, die Bilddrehung und die Lagerung des Patienten.</translation>
+    </message>
+    <message>
+        <source>The image looks mirrored left to right: mirrored back, %1 of vessels and image agree, as it is %2. Check in the geometry from which side it is shown.</source>
+        <comment>frame.mirrored-left-right</comment>
+        <translation>Das Bild scheint links und rechts vertauscht: zurückgespiegelt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie in der Geometrie, von welcher Seite es gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The image looks mirrored up to down: mirrored back, %1 of vessels and image agree, as it is %2. Check how it was exported.</source>
+        <comment>frame.mirrored-up-down</comment>
+        <translation>Das Bild scheint oben und unten vertauscht: zurückgespiegelt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>The image looks mirrored and turned by 90°: put right, %1 of vessels and image agree, as it is %2. Check how it was exported.</source>
+        <comment>frame.mirrored-and-turned</comment>
+        <translation>Das Bild scheint gespiegelt und um 90° gedreht: zurechtgerückt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde.</translation>
+    </message>
+    <message>
+        <source>Mirrored, the image fits the vessels about as well (%1 of both agree, as it is %2): make sure from which side it is shown.</source>
+        <comment>frame.mirror-rival</comment>
+        <translation>Gespiegelt passt das Bild etwa ebenso gut zu den Gefäßen (%1 von beiden stimmen überein, so wie es ist %2): vergewissern Sie sich, von welcher Seite es gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: type other angles or the roll, or place the vessels by landmarks.</source>
+        <comment>dicom.patient-lies</comment>
+        <translation>Der Patient lag %1 (0018,5100), nicht Kopf voran auf dem Rücken. Die Winkel gelten wie im Standard: vom Patienten aus, im Bild ist der Kopf oben. Zählt dieses Gerät sie vom Tisch aus, so ist die Startlage gedreht: geben Sie andere Winkel oder die Bilddrehung ein, oder setzen Sie die Gefäße mit Landmarken.</translation>
+    </message>
+    <message>
+        <source>The table moved during this run (%1). That is not used: a pose holds for its own frame only, and frames are not views of one place.</source>
+        <comment>dicom.table-moved</comment>
+        <translation>Der Tisch bewegte sich während dieser Serie (%1). Das wird nicht verwendet: eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Projektionen desselben Ortes.</translation>
+    </message>
+    <message>
+        <source>the header does not say how far</source>
+        <comment>dicom.table-moved-unknown</comment>
+        <translation>der Header sagt nicht, wie weit</translation>
     </message>
     <message>
         <source>Bent vessels need at least one registered view.</source>
@@ -8144,6 +8246,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Depth ±%1 mm: one view cannot tell it.</source>
         <translation>Tiefe ±%1 mm: eine Projektion allein verrät sie nicht.</translation>
+    </message>
+    <message>
+        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
+        <translation>Im Raum, nach der Genauigkeit der Geometrie: Tiefe ±%1 mm, seitlich ±%2 mm.</translation>
     </message>
     <message>
         <source>Depth is the least certain: ±%1 mm.</source>

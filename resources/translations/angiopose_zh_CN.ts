@@ -2353,6 +2353,38 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选作辅助的分支相对于全部分支的拟合计多少权；1：不单独拟合。</translation>
     </message>
     <message>
+        <source>Errors of the geometry</source>
+        <translation>几何误差</translation>
+    </message>
+    <message>
+        <source>Whether focal length and principal point may be off by what is usual where they come from, by what is given below, or not at all.</source>
+        <translation>焦距和主点的误差：按其来源的常见值、按下方给定值，或不考虑。</translation>
+    </message>
+    <message>
+        <source>Focal length ±</source>
+        <translation>焦距 ±</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the focal length where it is given.</source>
+        <translation>给定时焦距的标准差。</translation>
+    </message>
+    <message>
+        <source>Principal point ±</source>
+        <translation>主点 ±</translation>
+    </message>
+    <message>
+        <source>Standard deviation of each coordinate of the principal point where it is given.</source>
+        <translation>给定时主点各坐标的标准差。</translation>
+    </message>
+    <message>
+        <source>Mirrored and turned images</source>
+        <translation>镜像和旋转的图像</translation>
+    </message>
+    <message>
+        <source>Where a fit is in doubt, tells whether the image looks mirrored or turned.</source>
+        <translation>结果可疑时，说明图像是否像被镜像或旋转。</translation>
+    </message>
+    <message>
         <source>Start rotation ±</source>
         <translation>初始旋转 ±</translation>
     </message>
@@ -3414,6 +3446,76 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
         <comment>trust.depth-unknown</comment>
         <translation>单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>
+    </message>
+    <message>
+        <source>One view does not tell the depth here: the distance from the source is %1 off the start pose and may be wrong. Lock the depth, or add a view.</source>
+        <comment>trust.depth-moved</comment>
+        <translation>单一投影无法确定深度：到射线源的距离偏离初始位姿 %1，可能有误。请锁定深度，或增加一个投照视图。</translation>
+    </message>
+    <message>
+        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller).</source>
+        <comment>camera.focal-longer</comment>
+        <translation>焦距增大 %1 时血管明显更吻合。请检查源到探测器的距离（可能更大）和像素间距（可能更小）。</translation>
+    </message>
+    <message>
+        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger).</source>
+        <comment>camera.focal-shorter</comment>
+        <translation>焦距减小 %1 时血管明显更吻合。请检查源到探测器的距离（可能更小）和像素间距（可能更大）。</translation>
+    </message>
+    <message>
+        <source>The vessels fit clearly better with the principal point %1 aside, at (%2, %3). Check it, and whether the image was cropped or shifted.</source>
+        <comment>camera.principal-point-off</comment>
+        <translation>主点偏移 %1、位于 (%2, %3) 时血管明显更吻合。请检查主点，以及图像是否被裁剪或平移。</translation>
+    </message>
+    <message>
+        <source>The image looks turned clockwise by 90°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, or the roll.</source>
+        <comment>frame.turned-clockwise</comment>
+        <translation>图像似乎顺时针旋转了 90°：转回后血管与图像吻合 %1，现状为 %2。请检查其导出方式或滚转角。</translation>
+    </message>
+    <message>
+        <source>The image looks turned anticlockwise by 90°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, or the roll.</source>
+        <comment>frame.turned-anticlockwise</comment>
+        <translation>图像似乎逆时针旋转了 90°：转回后血管与图像吻合 %1，现状为 %2。请检查其导出方式或滚转角。</translation>
+    </message>
+    <message>
+        <source>The image looks turned by 180°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, the roll, and the patient&apos;s position.</source>
+        <comment>frame.upside-down</comment>
+        <translation>图像似乎旋转了 180°：转回后血管与图像吻合 %1，现状为 %2。请检查其导出方式、滚转角和患者体位。</translation>
+    </message>
+    <message>
+        <source>The image looks mirrored left to right: mirrored back, %1 of vessels and image agree, as it is %2. Check in the geometry from which side it is shown.</source>
+        <comment>frame.mirrored-left-right</comment>
+        <translation>图像似乎左右镜像：镜像还原后血管与图像吻合 %1，现状为 %2。请在几何设置中检查从哪一侧显示。</translation>
+    </message>
+    <message>
+        <source>The image looks mirrored up to down: mirrored back, %1 of vessels and image agree, as it is %2. Check how it was exported.</source>
+        <comment>frame.mirrored-up-down</comment>
+        <translation>图像似乎上下镜像：镜像还原后血管与图像吻合 %1，现状为 %2。请检查其导出方式。</translation>
+    </message>
+    <message>
+        <source>The image looks mirrored and turned by 90°: put right, %1 of vessels and image agree, as it is %2. Check how it was exported.</source>
+        <comment>frame.mirrored-and-turned</comment>
+        <translation>图像似乎既镜像又旋转了 90°：校正后血管与图像吻合 %1，现状为 %2。请检查其导出方式。</translation>
+    </message>
+    <message>
+        <source>Mirrored, the image fits the vessels about as well (%1 of both agree, as it is %2): make sure from which side it is shown.</source>
+        <comment>frame.mirror-rival</comment>
+        <translation>镜像后的图像与血管同样吻合（吻合 %1，现状为 %2）：请确认图像从哪一侧显示。</translation>
+    </message>
+    <message>
+        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: type other angles or the roll, or place the vessels by landmarks.</source>
+        <comment>dicom.patient-lies</comment>
+        <translation>患者体位为 %1 (0018,5100)，而非头先进仰卧。角度按标准理解：以患者为基准，图像中头部朝上。若该设备以检查床为基准，初始位姿会被旋转：请输入其他角度或滚转角，或用标志点放置血管。</translation>
+    </message>
+    <message>
+        <source>The table moved during this run (%1). That is not used: a pose holds for its own frame only, and frames are not views of one place.</source>
+        <comment>dicom.table-moved</comment>
+        <translation>采集过程中检查床发生移动（%1）。该移动不被使用：位姿只对其所在帧有效，各帧并非同一位置的投照视图。</translation>
+    </message>
+    <message>
+        <source>the header does not say how far</source>
+        <comment>dicom.table-moved-unknown</comment>
+        <translation>文件头未说明移动距离</translation>
     </message>
     <message>
         <source>Bent vessels need at least one registered view.</source>
@@ -8144,6 +8246,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Depth ±%1 mm: one view cannot tell it.</source>
         <translation>深度 ±%1 mm：单一投影无法确定。</translation>
+    </message>
+    <message>
+        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
+        <translation>在空间中，受几何参数精度所限：深度 ±%1 mm，侧向 ±%2 mm。</translation>
     </message>
     <message>
         <source>Depth is the least certain: ±%1 mm.</source>

@@ -1,6 +1,7 @@
 #include "ui/panels/result_sentences.h"
 
 #include "core/messages/says.h"
+#include "core/registration/judging/pose_uncertainty.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -26,12 +27,21 @@ QString resultNumber(double value)
     return numberText(value, value < 9.95 ? 1 : 0);
 }
 
+/// Where the geometry is right; results of earlier versions know no other.
+core::PoseSigmas byImage(const core::PoseUncertainty& uncertainty)
+{
+    const bool isKnown = uncertainty.imageCovariance.diagonal().maxCoeff() > 0.0;
+    return isKnown ? core::sigmasOf(uncertainty.imageCovariance)
+                   : core::PoseSigmas{uncertainty.rotationDeg, uncertainty.inPlaneMm, uncertainty.depthMm};
+}
+
 QString certainPose(const core::PoseUncertainty& uncertainty)
 {
+    const core::PoseSigmas sigmas = byImage(uncertainty);
     const bool inPlane = uncertainty.observed[3] && uncertainty.observed[4];
     const bool turns = uncertainty.observed[0] && uncertainty.observed[1] && uncertainty.observed[2];
-    const QString shiftMm = resultNumber(std::max(0.05, uncertainty.inPlaneMm));
-    const QString turnDeg = resultNumber(std::max(0.05, uncertainty.rotationDeg.maxCoeff()));
+    const QString shiftMm = resultNumber(std::max(0.05, sigmas.inPlaneMm));
+    const QString turnDeg = resultNumber(std::max(0.05, sigmas.rotationDeg.maxCoeff()));
     if (inPlane && turns) {
         return ResultWords::tr("In plane ±%1 mm, rotation ±%2°.").arg(shiftMm, turnDeg);
     }
@@ -52,16 +62,33 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         .arg(numberText(agreeingMm, 1));
 }
 
-/// Nothing when the solver's own warnings speak of depth already.
+/// The geometry makes depth clearly less certain than the image does.
+bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
+{
+    return uncertainty.depthMm > 1.5 * byImage(uncertainty).depthMm && uncertainty.depthMm > 1.0;
+}
+
+/// What the image cannot make good: where the tree is in space depends on the geometry, the overlay does not.
+QString geometryWords(const core::PoseUncertainty& uncertainty)
+{
+    return dependsOnGeometry(uncertainty)
+               ? ResultWords::tr("In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.")
+                     .arg(resultNumber(uncertainty.depthMm), resultNumber(uncertainty.inPlaneMm))
+               : QString();
+}
+
+/// Nothing when the solver's own warnings, or the words about the geometry, speak of depth already.
 QString depthWords(const core::RegistrationResult& result)
 {
     const core::PoseUncertainty& uncertainty = result.uncertainty;
-    const auto speaksOfDepth = [](const core::Message& warning) { return warning.is(core::says::trustDepthUnknown); };
+    const auto speaksOfDepth = [](const core::Message& warning) {
+        return warning.is(core::says::trustDepthUnknown) || warning.is(core::says::trustDepthMoved);
+    };
     if (std::ranges::any_of(result.warnings, speaksOfDepth)) {
         return {};
     }
     const std::optional<double> depthMm = doubtfulDepthMm(uncertainty);
-    if (!depthMm) {
+    if (!depthMm || (uncertainty.observed[5] && dependsOnGeometry(uncertainty))) {
         return {};
     }
     return uncertainty.observed[5]
@@ -116,7 +143,8 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     for (const core::Message& warning : result.warnings) {
         sentences.doubtful << messageText(warning);
     }
-    for (const QString& sentence : {depthWords(result), disagreement(result, tree, millimetresPerPixel)}) {
+    for (const QString& sentence :
+         {depthWords(result), geometryWords(result.uncertainty), disagreement(result, tree, millimetresPerPixel)}) {
         if (!sentence.isEmpty()) {
             sentences.doubtful << sentence;
         }

@@ -116,6 +116,15 @@ inline Vector6d Alignment::residualGradient(const Match& found) const
     return J;
 }
 
+/// d(residual) / d(log of the focal length, cx px, cy px).
+inline Eigen::Vector3d Alignment::cameraGradient(const Match& found) const
+{
+    const Eigen::Vector3d& X = found.inCamera;
+    const double u = camera_.fx * X.x() / X.z();
+    const double v = camera_.fy * X.y() / X.z();
+    return {found.normalX * u + found.normalY * v, found.normalX, found.normalY};
+}
+
 Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
 {
     Agreement agreement;
@@ -229,6 +238,7 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
             row.residual = found.residual;
             row.fromCentroid = found.turned;
             row.gradient = residualGradient(found);
+            row.cameraGradient = cameraGradient(found);
         }
         rows.push_back(row);
     }

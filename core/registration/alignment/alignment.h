@@ -27,6 +27,7 @@ struct Agreement {
 struct ResidualRow {
     Eigen::Vector3d fromCentroid = Eigen::Vector3d::Zero();   ///< mm, camera axes
     Vector6d gradient = Vector6d::Zero();   ///< for steps (rad, mm)
+    Eigen::Vector3d cameraGradient = Eigen::Vector3d::Zero();   ///< for an error of the camera, see CameraError
     double residual = 0.0;   ///< px across the vessel, to the same side all along a branch
     double weight = 0.0;
     int branchIndex = 0;
@@ -82,6 +83,7 @@ private:
     struct Match;
     bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
     Vector6d residualGradient(const Match& found) const;
+    Eigen::Vector3d cameraGradient(const Match& found) const;
     void projectPoints(const CentroidPose& pose, double reachPx);
 
     std::vector<AlignmentPoint> points_;

@@ -9,6 +9,20 @@ CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> ge
     return moved(carried, joint.corrections[view]);
 }
 
+namespace {
+
+/// Of a view's step for a step of the first pose.
+Matrix6d inViewPerFirst(const JointPose& joint, std::span<const ViewGeometry> geometry, std::size_t view)
+{
+    const Eigen::Matrix3d& turn = geometry[view].cameraFromFirst.rotation;
+    Matrix6d J = Matrix6d::Zero();
+    J.topLeftCorner<3, 3>() = expSo3(joint.corrections[view].head<3>()) * turn;
+    J.bottomRightCorner<3, 3>() = turn;
+    return J;
+}
+
+}   // namespace
+
 StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
                          std::span<const ViewGeometry> geometry)
 {
@@ -16,10 +30,7 @@ StackedEquations stacked(std::span<const NormalEquations> perView, const JointPo
     StackedEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
     for (std::size_t k = 0; k < perView.size(); ++k) {
         const Matrix6d H = perView[k].hessian.selfadjointView<Eigen::Lower>();
-        const Eigen::Matrix3d& turn = geometry[k].cameraFromFirst.rotation;
-        Matrix6d J = Matrix6d::Zero();   // of the view's step for a step of the first pose
-        J.topLeftCorner<3, 3>() = expSo3(joint.corrections[k].head<3>()) * turn;
-        J.bottomRightCorner<3, 3>() = turn;
+        const Matrix6d J = inViewPerFirst(joint, geometry, k);
         sum.hessian.topLeftCorner<6, 6>() += J.transpose() * H * J;
         sum.gradient.head<6>() += J.transpose() * perView[k].gradient;
         if (k > 0) {
@@ -30,6 +41,34 @@ StackedEquations stacked(std::span<const NormalEquations> perView, const JointPo
             sum.gradient.segment<6>(at) += perView[k].gradient;
         }
     }
+    return sum;
+}
+
+StackedEquations stacked(std::span<const CameraEquations> perView, const JointPose& joint,
+                         std::span<const ViewGeometry> geometry)
+{
+    std::vector<NormalEquations> ofPoses;
+    for (const CameraEquations& view : perView) {
+        ofPoses.push_back({view.hessian.topLeftCorner<6, 6>(), view.gradient.head<6>()});
+    }
+    const StackedEquations poses = stacked(ofPoses, joint, geometry);
+    const Eigen::Index poseCount = poses.hessian.rows();
+    const auto count = poseCount + static_cast<Eigen::Index>(3 * perView.size());
+    StackedEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+    sum.hessian.topLeftCorner(poseCount, poseCount) = poses.hessian;
+    sum.gradient.head(poseCount) = poses.gradient;
+    for (std::size_t k = 0; k < perView.size(); ++k) {
+        const auto at = poseCount + static_cast<Eigen::Index>(3 * k);
+        const Eigen::Matrix<double, 3, 6> crossed = perView[k].hessian.bottomLeftCorner<3, 6>();
+        sum.hessian.block<3, 3>(at, at) = perView[k].hessian.bottomRightCorner<3, 3>();
+        sum.hessian.block<3, 6>(at, 0) = crossed * inViewPerFirst(joint, geometry, k);
+        if (k > 0) {
+            sum.hessian.block<3, 6>(at, static_cast<Eigen::Index>(6 * k)) = crossed;
+        }
+        sum.gradient.segment<3>(at) = perView[k].gradient.tail<3>();
+    }
+    const Eigen::MatrixXd lower = sum.hessian.triangularView<Eigen::Lower>();
+    sum.hessian = lower.selfadjointView<Eigen::Lower>();
     return sum;
 }
 

@@ -29,6 +29,10 @@ CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> ge
 StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
                          std::span<const ViewGeometry> geometry);
 
+/// The same with the errors of the cameras, three for each view after all parameters of the poses.
+StackedEquations stacked(std::span<const CameraEquations> perView, const JointPose& joint,
+                         std::span<const ViewGeometry> geometry);
+
 /// The joint pose after a step of all parameters.
 JointPose moved(const JointPose& joint, const Eigen::VectorXd& step);
 

@@ -1,5 +1,6 @@
 #include "core/registration/alignment/joint_solve.h"
 
+#include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/shape_tolerance.h"
 
 #include <Eigen/Cholesky>
@@ -142,14 +143,28 @@ CentroidPose JointSolve::inFirst(const RigidTransform& pose, std::size_t view) c
     return aboutCentroid(geometry_[view].cameraFromFirst.inverse() * pose, views_.front()->problem.tree.centroid);
 }
 
+JointPose JointSolve::ofEach(std::span<const RigidTransform> poses) const
+{
+    const Eigen::Vector3d& centroid = views_.front()->problem.tree.centroid;
+    JointPose joint{aboutCentroid(poses.front(), centroid), std::vector<Vector6d>(views_.size(), Vector6d::Zero())};
+    for (std::size_t k = 1; k < views_.size(); ++k) {
+        joint.corrections[k] = stepBetween(inView(joint, k), aboutCentroid(poses[k], centroid));
+    }
+    return joint;
+}
+
 JointPose JointSolve::refine(const CentroidPose& first, const JointObserver& observe)
+{
+    return refine(JointPose{first, std::vector<Vector6d>(views_.size(), Vector6d::Zero())}, observe);
+}
+
+JointPose JointSolve::refine(const JointPose& start, const JointObserver& observe)
 {
     for (const auto& view : views_) {
         view->alignment.resetVisibility();
     }
     JointAtScale problem(views_, geometry_, prior_, correctionStd_);
     LookPair<JointLook> looks;
-    const JointPose start{first, std::vector<Vector6d>(views_.size(), Vector6d::Zero())};
     DampedDescent descent(problem, start, looks, {.settledMm = settledJointMm});
     const std::vector<double> scalesPx = jointScalesPx();
     for (std::size_t level = 0; level < scalesPx.size(); ++level) {
@@ -177,22 +192,50 @@ double JointSolve::scoreOf(const JointPose& joint) const
     return sum;
 }
 
-Matrix6d JointSolve::information(const JointPose& joint) const
+/// Of the poses and the cameras, in units of information, with the priors of the corrections and without the start's.
+StackedEquations JointSolve::equations(const JointPose& joint) const
 {
-    std::vector<NormalEquations> perView;
+    std::vector<CameraEquations> perView;
     for (std::size_t k = 0; k < views_.size(); ++k) {
         const CentroidPose pose = inView(joint, k);
         StartPrior prior = prior_;
         prior.start = pose;
-        perView.push_back(tolerantInformation(views_[k]->alignment, prior, pose));
+        perView.push_back(tolerantInformation(views_[k]->alignment, prior, pose, views_[k]->problem.cameraSpread));
     }
-    Eigen::MatrixXd H = stacked(perView, joint, geometry_).hessian;
-    const auto others = static_cast<Eigen::Index>(6 * (views_.size() - 1));
-    for (Eigen::Index at = 6; at < H.rows(); at += 6) {
-        H.block<6, 6>(at, at).diagonal() += correctionStd_.cwiseAbs2().cwiseInverse();
+    StackedEquations all = stacked(perView, joint, geometry_);
+    const Vector6d weight = correctionStd_.cwiseAbs2().cwiseInverse();
+    for (std::size_t k = 1; k < views_.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(6 * k);
+        all.hessian.block<6, 6>(at, at).diagonal() += weight;
+        all.gradient.segment<6>(at) += weight.cwiseProduct(joint.corrections[k]);
     }
-    const Eigen::MatrixXd towards = H.bottomLeftCorner(others, 6);
-    return H.topLeftCorner<6, 6>() - towards.transpose() * H.bottomRightCorner(others, others).ldlt().solve(towards);
+    return all;
+}
+
+JointKnowledge JointSolve::knowledge(const JointPose& joint) const
+{
+    StackedEquations all = equations(joint);
+    const auto poses = static_cast<Eigen::Index>(6 * views_.size());
+    const Eigen::Index others = poses - 6;
+    const Eigen::MatrixXd towards = all.hessian.block(6, 0, others, 6);
+    JointKnowledge knowledge;
+    knowledge.information = all.hessian.topLeftCorner<6, 6>() -
+                            towards.transpose() * all.hessian.block(6, 6, others, others).ldlt().solve(towards);
+    std::vector<CameraSpread> spreads;
+    for (const auto& view : views_) {
+        spreads.push_back(view->problem.cameraSpread);
+    }
+    NormalEquations start;
+    prior_.add(joint.first, 1.0, start);
+    all.hessian.topLeftCorner<6, 6>() += start.hessian;
+    all.gradient.head<6>() += start.gradient;
+    const CameraInfluence influence(all, Eigen::MatrixXd::Identity(poses, poses), spreads);
+    knowledge.covarianceByCameras = influence.covarianceOfPose();
+    const bool isAnyUncertain = std::ranges::any_of(spreads, [](const CameraSpread& each) { return !each.isExact(); });
+    for (std::size_t k = 0; isAnyUncertain && k < views_.size(); ++k) {
+        knowledge.cameras.push_back(influence.evidence(k));
+    }
+    return knowledge;
 }
 
 bool JointSolve::isPlausible(const Vector6d& correction) const

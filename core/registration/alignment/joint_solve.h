@@ -22,6 +22,13 @@ struct JointView {
 /// Told the pose so far, the scale in px and the share done, 0…1; Stop ends the refinement with what it has.
 using JointObserver = std::function<Verdict(const JointPose& joint, double scalePx, double progress)>;
 
+/// What all images tell at a joint pose.
+struct JointKnowledge {
+    Matrix6d information;   ///< about the first pose, where the cameras are right
+    Matrix6d covarianceByCameras;   ///< of the first pose
+    std::vector<CameraEvidence> cameras;   ///< one per view; empty: all cameras count as exact
+};
+
 /// Registers one tree to all views at once, from poses found in single views (ALGORITHMS §6.12).
 class JointSolve {
 public:
@@ -33,15 +40,20 @@ public:
     /// Pose in the first view that a pose found in view `view` means.
     CentroidPose inFirst(const RigidTransform& pose, std::size_t view) const;
 
+    /// Every view at a pose of its own, whatever that asks of the geometry between them.
+    JointPose ofEach(std::span<const RigidTransform> poses) const;
+
     JointPose refine(const CentroidPose& first, const JointObserver& observe);
+    JointPose refine(const JointPose& start, const JointObserver& observe);
 
     /// Mean agreement of the views, 0…1.
     double scoreOf(const JointPose& joint) const;
 
     CentroidPose inView(const JointPose& joint, std::size_t view) const { return poseInView(joint, geometry_, view); }
 
-    /// Of all images about the first pose, the corrections of the geometry being unknown within their spread.
-    Matrix6d information(const JointPose& joint) const;
+    /// Of all images about the first pose, the corrections of the geometry being unknown within their spread, and of
+    /// the cameras.
+    JointKnowledge knowledge(const JointPose& joint) const;
 
     /// In no direction farther than 4 σ.
     bool isPlausible(const Vector6d& correction) const;
@@ -49,6 +61,8 @@ public:
     const StartPrior& prior() const { return prior_; }
 
 private:
+    StackedEquations equations(const JointPose& joint) const;
+
     const Views& views_;
     std::vector<ViewGeometry> geometry_;
     StartPrior prior_;

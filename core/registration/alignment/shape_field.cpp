@@ -11,30 +11,44 @@ constexpr std::size_t shortestBlock = 10;   // points
 constexpr std::size_t aboutBlocks = 100;   // the field costs the cube of their number
 constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
+/// The derivatives of a row, then its residual.
+template <int Parameters>
+Eigen::Vector<double, Parameters + 1> derivativesAndResidual(const ResidualRow& row)
+{
+    Eigen::Vector<double, Parameters + 1> both;
+    if constexpr (Parameters == 6) {
+        both << row.gradient, row.residual;
+    } else {
+        both << row.gradient, row.cameraGradient, row.residual;
+    }
+    return both;
+}
+
 /// Sums over one block.
+template <int Parameters>
 struct FieldBlock {
     int branchIndex = -1;
     std::size_t count = 0;
     double information = 0.0;
-    Eigen::Matrix<double, 7, 1> rows = Eigen::Matrix<double, 7, 1>::Zero();
+    Eigen::Vector<double, Parameters + 1> rows = Eigen::Vector<double, Parameters + 1>::Zero();
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
 
     void add(const ResidualRow& row, double weight)
     {
         information += weight;
-        rows.head<6>() += weight * row.gradient;
-        rows[6] += weight * row.residual;
+        rows += weight * derivativesAndResidual<Parameters>(row);
         place += weight * row.fromCentroid;
         normal += weight * row.gradient.segment<2>(3);
     }
 };
 
-std::vector<FieldBlock> blocksOf(const std::vector<ResidualRow>& rows, double rowVariance)
+template <int Parameters>
+std::vector<FieldBlock<Parameters>> blocksOf(const std::vector<ResidualRow>& rows, double rowVariance)
 {
     const std::size_t length = std::max(shortestBlock, rows.size() / aboutBlocks);
-    std::vector<FieldBlock> blocks;
-    FieldBlock block;
+    std::vector<FieldBlock<Parameters>> blocks;
+    FieldBlock<Parameters> block;
     const auto finish = [&] {
         if (block.information > 0.0) {
             block.place /= block.information;
@@ -59,24 +73,24 @@ std::vector<FieldBlock> blocksOf(const std::vector<ResidualRow>& rows, double ro
 
 }   // namespace
 
-ShapeField::ShapeField(const std::vector<ResidualRow>& rows, double rowVariance)
+template <int Parameters>
+ShapeFieldOf<Parameters>::ShapeFieldOf(const std::vector<ResidualRow>& rows, double rowVariance)
 {
     for (const ResidualRow& row : rows) {
         if (row.weight > 0.0) {
-            Eigen::Matrix<double, 7, 1> both;
-            both << row.gradient, row.residual;
+            const auto both = derivativesAndResidual<Parameters>(row);
             plain_ += row.weight / rowVariance * both * both.transpose();
         }
     }
-    const std::vector<FieldBlock> blocks = blocksOf(rows, rowVariance);
+    const std::vector<FieldBlock<Parameters>> blocks = blocksOf<Parameters>(rows, rowVariance);
     const auto count = static_cast<Eigen::Index>(blocks.size());
-    blocks_.resize(count, 7);
+    blocks_.resize(count, withResidual);
     kernel_.resize(count, count);
     for (Eigen::Index a = 0; a < count; ++a) {
-        const FieldBlock& block = blocks[static_cast<std::size_t>(a)];
+        const FieldBlock<Parameters>& block = blocks[static_cast<std::size_t>(a)];
         blocks_.row(a) = block.rows / std::sqrt(block.information);
         for (Eigen::Index b = 0; b <= a; ++b) {
-            const FieldBlock& other = blocks[static_cast<std::size_t>(b)];
+            const FieldBlock<Parameters>& other = blocks[static_cast<std::size_t>(b)];
             const double squared = (block.place - other.place).squaredNorm() / (reachMm * reachMm);
             kernel_(a, b) = std::sqrt(block.information * other.information) * block.normal.dot(other.normal) *
                             std::exp(-0.5 * squared);
@@ -84,37 +98,42 @@ ShapeField::ShapeField(const std::vector<ResidualRow>& rows, double rowVariance)
     }
 }
 
-void ShapeField::eliminate(double offsetPx)
+template <int Parameters>
+void ShapeFieldOf<Parameters>::eliminate(double offsetPx)
 {
     // With K the scaled covariance, (K⁻¹ + I)⁻¹ = I − (I + K)⁻¹ is what the field takes away.
     factor_ = offsetPx * offsetPx * kernel_;
     factor_.diagonal().array() += 1.0;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> llt(factor_);
-    const Block7 whitened = factor_.triangularView<Eigen::Lower>().solve(blocks_);
+    const Blocks whitened = factor_.triangularView<Eigen::Lower>().solve(blocks_);
     left_ = plain_ - blocks_.transpose() * blocks_ + whitened.transpose() * whitened;
     logDeterminant_ = 2.0 * factor_.diagonal().array().log().sum();
 }
 
-NormalEquations ShapeField::equations(double offsetPx)
+template <int Parameters>
+EquationsOf<Parameters> ShapeFieldOf<Parameters>::equations(double offsetPx)
 {
     eliminate(offsetPx);
-    NormalEquations equations;
-    equations.hessian = left_.topLeftCorner<6, 6>();
-    equations.gradient = left_.topRightCorner<6, 1>();
+    Equations equations;
+    equations.hessian = left_.template topLeftCorner<Parameters, Parameters>();
+    equations.gradient = left_.template topRightCorner<Parameters, 1>();
     return equations;
 }
 
-double ShapeField::logLikelihood(double offsetPx, const NormalEquations& prior)
+template <int Parameters>
+double ShapeFieldOf<Parameters>::logLikelihood(double offsetPx, const Equations& prior)
 {
-    const NormalEquations data = equations(offsetPx);
-    const Eigen::LLT<Matrix6d> pose(data.hessian + Matrix6d(prior.hessian.selfadjointView<Eigen::Lower>()));
-    const Vector6d gradient = data.gradient + prior.gradient;
-    const Matrix6d factor = pose.matrixL();
-    const double squares = left_(6, 6) - gradient.dot(pose.solve(gradient));
+    using Square = Eigen::Matrix<double, Parameters, Parameters>;
+    const Equations data = equations(offsetPx);
+    const Eigen::LLT<Square> best(data.hessian + Square(prior.hessian.template selfadjointView<Eigen::Lower>()));
+    const Eigen::Vector<double, Parameters> gradient = data.gradient + prior.gradient;
+    const Square factor = best.matrixL();
+    const double squares = left_(Parameters, Parameters) - gradient.dot(best.solve(gradient));
     return -0.5 * (logDeterminant_ + 2.0 * factor.diagonal().array().log().sum() + squares);
 }
 
-double ShapeField::likelyOffsetPx(const NormalEquations& prior)
+template <int Parameters>
+double ShapeFieldOf<Parameters>::likelyOffsetPx(const Equations& prior)
 {
     std::array<double, offsetsTriedPx.size()> likelihoods{};
     std::size_t best = 0;
@@ -134,5 +153,8 @@ double ShapeField::likelyOffsetPx(const NormalEquations& prior)
     const double above = likelihoods[best + 1] - likelihoods[best];
     return offsetsTriedPx[best] * std::exp2(0.5 * (above - below) / -(above + below));
 }
+
+template class ShapeFieldOf<6>;
+template class ShapeFieldOf<9>;
 
 }   // namespace angiopose::core

@@ -35,17 +35,45 @@ ResidualNoise collectRobustRows(const Alignment& alignment, const CentroidPose& 
     return noise;
 }
 
-NormalEquations ofIndependentRows(const std::vector<ResidualRow>& rows, double rowVariance)
+template <int Parameters>
+Eigen::Vector<double, Parameters> derivativesOf(const ResidualRow& row)
 {
-    NormalEquations sum;
+    if constexpr (Parameters == 6) {
+        return row.gradient;
+    } else {
+        Eigen::Vector<double, Parameters> derivatives;
+        derivatives << row.gradient, row.cameraGradient;
+        return derivatives;
+    }
+}
+
+template <int Parameters>
+EquationsOf<Parameters> ofIndependentRows(const std::vector<ResidualRow>& rows, double rowVariance)
+{
+    EquationsOf<Parameters> sum;
     for (const ResidualRow& row : rows) {
         if (row.weight > 0.0) {
-            const Vector6d weighted = row.weight / rowVariance * row.gradient;
-            sum.hessian += weighted * row.gradient.transpose();
+            const Eigen::Vector<double, Parameters> derivatives = derivativesOf<Parameters>(row);
+            const Eigen::Vector<double, Parameters> weighted = row.weight / rowVariance * derivatives;
+            sum.hessian += weighted * derivatives.transpose();
             sum.gradient += row.residual * weighted;
         }
     }
     return sum;
+}
+
+/// What the rows tell when the vessels may be bent by as much as they show.
+template <int Parameters>
+EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const CentroidPose& pose,
+                                          const EquationsOf<Parameters>& prior)
+{
+    std::vector<ResidualRow> rows;
+    const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
+    if (!noise.hasOffsets()) {
+        return ofIndependentRows<Parameters>(rows, noise.rowVariance());
+    }
+    ShapeFieldOf<Parameters> field(rows, noise.rowVariance());
+    return field.equations(field.likelyOffsetPx(prior));
 }
 
 /// Lays the turned tree over the vessels.
@@ -93,13 +121,18 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
 
 NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose)
 {
-    std::vector<ResidualRow> rows;
-    const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
-    if (!noise.hasOffsets()) {
-        return ofIndependentRows(rows, noise.rowVariance());
-    }
-    ShapeField field(rows, noise.rowVariance());
-    return field.equations(field.likelyOffsetPx(priorAt(prior, pose)));
+    return tolerantEquations(alignment, pose, priorAt(prior, pose));
+}
+
+CameraEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
+                                    const CameraSpread& spread)
+{
+    const NormalEquations ofPose = priorAt(prior, pose);
+    CameraEquations both;
+    both.hessian.topLeftCorner<6, 6>() = ofPose.hessian;
+    both.gradient.head<6>() = ofPose.gradient;
+    both.hessian.bottomRightCorner<3, 3>().diagonal() = spread.std().cwiseAbs2().cwiseInverse();
+    return tolerantEquations(alignment, pose, both);
 }
 
 }   // namespace angiopose::core

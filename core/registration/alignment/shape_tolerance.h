@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/camera_spread.h"
 #include "core/registration/alignment/alignment.h"
 
 namespace angiopose::core {
@@ -13,5 +14,9 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
 
 /// What the residuals at a pose tell about the pose, without the prior: normal equations in units of information.
 NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose);
+
+/// The same about the pose and the camera, which may err by `spread`; that prior is not in the equations either.
+CameraEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
+                                    const CameraSpread& spread);
 
 }   // namespace angiopose::core

@@ -1,6 +1,7 @@
 #include "core/registration/judging/judge_pose.h"
 
 #include "core/registration/alignment/agreement_score.h"
+#include "core/registration/alignment/camera_influence.h"
 #include "core/registration/judging/distance_metrics.h"
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
@@ -13,6 +14,8 @@
 namespace angiopose::core {
 
 namespace {
+
+constexpr double settledMm = 0.3;   // a pose that slides farther says nothing about its camera
 
 bool anyIsFilled(const MethodSolution& solution)
 {
@@ -41,7 +44,9 @@ RegistrationResult judgePose(const RegistrationProblem& whole, const Registratio
     result.metrics = distanceMetrics(problem, pose, projected);
     const ProjectedTree projectedWhole = filled ? projectTree(whole, pose, target) : projected;
     result.branches = branchResiduals(whole.tree, projectedWhole);
-    result.uncertainty = poseUncertainty(problem, *lines, pose, prior);
+    const PoseKnowledge knowledge = poseKnowledge(problem, *lines, pose, prior);
+    result.uncertainty = knowledge.uncertainty;
+    result.camera = knowledge.camera;
     result.alternatives = solution.alternatives;
     result.time = solution.time;
 
@@ -66,6 +71,10 @@ RegistrationResult judgePose(const RegistrationProblem& whole, const Registratio
     result.warnings = whole.notes;
     result.warnings.insert(result.warnings.end(), solution.warnings.begin(), solution.warnings.end());
     result.warnings.insert(result.warnings.end(), trust.warnings.begin(), trust.warnings.end());
+    if (result.camera && evidence.settlingMm < settledMm) {
+        const Messages said = contradictionsOf(*result.camera, problem.camera);
+        result.warnings.insert(result.warnings.end(), said.begin(), said.end());
+    }
     return result;
 }
 

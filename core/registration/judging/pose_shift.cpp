@@ -38,13 +38,18 @@ double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform&
     const auto count = static_cast<double>(tree.size());
     const Eigen::Vector3d m = pose.rotation * mean / count;
     const Eigen::Matrix3d s = pose.rotation * squares * pose.rotation.transpose() / count;
-    const Matrix6d& c = uncertainty.covariance;
+    const Matrix6d& c = uncertainty.imageCovariance;
     // Shift in x: ωy az − ωz ay + δx; in y: ωz ax − ωx az + δy.
     const double x = c(1, 1) * s(2, 2) + c(2, 2) * s(1, 1) - 2.0 * c(1, 2) * s(1, 2) + c(3, 3) +
                      2.0 * (c(1, 3) * m.z() - c(2, 3) * m.y());
     const double y = c(2, 2) * s(0, 0) + c(0, 0) * s(2, 2) - 2.0 * c(0, 2) * s(0, 2) + c(4, 4) +
                      2.0 * (c(2, 4) * m.x() - c(0, 4) * m.z());
     return std::sqrt(std::max(0.0, x + y));
+}
+
+double depthShiftMm(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient)
+{
+    return (cameraFromPatient * problem.tree.centroid).z() - (problem.start * problem.tree.centroid).z();
 }
 
 double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,

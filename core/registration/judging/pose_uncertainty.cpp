@@ -1,6 +1,7 @@
 #include "core/registration/judging/pose_uncertainty.h"
 
 #include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/shape_tolerance.h"
 
 #include <Eigen/Eigenvalues>
@@ -13,13 +14,10 @@ namespace angiopose::core {
 
 namespace {
 
-Matrix6d imageInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
-                          const StartPrior& prior)
+Alignment tellingAlignment(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose)
 {
     const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
-    const Alignment alignment(tellingPoints(problem.tree, millimetresPerPixel(problem.camera, depthMm)), problem.camera,
-                              target);
-    return tolerantInformation(alignment, prior, pose).hessian;
+    return {tellingPoints(problem.tree, millimetresPerPixel(problem.camera, depthMm)), problem.camera, target};
 }
 
 /// Inverse among the free steps, zero across them.
@@ -40,45 +38,67 @@ Matrix6d aboutOther(const Eigen::Vector3d& armInCamera)
 
 }   // namespace
 
-PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const TargetLines& target,
-                                const RigidTransform& cameraFromPatient, const StartPrior& prior)
+PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLines& target,
+                            const RigidTransform& cameraFromPatient, const StartPrior& prior)
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
-    return poseUncertainty(problem, imageInformation(problem, target, pose, prior), prior, pose);
+    const Alignment alignment = tellingAlignment(problem, target, pose);
+    if (problem.cameraSpread.isExact()) {
+        const Matrix6d information = tolerantInformation(alignment, prior, pose).hessian;
+        return {poseUncertainty(problem, information, Matrix6d::Zero(), prior, pose), std::nullopt};
+    }
+    const CameraEquations image = tolerantInformation(alignment, prior, pose, problem.cameraSpread);
+    NormalEquations start;
+    prior.add(pose, 1.0, start);
+    StackedEquations all{image.hessian, image.gradient};
+    all.hessian.topLeftCorner<6, 6>() += start.hessian;
+    all.gradient.head<6>() += start.gradient;
+    const CameraInfluence influence(all, prior.freedom.freeSteps(pose), {&problem.cameraSpread, 1});
+    return {poseUncertainty(problem, image.hessian.topLeftCorner<6, 6>(), influence.covarianceOfPose(), prior, pose),
+            influence.evidence(0)};
 }
 
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
-                                const StartPrior& prior, const CentroidPose& pose)
+                                const Matrix6d& covarianceByCameras, const StartPrior& prior, const CentroidPose& pose)
 {
     const StepBasis free = prior.freedom.freeSteps(pose);
     const Matrix6d priorInformation = prior.informationAt(pose);
     const Vector6d priorStd = prior.std();
     const Matrix6d carry = aboutOther(pose.rotation * (problem.wholeTreeCentroid - problem.tree.centroid));
     PoseUncertainty uncertainty;
-    uncertainty.covariance = carry * inverseAmong(free, imageInformation + priorInformation) * carry.transpose();
+    uncertainty.imageCovariance = carry * inverseAmong(free, imageInformation + priorInformation) * carry.transpose();
+    uncertainty.covariance = uncertainty.imageCovariance + carry * covarianceByCameras * carry.transpose();
     // A hint of prior keeps the inverse finite where the image tells nothing.
     const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * priorInformation);
     for (int k = 0; k < 6; ++k) {
         uncertainty.observed[static_cast<std::size_t>(k)] =
             prior.freedom.isLocked(k) || std::sqrt(imageAlone(k, k)) < 0.5 * priorStd[k];
     }
-    const Vector6d std = uncertainty.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    uncertainty.rotationDeg = std.head<3>() * 180.0 / std::numbers::pi;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> lateral(uncertainty.covariance.block<2, 2>(3, 3));
-    uncertainty.inPlaneMm = std::sqrt(std::max(0.0, lateral.eigenvalues()[1]));
-    uncertainty.depthMm = std[5];
+    const PoseSigmas sigmas = sigmasOf(uncertainty.covariance);
+    uncertainty.rotationDeg = sigmas.rotationDeg;
+    uncertainty.inPlaneMm = sigmas.inPlaneMm;
+    uncertainty.depthMm = sigmas.depthMm;
 
     Vector6d inMm = Vector6d::Ones();
     inMm.head<3>().setConstant(problem.tree.spreadMm);
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(inMm.asDiagonal() * uncertainty.covariance * inMm.asDiagonal());
+    const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(inMm.asDiagonal() * uncertainty.imageCovariance *
+                                                       inMm.asDiagonal());
     uncertainty.weakestDirection = axes.eigenvectors().col(5);
     return uncertainty;
+}
+
+PoseSigmas sigmasOf(const Matrix6d& covariance)
+{
+    const Vector6d std = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> lateral(covariance.block<2, 2>(3, 3));
+    return {std.head<3>() * 180.0 / std::numbers::pi, std::sqrt(std::max(0.0, lateral.eigenvalues()[1])), std[5]};
 }
 
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                          const StartPrior& prior)
 {
-    return imageInformation(problem, target, pose, prior) + prior.informationAt(pose);
+    return tolerantInformation(tellingAlignment(problem, target, pose), prior, pose).hessian +
+           prior.informationAt(pose);
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,8 @@
 #include "core/registration/judging/trust.h"
 
 #include "core/messages/says.h"
+#include "core/registration/judging/pose_shift.h"
+#include "core/registration/judging/pose_uncertainty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,7 @@ constexpr double minInView = 0.4;   // of the tree's points
 constexpr double convincingShare = 0.4;
 constexpr int convincingBranches = 4;
 constexpr double wellFollowedShare = 0.8;   // of the tree: little agreement then comes from the vessels of the image
+constexpr double stayedInDepthMm = 5.0;   // what is called close to the start pose
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 
@@ -80,16 +83,18 @@ void judgeFit(const Evidence& evidence, Messages& reasons)
     }
 }
 
+/// What an error of the camera adds is told, but speaks against no fit.
 void judgeUncertainty(const PoseUncertainty& uncertainty, Messages& reasons)
 {
     const auto& observed = uncertainty.observed;
-    if (!observed[0] || !observed[1] || uncertainty.rotationDeg.head<2>().maxCoeff() > maxRotationStdDeg) {
+    const PoseSigmas sigmas = sigmasOf(uncertainty.imageCovariance);
+    if (!observed[0] || !observed[1] || sigmas.rotationDeg.head<2>().maxCoeff() > maxRotationStdDeg) {
         reasons.push_back(says::trustTiltUncertain());
     }
-    if (!observed[2] || uncertainty.rotationDeg.z() > maxRotationStdDeg) {
+    if (!observed[2] || sigmas.rotationDeg.z() > maxRotationStdDeg) {
         reasons.push_back(says::trustTurnUncertain());
     }
-    if (!observed[3] || !observed[4] || uncertainty.inPlaneMm > maxInPlaneStdMm) {
+    if (!observed[3] || !observed[4] || sigmas.inPlaneMm > maxInPlaneStdMm) {
         reasons.push_back(says::trustShiftUncertain());
     }
 }
@@ -112,7 +117,9 @@ Trust judgeTrust(const Evidence& evidence)
     }
     trust.isTrustworthy = trust.warnings.empty();
     if (!evidence.result.uncertainty.observed[5]) {
-        trust.warnings.push_back(says::trustDepthUnknown());
+        const double movedMm = std::abs(depthShiftMm(evidence.problem, evidence.result.cameraFromPatient));
+        trust.warnings.push_back(movedMm < stayedInDepthMm ? says::trustDepthUnknown()
+                                                           : says::trustDepthMoved(inMm(movedMm, 0)));
     }
     return trust;
 }

@@ -130,6 +130,28 @@ std::vector<OptionField> solverFields()
     };
 }
 
+/// What is known of the camera.
+std::vector<OptionField> geometryFields()
+{
+    return {
+        choice<&Options::geometry, &GeometryOptions::spread>(
+            {"geometryErrors", "Errors of the geometry",
+             "Whether focal length and principal point may be off by what is usual where they come from, by what is "
+             "given below, or not at all."},
+            {"by_origin", "given", "none"}),
+        number<&Options::geometry, &GeometryOptions::focalPercent>(
+            {"focalErrorPercent", "Focal length ±", "Standard deviation of the focal length where it is given."},
+            {"%", 0.0, 50.0, 1}),
+        number<&Options::geometry, &GeometryOptions::principalPx>(
+            {"principalErrorPx", "Principal point ±",
+             "Standard deviation of each coordinate of the principal point where it is given."},
+            {"px", 0.0, 500.0, 1}),
+        onlyFor(ours, toggle<&Options::geometry, &GeometryOptions::otherFrames>(
+                          {"otherFrames", "Mirrored and turned images",
+                           "Where a fit is in doubt, tells whether the image looks mirrored or turned."})),
+    };
+}
+
 /// Iterated closest points.
 std::vector<OptionField> icpFields()
 {
@@ -274,8 +296,8 @@ const std::vector<OptionField>& optionFields()
 {
     static const std::vector<OptionField> fields = [] {
         std::vector<OptionField> all;
-        for (const auto make : {commonFields, seedFields, alternatingFields, solverFields, icpFields, nicpFields,
-                                imageFields, globalFields, closingFields}) {
+        for (const auto make : {commonFields, seedFields, alternatingFields, solverFields, geometryFields, icpFields,
+                                nicpFields, imageFields, globalFields, closingFields}) {
             const std::vector<OptionField> group = make();
             all.insert(all.end(), group.begin(), group.end());
         }

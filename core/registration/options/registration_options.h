@@ -154,6 +154,20 @@ struct AngioPoseOptions {
     bool operator==(const AngioPoseOptions&) const = default;
 };
 
+/// How far focal length and principal point may be off: by where they come from (ALGORITHMS §5.8), as given here, or
+/// not at all.
+enum class GeometrySpread { ByOrigin, Given, None };
+
+/// What the covariance of every method reads.
+struct GeometryOptions {
+    GeometrySpread spread = GeometrySpread::ByOrigin;
+    double focalPercent = 3.0;   ///< 1-σ, where it is given
+    double principalPx = 10.0;   ///< 1-σ of each coordinate, where it is given
+    bool otherFrames = true;   ///< where a run fails, is the image mirrored or turned? angiopose only
+
+    bool operator==(const GeometryOptions&) const = default;
+};
+
 /// Which method runs, what every method reads, and the settings of each. Described for users by optionFields().
 struct RegistrationOptions {
     std::string method = "angiopose";
@@ -165,6 +179,7 @@ struct RegistrationOptions {
     double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
     int randomSeed = 1;   ///< of the methods that draw lots
 
+    GeometryOptions geometry{};
     AngioPoseOptions angiopose{};
     SeedOptions seed{};
     IcpOptions icp{};

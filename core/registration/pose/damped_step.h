@@ -4,12 +4,19 @@
 
 namespace angiopose::core {
 
-/// Quadratic model of a least-squares cost about a pose: cost(x) ≈ cost(0) + 2 gᵀx + xᵀHx, x = (ω rad, υ mm) or any
-/// other six parameters. Only the lower triangle of the Hessian is meaningful.
-struct NormalEquations {
-    Matrix6d hessian = Matrix6d::Zero();
-    Vector6d gradient = Vector6d::Zero();
+/// Quadratic model of a least-squares cost: cost(x) ≈ cost(0) + 2 gᵀx + xᵀHx. Only the lower triangle of the Hessian is
+/// meaningful.
+template <int Parameters>
+struct EquationsOf {
+    Eigen::Matrix<double, Parameters, Parameters> hessian = Eigen::Matrix<double, Parameters, Parameters>::Zero();
+    Eigen::Vector<double, Parameters> gradient = Eigen::Vector<double, Parameters>::Zero();
 };
+
+/// About a pose: x = (ω rad, υ mm) or any other six parameters.
+using NormalEquations = EquationsOf<6>;
+
+/// Of a pose and of the error of its camera (see CameraError) after it.
+using CameraEquations = EquationsOf<9>;
 
 /// The same of any number of parameters; both triangles of the Hessian are filled.
 struct StackedEquations {

@@ -21,6 +21,7 @@ struct MethodSolution {
     std::vector<std::uint8_t> isFilled;   ///< 1 for each tree point that the image shows; empty: all, as far as told
     int filledForks = 0;   ///< of them, places where three filled pieces or more meet
     bool isSettled = false;   ///< refined by the residuals that judge it: it cannot slide to a better place close by
+    bool wantsCare = false;   ///< registerVessels may hold a depth that the image does not tell, and doubt the frame
 };
 
 }   // namespace angiopose::core

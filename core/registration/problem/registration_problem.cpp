@@ -167,6 +167,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     }
     RegistrationProblem problem;
     problem.camera = input.camera;
+    problem.cameraSpread = spreadFor(input.cameraSpread, options.geometry);
     problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
                      input.initialCameraFromPatient.translation};
     const bool isEven = options.resample;
@@ -214,6 +215,19 @@ RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<s
     }
     part.auxiliaryIsChosen = whole.auxiliaryIsChosen && !part.auxiliary.empty();
     return part;
+}
+
+CameraSpread spreadFor(const CameraSpread& byOrigin, const GeometryOptions& options)
+{
+    switch (options.spread) {
+        case GeometrySpread::Given:
+            return {0.01 * options.focalPercent, options.principalPx};
+        case GeometrySpread::None:
+            return {};
+        case GeometrySpread::ByOrigin:
+            break;
+    }
+    return byOrigin;
 }
 
 TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options)

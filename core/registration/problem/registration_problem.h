@@ -35,6 +35,7 @@ struct TargetSamples {
 /// A registration input checked and resampled once; what every method starts from.
 struct RegistrationProblem {
     ProjectionCamera camera;
+    CameraSpread cameraSpread{};   ///< as the options want it
     RigidTransform start;   ///< cameraFromPatient, exactly rigid
     TreeSamples tree;   ///< without the excluded branches
     Eigen::Vector3d wholeTreeCentroid = Eigen::Vector3d::Zero();   ///< by length, excluded branches too: what users see
@@ -54,6 +55,9 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
 
 /// The problem with some of its tree points only, turned about the same centroid; `isKept`: 1 for each that stays.
 RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept);
+
+/// How far a camera may be off as the options want it.
+CameraSpread spreadFor(const CameraSpread& byOrigin, const GeometryOptions& options);
 
 /// A target that is free of problems, as methods see it; for the next frame of a run.
 TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options);

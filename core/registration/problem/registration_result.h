@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/projection_camera.h"
+#include "core/geometry/camera_spread.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/options/registration_options.h"
@@ -34,6 +34,7 @@ struct RegistrationInput {
     std::shared_ptr<const ImageF> image{};   ///< the frame that shows the target; null: image methods draw the target
     Polarity polarity = Polarity::VesselsDark;   ///< of `image`
     std::shared_ptr<const Volume> volume{};   ///< the CTA that shows the tree; null: radiographs are made of tubes
+    CameraSpread cameraSpread{};   ///< how far the camera may be off; zero: it is exact
 };
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };
@@ -81,12 +82,22 @@ struct DistanceMetrics {
 /// Order: rotation x, y, z (rad), translation x, y, z (mm); x right, y down on the detector up to sign, z along the
 /// ray.
 struct PoseUncertainty {
-    Matrix6d covariance = Matrix6d::Zero();
+    Matrix6d covariance = Matrix6d::Zero();   ///< with what the errors of the camera add
+    Matrix6d imageCovariance = Matrix6d::Zero();   ///< without: where the camera is right
     Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< 1-σ about camera x, y, z
     double inPlaneMm = 0.0;   ///< 1-σ, the larger lateral direction
     double depthMm = 0.0;   ///< 1-σ along the ray
     std::array<bool, 6> observed{};   ///< false: the image cannot tell this degree of freedom
     Vector6d weakestDirection = Vector6d::Zero();   ///< unit, same order, in (ρ·rad, mm)
+};
+
+/// What images say about the error of a camera (ALGORITHMS §6.18).
+struct CameraEvidence {
+    CameraError error = CameraError::Zero();   ///< most likely, given how far the camera may be off
+    CameraError std = CameraError::Zero();   ///< 1-σ that is left of it
+    double gain = 0.0;   ///< how much better all errors explain the images: fall of −2 log of the posterior
+
+    bool operator==(const CameraEvidence&) const = default;
 };
 
 /// Wall times of a registration.
@@ -122,6 +133,7 @@ struct RegistrationResult {
     int iterations = 0;
     DistanceMetrics metrics;
     PoseUncertainty uncertainty;
+    std::optional<CameraEvidence> camera;   ///< none: the camera counts as exact
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<UnfilledBranch> unfilled;   ///< in the tree's order; the pose rests on the others
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself

@@ -16,6 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using core::BranchResidual;
+using core::CameraEvidence;
 using core::DistanceMetrics;
 using core::Hypothesis;
 using core::IterationReport;
@@ -116,11 +117,35 @@ StoredFields<PoseUncertainty> uncertaintyFields()
             saidField("units", {"rad", "rad", "rad", "mm", "mm", "mm"}),
             saidField("frame", "camera axes about the centroid of the vessel tree"),
             storedMeasures("covariance", &PoseUncertainty::covariance),
+            storedMeasures("imageCovariance", &PoseUncertainty::imageCovariance),
             storedMeasures("rotationSigmaDeg", &PoseUncertainty::rotationDeg),
             storedMeasure("inPlaneSigmaMm", &PoseUncertainty::inPlaneMm),
             storedMeasure("depthSigmaMm", &PoseUncertainty::depthMm),
             storedValue("observed", listSchema(flagSchema()), &PoseUncertainty::observed),
             storedMeasures("weakestDirection", &PoseUncertainty::weakestDirection)};
+}
+
+StoredFields<CameraEvidence> cameraEvidenceFields()
+{
+    return {storedMeasures("error", &CameraEvidence::error), storedMeasures("sigma", &CameraEvidence::std),
+            storedMeasure("gain", &CameraEvidence::gain)};
+}
+
+/// Only of a camera that may err.
+StoredField<RegistrationResult> cameraEvidenceField()
+{
+    const StoredFields<CameraEvidence> fields = cameraEvidenceFields();
+    Json schema{{"type", "object"}, {"properties", propertiesOf(fields)}};
+    return {"camera",
+            about(std::move(schema),
+                  "What the images say about the camera: error (log of the focal length, then the "
+                  "principal point in px) with its sigma, and how much better it explains them."),
+            [fields](const Json& value, RegistrationResult& result, Reading& reading) {
+                readFields(value, result.camera.emplace(), fields, reading);
+            },
+            [fields](const RegistrationResult& result, const fs::path& folder) {
+                return result.camera ? writeFields(*result.camera, fields, folder) : Json();
+            }};
 }
 
 StoredFields<BranchResidual> branchFields()
@@ -226,6 +251,7 @@ const StoredFields<RegistrationResult>& resultFields()
                                             {storedPose(&RegistrationResult::cameraFromPatient)}),
             storedPart("metrics", Json::object(), &RegistrationResult::metrics, distanceMetricsFields()),
             storedPart("uncertainty", Json::object(), &RegistrationResult::uncertainty, uncertaintyFields()),
+            cameraEvidenceField(),
             storedList("perBranch", Json::object(), &RegistrationResult::branches, Json::object(), branchFields()),
             storedList(
                 "unfilled",

@@ -2,7 +2,10 @@
 
 #include "tests/support/clean_case.h"
 
+#include "core/geometry/camera_spread.h"
+
 #include <gtest/gtest.h>
+#include <array>
 #include <numbers>
 
 namespace angiopose::core {
@@ -53,6 +56,33 @@ TEST_F(AlignmentTest, GradientsMatchDifferencesOfResiduals)
         }
     }
     EXPECT_GT(compared, 5000);
+}
+
+TEST_F(AlignmentTest, CameraGradientsMatchDifferencesOfResiduals)
+{
+    constexpr double scalePx = 5.0;
+    const std::array<double, 3> steps{1e-7, 1e-4, 1e-4};
+    std::vector<ResidualRow> rows;
+    std::vector<ResidualRow> ahead;
+    std::vector<ResidualRow> behind;
+    alignment.collectRows(beside, scalePx, rows);
+    int compared = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double h = steps[static_cast<std::size_t>(k)];
+        const CameraError error = h * CameraError::Unit(k);
+        const auto points = alignmentPoints(problem.tree);
+        Alignment(points, corrected(problem.camera, error), target).collectRows(beside, scalePx, ahead);
+        Alignment(points, corrected(problem.camera, -error), target).collectRows(beside, scalePx, behind);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double difference = (ahead[i].residual - behind[i].residual) / (2.0 * h);
+            const bool isSmooth = std::abs(ahead[i].residual - behind[i].residual) < 1e-2;
+            if (rows[i].weight > 0.0 && ahead[i].weight > 0.0 && behind[i].weight > 0.0 && isSmooth) {
+                EXPECT_NEAR(rows[i].cameraGradient[k], difference, 1e-4 * std::max(1.0, std::abs(difference)));
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 2500);
 }
 
 TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)

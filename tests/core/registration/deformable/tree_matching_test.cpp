@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 /// A stem of three knots; at its end two branches of two.
-VesselTree forkedTree()
+VesselTree treeWithAFork()
 {
     VesselTree tree;
     tree.branches.push_back({1, "", {{0, 0, 0}, {0, 0, 10}}, {}, -1});
@@ -20,7 +20,7 @@ VesselTree forkedTree()
 
 TEST(TreeKnots, BranchesThatMeetAreLinkedToOneForest)
 {
-    const TreeKnots knots = treeKnots(forkedTree(), {3}, 5.0);
+    const TreeKnots knots = treeKnots(treeWithAFork(), {3}, 5.0);
 
     ASSERT_EQ(knots.size(), 7u);
     EXPECT_EQ(knots.links.size(), 6u);   // one piece
@@ -36,7 +36,7 @@ TEST(TreeKnots, BranchesThatMeetAreLinkedToOneForest)
 
 TEST(TreeKnots, LoopsAreCutAndPiecesStayApart)
 {
-    VesselTree tree = forkedTree();
+    VesselTree tree = treeWithAFork();
     tree.branches.push_back({4, "", {{5, 0, 15}, {-5, 0, 15}}, {}, -1});
     tree.branches.push_back({5, "", {{100, 0, 0}, {110, 0, 0}}, {}, -1});
     const TreeKnots knots = treeKnots(tree, {}, 5.0);
@@ -48,7 +48,7 @@ TEST(TreeKnots, LoopsAreCutAndPiecesStayApart)
 /// A candidate that is off, beside neighbours which agree, loses; where alone, it would win.
 TEST(MatchAlongTree, NeighboursOutvoteTheNearerCurve)
 {
-    const TreeKnots knots = treeKnots(forkedTree(), {}, 5.0);
+    const TreeKnots knots = treeKnots(treeWithAFork(), {}, 5.0);
     std::vector<KnotChoice> choices(knots.size());
     for (std::size_t k = 0; k < choices.size(); ++k) {
         choices[k].normal = Eigen::Vector2d::UnitX();

@@ -26,8 +26,8 @@ double depthStdWith(int points)
         input.target = degraded(shown.exactTarget, shown.camera, CounterRandom(image));
         const RegistrationProblem problem = makeProblem(input, options).value();
         const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options);
-        sum += poseUncertainty(problem, TargetLines(problem.target, problem.camera), problem.start, prior).depthMm /
-               images;
+        const TargetLines lines(problem.target, problem.camera);
+        sum += poseKnowledge(problem, lines, problem.start, prior).uncertainty.depthMm / images;
     }
     return sum;
 }
@@ -64,7 +64,7 @@ TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
     Eigen::Matrix<double, 3, 6> motion;   // of the whole tree's centroid for steps about that of the used points
     motion << -skew(arm), Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d expected = motion * aboutUsed * motion.transpose();
-    const PoseUncertainty told = poseUncertainty(problem, lines, problem.start, prior);
+    const PoseUncertainty told = poseKnowledge(problem, lines, problem.start, prior).uncertainty;
     EXPECT_LT((told.covariance.bottomRightCorner<3, 3>() - expected).norm(), 1e-6 * expected.norm());
     EXPECT_NEAR(told.depthMm, std::sqrt(expected(2, 2)), 1e-6);
     const Matrix6d difference = told.covariance - aboutUsed;   // turns are the same about any place

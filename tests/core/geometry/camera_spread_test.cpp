@@ -1,0 +1,49 @@
+#include "core/geometry/camera_spread.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr ProjectionCamera usualCamera{-2500.0, 2500.0, 511.5, 511.5, 1024, 1024};
+
+CArm cArmFrom(Origin distance, Origin spacing, Origin principalPoint)
+{
+    CArm cArm;
+    cArm.sourceToDetectorMm.origin = distance;
+    cArm.columnSpacingMm.origin = spacing;
+    cArm.principalPointPx.origin = principalPoint;
+    return cArm;
+}
+
+TEST(CameraSpread, IsThatOfDistanceAndSpacingTogether)
+{
+    const CameraSpread spread = spreadByOrigin(cArmFrom(Origin::Header, Origin::Header, Origin::Missing), usualCamera);
+    EXPECT_NEAR(spread.focalShare, std::hypot(0.025, 0.015), 1e-12);
+    EXPECT_NEAR(spread.principalPx, 10.0, 1e-12);
+}
+
+TEST(CameraSpread, IsWiderWhereAValueIsAssumed)
+{
+    const CArm told = cArmFrom(Origin::Header, Origin::User, Origin::User);
+    const CArm derived = cArmFrom(Origin::Header, Origin::Derived, Origin::Derived);
+    const CArm assumed = cArmFrom(Origin::Assumed, Origin::Derived, Origin::Assumed);
+    EXPECT_LT(spreadByOrigin(told, usualCamera).focalShare, spreadByOrigin(derived, usualCamera).focalShare);
+    EXPECT_LT(spreadByOrigin(derived, usualCamera).focalShare, spreadByOrigin(assumed, usualCamera).focalShare);
+    EXPECT_LT(spreadByOrigin(told, usualCamera).principalPx, spreadByOrigin(assumed, usualCamera).principalPx);
+    EXPECT_FALSE(spreadOfTyped(usualCamera).isExact());
+    EXPECT_TRUE(CameraSpread().isExact());
+}
+
+TEST(CameraSpread, AnErrorTakesTheCameraToTheTrueOne)
+{
+    const ProjectionCamera better = corrected(usualCamera, {std::log(1.05), 20.0, -3.0});
+    EXPECT_NEAR(better.fx, -2625.0, 1e-9);
+    EXPECT_NEAR(better.fy, 2625.0, 1e-9);
+    EXPECT_NEAR(better.cx, 531.5, 1e-12);
+    EXPECT_NEAR(better.cy, 508.5, 1e-12);
+}
+
+}   // namespace
+}   // namespace angiopose::core

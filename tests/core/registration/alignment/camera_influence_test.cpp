@@ -1,0 +1,99 @@
+#include "core/registration/alignment/camera_influence.h"
+
+#include "core/messages/says.h"
+#include "core/support/random.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+
+namespace angiopose::core {
+namespace {
+
+/// Rows [pose | camera] of a made-up view, more than there are parameters.
+Eigen::MatrixXd derivatives()
+{
+    CounterRandom random(7);
+    Eigen::MatrixXd rows(40, 9);
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        rows(i) = random.normal();
+    }
+    return rows;
+}
+
+/// Of residuals that a true error of the camera leaves while the pose and camera are as assumed: 0 = r + J x.
+StackedEquations equationsFor(const CameraError& error)
+{
+    const Eigen::MatrixXd J = derivatives();
+    const Eigen::VectorXd residuals = -J.rightCols(3) * error;
+    return {J.transpose() * J, J.transpose() * residuals};
+}
+
+constexpr CameraSpread wideSpread{100.0, 100.0};
+
+TEST(CameraInfluence, FindsTheErrorThatLeftTheResiduals)
+{
+    const CameraError error(0.05, 20.0, -7.0);
+    const CameraInfluence influence(equationsFor(error), Matrix6d::Identity(), {&wideSpread, 1});
+    EXPECT_LT((influence.evidence(0).error - error).norm(), 1e-2 * error.norm());
+    EXPECT_GT(influence.evidence(0).gain, 100.0);
+}
+
+TEST(CameraInfluence, APriorHoldsWhatTheImagesDoNotTell)
+{
+    StackedEquations nothing{1e-9 * Eigen::MatrixXd::Identity(9, 9), Eigen::VectorXd::Zero(9)};
+    const CameraSpread spread{0.03, 10.0};
+    const CameraInfluence influence(nothing, Matrix6d::Identity(), {&spread, 1});
+    EXPECT_NEAR(influence.evidence(0).std[0], 0.03, 1e-6);
+    EXPECT_NEAR(influence.evidence(0).std[2], 10.0, 1e-6);
+    EXPECT_EQ(influence.evidence(0).gain, 0.0);
+}
+
+// What the images do not tell of the focal length moves the pose as solving the rows for it does.
+TEST(CameraInfluence, AddsToThePoseWhatTheErrorDoesToIt)
+{
+    const Eigen::MatrixXd J = derivatives();
+    const CameraSpread onlyFocal{1e-4, 0.0};   // far below what the rows tell: all of it is left
+    const CameraInfluence influence(equationsFor(CameraError::Zero()), Matrix6d::Identity(), {&onlyFocal, 1});
+    const Matrix6d H = J.leftCols(6).transpose() * J.leftCols(6);
+    const Vector6d moved = -1e-4 * H.inverse() * J.leftCols(6).transpose() * J.col(6);
+    const Matrix6d expected = moved * moved.transpose();
+    EXPECT_LT((influence.covarianceOfPose() - expected).norm(), 1e-3 * expected.norm());
+}
+
+TEST(CameraInfluence, AnErrorThatShowsCountsWhole)
+{
+    const CameraError error(3.0, 0.0, 0.0);
+    const CameraInfluence influence(equationsFor(error), Matrix6d::Identity(), {&wideSpread, 1});
+    const Eigen::MatrixXd J = derivatives();
+    const Matrix6d H = J.leftCols(6).transpose() * J.leftCols(6);
+    const Vector6d moved = -H.inverse() * J.leftCols(6).transpose() * J.rightCols(3) * error;
+    const CameraInfluence none(equationsFor(CameraError::Zero()), Matrix6d::Identity(), {&wideSpread, 1});
+    const Matrix6d added = influence.covarianceOfPose() - none.covarianceOfPose();
+    EXPECT_LT((added - moved * moved.transpose()).norm(), 0.02 * moved.squaredNorm());
+}
+
+TEST(CameraInfluence, LockedStepsStayCertain)
+{
+    const CameraSpread spread{0.03, 10.0};
+    const Eigen::MatrixXd allButDepth = Matrix6d::Identity().leftCols(5);
+    const CameraInfluence influence(equationsFor(CameraError::Zero()), allButDepth, {&spread, 1});
+    EXPECT_NEAR(influence.covarianceOfPose()(5, 5), 0.0, 1e-12);
+    EXPECT_GT(influence.covarianceOfPose()(4, 4), 0.0);
+}
+
+TEST(CameraContradiction, NamesWhatIsOffAndByHowMuch)
+{
+    const ProjectionCamera camera{-2500.0, 2500.0, 511.5, 511.5, 1024, 1024};
+    const Messages focal = contradictionsOf({{0.05, 1.0, 0.0}, {0.005, 5.0, 5.0}, 80.0}, camera);
+    ASSERT_EQ(focal.size(), 1U);
+    EXPECT_TRUE(focal.front().is(says::cameraFocalLonger));
+    EXPECT_NE(focal.front().text().find("5.1 %"), std::string::npos);
+    const Messages point = contradictionsOf({{0.0, 20.0, 0.0}, {0.005, 3.0, 3.0}, 80.0}, camera);
+    ASSERT_EQ(point.size(), 1U);
+    EXPECT_TRUE(point.front().is(says::cameraPrincipalPointOff));
+    EXPECT_NE(point.front().text().find("(532, 512)"), std::string::npos);
+    EXPECT_TRUE(contradictionsOf({{0.05, 20.0, 0.0}, {0.02, 8.0, 8.0}, 8.0}, camera).empty());
+}
+
+}   // namespace
+}   // namespace angiopose::core

@@ -1,0 +1,130 @@
+#include "core/messages/says.h"
+#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/register_views.h"
+#include "core/simulation/degrade_target.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double inside95 = 12.592;   // χ² of six degrees of freedom
+constexpr CameraSpread headerSpread{0.029, 8.0};
+
+RegistrationInput noisyInput(const test::CleanCase& clean, const RigidTransform& truth, std::uint64_t seed)
+{
+    RegistrationInput input = clean.from(truth);
+    input.target = degraded(projectTree(clean.tree, clean.camera, truth), clean.camera, CounterRandom(seed));
+    return input;
+}
+
+void stretchFocalLength(RegistrationInput& input, double factor)
+{
+    input.camera.fx *= factor;
+    input.camera.fy *= factor;
+}
+
+/// Squared error over covariance.
+double normalisedError(const test::CleanCase& clean, const RigidTransform& truth, const RigidTransform& pose,
+                       const Matrix6d& covariance)
+{
+    const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
+    const Vector6d error = stepBetween(aboutCentroid(pose, centroid), aboutCentroid(truth, centroid));
+    return error.dot(covariance.ldlt().solve(error));
+}
+
+bool speaksOfCamera(const Message& message)
+{
+    return message.text().find("fit clearly better with") != std::string::npos;
+}
+
+TEST(WrongGeometry, TheCovarianceHoldsTheTruthOfAWrongDistance)
+{
+    for (const double factor : {0.95, 1.05}) {
+        const test::CleanCase clean(3);
+        RegistrationInput input = noisyInput(clean, clean.truth, 5);
+        stretchFocalLength(input, factor);
+        const RegistrationResult trusting = registerVessels(input).value();
+        input.cameraSpread = headerSpread;
+        const RegistrationResult result = registerVessels(input).value();
+        const auto nees = [&](const RegistrationResult& each) {
+            return normalisedError(clean, clean.truth, each.cameraFromPatient, each.uncertainty.covariance);
+        };
+        EXPECT_GT(nees(trusting), 100.0) << factor;
+        EXPECT_LT(nees(result), inside95) << factor;
+        EXPECT_TRUE(result.trustworthy) << factor;
+    }
+}
+
+TEST(WrongGeometry, TheDepthIsAsUncertainAsTheFocalLength)
+{
+    const test::CleanCase clean(3);
+    RegistrationInput input = noisyInput(clean, clean.truth, 5);
+    input.cameraSpread = {0.03, 0.0};
+    const RegistrationResult result = registerVessels(input).value();
+    const double depthMm = (result.cameraFromPatient * centroidInPatient(clean.tree)).z();
+    EXPECT_NEAR(result.uncertainty.depthMm, 0.03 * depthMm, 0.1 * 0.03 * depthMm);
+    EXPECT_LT(result.uncertainty.imageCovariance(5, 5), 25.0);
+    EXPECT_TRUE(std::ranges::none_of(result.warnings, speaksOfCamera));
+}
+
+TEST(WrongGeometry, OptionsOverruleWhereTheValuesComeFrom)
+{
+    const test::CleanCase clean(3);
+    RegistrationInput input = noisyInput(clean, clean.truth, 5);
+    const RegistrationResult exact = registerVessels(input).value();
+    input.cameraSpread = headerSpread;
+    RegistrationOptions options;
+    options.geometry.spread = GeometrySpread::None;
+    const RegistrationResult none = registerVessels(input, options).value();
+    EXPECT_EQ(none.uncertainty.covariance, exact.uncertainty.covariance);
+    EXPECT_FALSE(none.camera.has_value());
+    options.geometry.spread = GeometrySpread::Given;
+    options.geometry.focalPercent = 10.0;
+    options.geometry.principalPx = 0.0;
+    const RegistrationResult given = registerVessels(input, options).value();
+    EXPECT_GT(given.uncertainty.depthMm, 60.0);
+    ASSERT_TRUE(given.camera.has_value());
+}
+
+/// Two views 60° apart of one gantry whose distance is told wrongly.
+MultiViewResult twoViews(double factor)
+{
+    const test::CleanCase clean(3);
+    const Eigen::Vector3d isocentre(0.0, 0.0, 790.0);
+    const Eigen::Matrix3d turn = expSo3({0.0, std::numbers::pi / 3.0, 0.0});
+    const std::array<RigidTransform, 2> truth{clean.truth,
+                                              RigidTransform{turn, isocentre - turn * isocentre} * clean.truth};
+    std::array<RegistrationInput, 2> inputs;
+    for (std::size_t k = 0; k < 2; ++k) {
+        inputs[k] = noisyInput(clean, truth[k], 11 + k);
+        inputs[k].cameraSpread = headerSpread;
+        stretchFocalLength(inputs[k], factor);
+    }
+    return registerViews(inputs).value();
+}
+
+TEST(WrongGeometry, TwoViewsNameAWrongDistance)
+{
+    const MultiViewResult result = twoViews(0.95);
+    ASSERT_EQ(result.cameras.size(), 2U);
+    EXPECT_NEAR(result.cameras[0].error[0], 0.051, 0.015);
+    EXPECT_NEAR(result.cameras[1].error[0], 0.051, 0.015);
+    EXPECT_GE(std::ranges::count_if(result.warnings, speaksOfCamera), 1);
+}
+
+TEST(WrongGeometry, TwoViewsAreSilentOfARightOne)
+{
+    const MultiViewResult result = twoViews(1.0);
+    EXPECT_TRUE(result.trustworthy);
+    EXPECT_TRUE(std::ranges::none_of(result.warnings, speaksOfCamera));
+    EXPECT_LT(std::abs(result.cameras[0].error[0]), 0.01);
+}
+
+}   // namespace
+}   // namespace angiopose::core
