@@ -1,10 +1,33 @@
 #include "core/registration/registration.h"
 
+#include "core/registration/frame_doubt.h"
+#include "core/registration/held_depth.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/methods/method.h"
 #include "core/support/stopwatch.h"
 
 namespace angiopose::core {
+
+namespace {
+
+/// What holds for a fit of our own, whatever way it was found: a depth that the image does not tell stays, and a frame
+/// that may be mirrored or turned is named.
+RegistrationResult judgeWithCare(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                 const MethodSolution& solution)
+{
+    RegistrationResult result = judgePose(problem, options, solution);
+    if (const auto held = withDepthHeld(problem, options, solution, result)) {
+        result = judgePose(problem, options, *held);
+    }
+    const FrameDoubt doubt = doubtFrame(problem, options, solution, result);
+    if (doubt.message) {
+        result.warnings.insert(result.warnings.begin(), *doubt.message);
+        result.trustworthy = result.trustworthy && !doubt.shakesTrust;
+    }
+    return result;
+}
+
+}   // namespace
 
 Result<RegistrationResult> registerVessels(const RegistrationInput& input, const RegistrationOptions& options,
                                            const IterationObserver& observe)
@@ -20,7 +43,8 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
     ProgressLog progress(problem.value(), observe);
     const MethodSolution solution = findMethod(options.method)->solve(problem.value(), options, progress);
 
-    RegistrationResult result = judgePose(problem.value(), options, solution);
+    RegistrationResult result = solution.wantsCare ? judgeWithCare(problem.value(), options, solution)
+                                                   : judgePose(problem.value(), options, solution);
     result.method = options.method;
     result.history = progress.history();
     result.time.totalMs = stopwatch.lapMs();

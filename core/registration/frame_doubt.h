@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/registration/problem/method_solution.h"
+#include "core/registration/problem/registration_problem.h"
+
+namespace angiopose::core {
+
+/// What speaks for an image that is stored mirrored or turned (ALGORITHMS §6.20).
+struct FrameDoubt {
+    std::optional<Message> message;
+    bool shakesTrust = false;   ///< the fit was trusted, and is no longer
+};
+
+/// After a fit that failed: whether a mirrored or turned reading of the frame explains the image clearly better. After
+/// one that is trusted but explains it middlingly, or of few branches: whether the mirrored frame does as well.
+FrameDoubt doubtFrame(const RegistrationProblem& problem, const RegistrationOptions& options,
+                      const MethodSolution& solution, const RegistrationResult& judged);
+
+}   // namespace angiopose::core

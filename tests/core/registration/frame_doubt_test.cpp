@@ -1,0 +1,63 @@
+#include "core/messages/says.h"
+#include "core/registration/registration.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <functional>
+
+namespace angiopose::core {
+namespace {
+
+using Move = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
+
+constexpr double lastPixel = 1023.0;   // column and row of the clean case's images
+
+/// What is said of an image that was stored otherwise.
+RegistrationResult resultOf(const Move& stored)
+{
+    const test::CleanCase clean(3);
+    CounterRandom random(4);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    for (Curve2d& curve : input.target.curves) {
+        std::ranges::transform(curve.pointsPx, curve.pointsPx.begin(), stored);
+    }
+    return registerVessels(input).value();
+}
+
+bool isSaid(const RegistrationResult& result, const MessageEntry& message)
+{
+    return std::ranges::any_of(result.warnings, [&](const Message& each) { return each.is(message); });
+}
+
+TEST(FrameDoubt, NamesAMirroredImage)
+{
+    const auto leftRight =
+        resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(lastPixel - at.x(), at.y()); });
+    EXPECT_FALSE(leftRight.trustworthy);
+    EXPECT_TRUE(isSaid(leftRight, says::frameMirroredLeftRight));
+    const auto upDown = resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(at.x(), lastPixel - at.y()); });
+    EXPECT_FALSE(upDown.trustworthy);
+    EXPECT_TRUE(isSaid(upDown, says::frameMirroredUpDown));
+}
+
+TEST(FrameDoubt, NamesATurnedImageUnlessItIsFoundTurned)
+{
+    // Right goes down: clockwise.
+    const auto turned = resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(lastPixel - at.y(), at.x()); });
+    EXPECT_TRUE(turned.trustworthy || isSaid(turned, says::frameTurnedClockwise));
+    const auto around =
+        resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(lastPixel - at.x(), lastPixel - at.y()); });
+    EXPECT_TRUE(around.trustworthy || isSaid(around, says::frameUpsideDown));
+}
+
+TEST(FrameDoubt, IsSilentOfAnImageThatFits)
+{
+    const auto result = resultOf([](const Eigen::Vector2d& at) { return at; });
+    EXPECT_TRUE(result.trustworthy);
+    EXPECT_TRUE(
+        std::ranges::none_of(result.warnings, [](const Message& each) { return each.id().starts_with("frame."); }));
+}
+
+}   // namespace
+}   // namespace angiopose::core
