@@ -214,6 +214,36 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
     }
 }
 
+/// Positions of PS3.3 C.7.3.1.1.2 other than head first, supine.
+void readPatientPosition(const DicomDataset& data, core::Messages& warnings)
+{
+    const std::string position(data.text(0x00185100));
+    if (!position.empty() && position != "HFS") {
+        warnings.push_back(says::patientLies(position));
+    }
+}
+
+double farthest(const DicomDataset& data, DicomTag increments, std::size_t frames)
+{
+    double farthestMm = 0.0;
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        farthestMm = std::max(farthestMm, std::abs(data.number(increments, frame).value_or(0.0)));
+    }
+    return farthestMm;
+}
+
+void readTableMotion(const DicomDataset& data, int frameCount, core::Messages& warnings)
+{
+    double farthestMm = 0.0;
+    for (const DicomTag increments : {0x00181135U, 0x00181136U, 0x00181137U}) {
+        farthestMm = std::max(farthestMm, farthest(data, increments, static_cast<std::size_t>(frameCount)));
+    }
+    if (farthestMm > 0.0 || data.text(0x00181134) == "DYNAMIC") {
+        warnings.push_back(farthestMm > 0.0 ? says::tableMoved(core::inMm(farthestMm, 0))
+                                            : says::tableMoved(says::tableMovedUnknown()));
+    }
+}
+
 }   // namespace
 
 GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Messages& warnings)
@@ -225,6 +255,8 @@ GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Mess
     readFieldOfView(flat, header);
     readSpacings(flat, header);
     readIncrements(data, frameCount, header, warnings);
+    readPatientPosition(data, warnings);
+    readTableMotion(data, frameCount, warnings);
     return header;
 }
 

@@ -132,3 +132,34 @@ TEST(GantryHeader, ReadsWhatTheChecksNeed)
     EXPECT_TRUE(header.isPixelSpacingCalibrated);
     EXPECT_DOUBLE_EQ(header.pixelAspect, 1.2);
 }
+
+/// The standard counts angles from the patient; a device may not. Nothing is ignored in silence.
+TEST(GantryHeader, AsksAboutAPatientWhoDoesNotLieHeadFirstAndSupine)
+{
+    core::Messages none;
+    io::gantryHeaderOf(headerWith({{0x00185100, "HFS "}}), 1, none);
+    EXPECT_TRUE(none.empty());
+    for (const char* position : {"FFS ", "HFP ", "FFDL"}) {
+        core::Messages warnings;
+        io::gantryHeaderOf(headerWith({{0x00185100, position}}), 1, warnings);
+        ASSERT_EQ(warnings.size(), 1U) << position;
+        EXPECT_EQ(warnings.front().id(), "dicom.patient-lies");
+        EXPECT_NE(warnings.front().text().find(std::string(position, 3)), std::string::npos);
+    }
+}
+
+TEST(GantryHeader, SaysThatATableMoved)
+{
+    core::Messages still;
+    io::gantryHeaderOf(headerWith({{0x00181134, "STATIC"}, {0x00181137, "0\\0 "}}), 2, still);
+    EXPECT_TRUE(still.empty());
+    core::Messages moved;
+    io::gantryHeaderOf(headerWith({{0x00181134, "DYNAMIC "}, {0x00181137, "0\\-35 "}}), 2, moved);
+    ASSERT_EQ(moved.size(), 1U);
+    EXPECT_EQ(moved.front().id(), "dicom.table-moved");
+    EXPECT_NE(moved.front().text().find("35 mm"), std::string::npos);
+    core::Messages unknown;
+    io::gantryHeaderOf(headerWith({{0x00181134, "DYNAMIC "}}), 2, unknown);
+    ASSERT_EQ(unknown.size(), 1U);
+    EXPECT_EQ(unknown.front().id(), "dicom.table-moved");
+}
