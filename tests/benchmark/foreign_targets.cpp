@@ -245,6 +245,38 @@ core::Centerline2d handedOver(std::vector<Pixels> curves, ForeignScene scene, Fo
     return target;
 }
 
+std::vector<Pixels> seen(const RootedTree& shown, const std::vector<std::size_t>& filled,
+                         const core::RigidTransform& view, ForeignRandom& random)
+{
+    std::vector<Pixels> curves;
+    for (const std::size_t branch : filled) {
+        Pixels projected;
+        for (const Eigen::Vector3d& point : shown.tree.branches[branch].pointsInPatient) {
+            projected.push_back(pixelOf(view * point));
+        }
+        curves.push_back(traced(projected, random));
+    }
+    return curves;
+}
+
+/// The gantry turned about the isocentre; `degrees` to the side.
+core::RigidTransform turnedGantry(double degrees)
+{
+    const Eigen::Vector3d isocentre(0.0, 0.0, sourceToPatientMm);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(degrees * rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    return {turn, isocentre - turn * isocentre};
+}
+
+/// What a header's rounding and a sagging gantry make of a pose.
+core::RigidTransform misjudged(const core::RigidTransform& pose, const Eigen::Vector3d& centroid, ForeignRandom& random)
+{
+    const Eigen::Vector3d turn(random.normal(), random.normal(), random.normal());
+    const Eigen::Vector3d shift(random.normal(), random.normal(), random.normal());
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd(0.25 * rad * turn.norm(), turn.normalized()).toRotationMatrix() * pose.rotation;
+    return {rotation, pose * centroid + 0.75 * shift - rotation * centroid};
+}
+
 }   // namespace
 
 ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tree, ForeignScene scene,
@@ -255,14 +287,7 @@ ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tr
     const RootedTree& shown = trees[isOther ? (tree + 1) % trees.size() : tree];
     const core::RigidTransform view = drawnView(shown, random);
     const std::vector<std::size_t> filled = filledIn(shown, scene, random);
-    std::vector<Pixels> curves;
-    for (const std::size_t branch : filled) {
-        Pixels projected;
-        for (const Eigen::Vector3d& point : shown.tree.branches[branch].pointsInPatient) {
-            projected.push_back(pixelOf(view * point));
-        }
-        curves.push_back(traced(projected, random));
-    }
+    std::vector<Pixels> curves = seen(shown, filled, view, random);
     for (int extra = scene == ForeignScene::LeavesMissing ? 5 : 0; extra > 0; --extra) {
         curves.push_back(traced(foreignCurve(random), random));
     }
@@ -275,6 +300,28 @@ ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tr
     result.input.target = handedOver(std::move(curves), scene, random);
     result.input.initialCameraFromPatient = displacedStart(result.truth, centroid, random);
     return result;
+}
+
+std::array<ForeignCase, 2> makeForeignPair(const std::vector<RootedTree>& trees, std::size_t tree, std::uint64_t trial)
+{
+    ForeignRandom random(6007 * trial + 211 * tree + 29);
+    const RootedTree& shown = trees[tree];
+    const Eigen::Vector3d centroid = core::centroidInPatient(shown.tree);
+    const core::RigidTransform first = drawnView(shown, random);
+    const core::RigidTransform start = displacedStart(first, centroid, random);
+    const core::RigidTransform secondFromFirst = turnedGantry(60.0);
+    const core::RigidTransform told = misjudged(secondFromFirst, first * centroid, random);
+    std::array<ForeignCase, 2> pair;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const core::RigidTransform view = k == 0 ? first : secondFromFirst * first;
+        pair[k].truth = view;
+        pair[k].filled = allOf(shown);
+        pair[k].input.tree = shown.tree;
+        pair[k].input.camera = camera();
+        pair[k].input.target = handedOver(seen(shown, pair[k].filled, view, random), ForeignScene::WholeTree, random);
+        pair[k].input.initialCameraFromPatient = k == 0 ? start : told * start;
+    }
+    return pair;
 }
 
 ForeignError errorOf(const ForeignCase& asked, const core::RigidTransform& answer)

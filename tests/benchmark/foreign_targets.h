@@ -52,6 +52,10 @@ struct ForeignCase {
 ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tree, ForeignScene scene,
                             std::uint64_t trial);
 
+/// The whole tree in two views 60° apart, as two questions whose start poses tell the geometry between them, off by
+/// 0.25° and 0.75 mm (1-σ per axis) from the true one.
+std::array<ForeignCase, 2> makeForeignPair(const std::vector<RootedTree>& trees, std::size_t tree, std::uint64_t trial);
+
 /// How far an answer lies from the truth.
 struct ForeignError {
     double inPlaneMm = 0.0;   ///< mean over the filled branches, across the rays

@@ -2,6 +2,7 @@
 // rigid body, so the rotation between two registered views must agree with the angles in the DICOM headers.
 
 #include "core/registration/options/option_text.h"
+#include "core/registration/register_views.h"
 #include "core/support/format_number.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
@@ -50,14 +51,36 @@ void printViews(const std::vector<PhantomView>& views)
     std::printf("%s\n", io::toPlainText(table).c_str());
 }
 
+/// 1-σ length of the turn that the two views' covariances allow between them.
+double reportedDeg(const PhantomView& a, const PhantomView& b)
+{
+    const auto turns = [](const PhantomView& view) {
+        return view.result.uncertainty.covariance.topLeftCorner<3, 3>().trace();
+    };
+    return inDegrees(std::sqrt(turns(a) + turns(b)));
+}
+
+/// `headerDeg`: 1-σ length of the turn between two views that the header's angles are off.
+double rmsOverReported(const std::vector<PhantomView>& views, const std::vector<PhantomPair>& pairs, double headerDeg)
+{
+    double squares = 0.0;
+    for (const PhantomPair& pair : pairs) {
+        const double ratio =
+            pair.differenceDeg / std::hypot(reportedDeg(views[pair.first], views[pair.second]), headerDeg);
+        squares += ratio * ratio / static_cast<double>(pairs.size());
+    }
+    return std::sqrt(squares);
+}
+
 void printPairs(const std::vector<PhantomView>& views, const std::vector<PhantomPair>& pairs)
 {
     core::ResultTable table;
-    table.columns = {"pair", "registered", "by DICOM angles", "difference"};
+    table.columns = {"pair", "registered", "by DICOM angles", "difference", "reported σ"};
     for (const PhantomPair& pair : pairs) {
         table.rows.push_back(
             {{views[pair.first].name + "–" + views[pair.second].name, fixedText(pair.registeredDeg, 2) + "°",
-              fixedText(pair.expectedDeg, 2) + "°", fixedText(pair.differenceDeg, 2) + "°"},
+              fixedText(pair.expectedDeg, 2) + "°", fixedText(pair.differenceDeg, 2) + "°",
+              fixedText(reportedDeg(views[pair.first], views[pair.second]), 2) + "°"},
              false});
     }
     std::printf("%s\n", io::toPlainText(table).c_str());
@@ -106,5 +129,10 @@ int main(int argc, char** argv)
         printAim("Largest difference of relative rotations", largestDifferenceDeg(pairs), aimedLargestDeg, "°");
     const bool isTypical =
         printAim("Median difference of relative rotations", medianDifferenceDeg(pairs), aimedMedianDeg, "°");
+    const double headerDeg = std::sqrt(3.0) * core::MultiViewOptions().relativeRotationStdDeg;
+    std::printf("%-44s %5.2f     (aim: 0.7 to 1.3)\n", "Differences over reported σ, rms",
+                rmsOverReported(views, pairs, 0.0));
+    std::printf("%-44s %5.2f\n", "… with what joint registration allows headers",
+                rmsOverReported(views, pairs, headerDeg));
     return isNear && isConsistent && isTypical ? 0 : 1;
 }

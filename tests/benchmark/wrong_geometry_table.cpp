@@ -1,0 +1,203 @@
+// What becomes of a registration whose geometry is told wrongly: whether the reported uncertainty holds the true error,
+// and whether the error is named. Real cerebral arteries judge; the developing family is there to choose thresholds by.
+
+#include "core/registration/pose/centroid_pose.h"
+#include "core/registration/register_views.h"
+#include "core/support/format_number.h"
+#include "core/support/quantile.h"
+#include "io/evaluation/table_text.h"
+#include "tests/benchmark/arguments.h"
+#include "tests/benchmark/wrong_geometry.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using namespace angiopose;
+
+namespace {
+
+using namespace benchmarks;
+using core::fixedText;
+
+constexpr double inside95 = 12.592;   // χ² of six degrees of freedom
+constexpr double sigmas95 = 1.96;
+
+const char* const usage =
+    "wrong_geometry_table\n"
+    "  --family <name>   real: cerebral arteries of patients; development: trees made up (real)\n"
+    "  --errors <list>   exact,sid,spacing,principal,mirrored,flipped,turned,upside-down (all)\n"
+    "  --views <list>    one,two (both); of two, what is told wrongly is wrong of both\n"
+    "  --trials <n>      for each tree and error (4)\n"
+    "  --first <n>       number of the first trial (0)\n"
+    "  --set none        the geometry counts as exact\n"
+    "  --each            one line for each registration, too\n";
+
+struct Answer {
+    bool isTrusted = false;
+    bool isNamed = false;   ///< by the message that should name the error
+    bool isAlarmed = false;   ///< by any message about camera or frame
+    double nees = 0.0;   ///< squared error over covariance, 6 degrees of freedom
+    double depthErrorMm = 0.0;
+    double depthStdMm = 0.0;
+    double gain = 0.0;   ///< of the error that the images find in the cameras
+    double timeMs = 0.0;
+};
+
+void hear(Answer& answer, const core::Messages& warnings, const NamedError& told)
+{
+    for (const core::Message& warning : warnings) {
+        const bool isAboutView = warning.id() == "views.in-view";
+        const std::string_view id =
+            isAboutView ? std::get<core::Messages>(warning.arguments().back()).front().id() : warning.id();
+        answer.isNamed = answer.isNamed || (!told.message.empty() && id.starts_with(told.message));
+        answer.isAlarmed = answer.isAlarmed || id.starts_with("camera.") || id.starts_with("frame.");
+    }
+}
+
+void compare(Answer& answer, const ForeignCase& asked, const core::RigidTransform& pose,
+             const core::PoseUncertainty& uncertainty)
+{
+    const Eigen::Vector3d centroid = core::centroidInPatient(asked.input.tree);
+    const core::Vector6d error =
+        core::stepBetween(core::aboutCentroid(pose, centroid), core::aboutCentroid(asked.truth, centroid));
+    answer.nees = error.dot(uncertainty.covariance.ldlt().solve(error));
+    answer.depthErrorMm = std::abs(error[5]);
+    answer.depthStdMm = uncertainty.depthMm;
+}
+
+Answer askOne(ForeignCase asked, const NamedError& told, std::uint64_t trial, const core::RegistrationOptions& options)
+{
+    asked.input.cameraSpread = spreadOfHeader(asked.input.camera);
+    spoil(asked.input, told.error, trial);
+    Answer answer;
+    const auto result = core::registerVessels(asked.input, options);
+    if (!result) {
+        return answer;
+    }
+    answer.isTrusted = result.value().trustworthy;
+    answer.timeMs = result.value().time.totalMs;
+    answer.gain = result.value().camera ? result.value().camera->gain : 0.0;
+    hear(answer, result.value().warnings, told);
+    compare(answer, asked, result.value().cameraFromPatient, result.value().uncertainty);
+    return answer;
+}
+
+Answer askBoth(std::array<ForeignCase, 2> asked, const NamedError& told, std::uint64_t trial,
+               const core::RegistrationOptions& options)
+{
+    std::vector<core::RegistrationInput> inputs;
+    for (ForeignCase& view : asked) {
+        view.input.cameraSpread = spreadOfHeader(view.input.camera);
+        spoil(view.input, told.error, trial);
+        inputs.push_back(view.input);
+    }
+    Answer answer;
+    const auto result = core::registerViews(inputs, options);
+    if (!result) {
+        return answer;
+    }
+    answer.isTrusted = result.value().trustworthy;
+    answer.gain = result.value().cameras.empty() ? 0.0 : result.value().cameras.front().gain;
+    hear(answer, result.value().warnings, told);
+    compare(answer, asked.front(), result.value().views.front().cameraFromPatient, result.value().uncertainty);
+    return answer;
+}
+
+template <class Predicate>
+std::string shareText(const std::vector<Answer>& answers, const Predicate& holds)
+{
+    return std::to_string(std::count_if(answers.begin(), answers.end(), holds)) + " of " +
+           std::to_string(answers.size());
+}
+
+std::string medianText(const std::vector<Answer>& answers, double Answer::*value, int decimals)
+{
+    std::vector<double> values;
+    for (const Answer& answer : answers) {
+        values.push_back(answer.*value);
+    }
+    return fixedText(core::quantile(std::move(values), 0.5), decimals);
+}
+
+core::ResultTable::Row rowOf(const NamedError& told, const std::string& views, const std::vector<Answer>& answers)
+{
+    const auto unless = [&](bool isMeaningless, std::string text) { return isMeaningless ? "–" : std::move(text); };
+    const bool hasNoTruth = !hasTruth(told.error);
+    const auto isInside = [](const Answer& a) { return a.nees <= inside95; };
+    const auto isDepthInside = [](const Answer& a) { return a.depthErrorMm <= sigmas95 * a.depthStdMm; };
+    return {{views, std::string(told.words), shareText(answers, [](const Answer& a) { return a.isTrusted; }),
+             unless(hasNoTruth, shareText(answers, isInside)), unless(hasNoTruth, shareText(answers, isDepthInside)),
+             unless(told.message.empty(), shareText(answers, [](const Answer& a) { return a.isNamed; })),
+             shareText(answers, [](const Answer& a) { return a.isAlarmed; }),
+             shareText(answers, [](const Answer& a) { return a.isAlarmed || !a.isTrusted; }),
+             unless(hasNoTruth, medianText(answers, &Answer::depthErrorMm, 1)),
+             unless(hasNoTruth, medianText(answers, &Answer::depthStdMm, 1)), medianText(answers, &Answer::gain, 1),
+             medianText(answers, &Answer::timeMs, 0)},
+            false};
+}
+
+void printAnswer(const NamedError& told, const std::string& views, const RootedTree& tree, std::uint64_t trial,
+                 const Answer& answer)
+{
+    std::printf("%s %-11s %-10s %2d  nees %8.2f  depth %6.1f ± %5.1f  gain %7.1f  %s%s%s  %6.0f ms\n", views.c_str(),
+                std::string(told.key).c_str(), tree.name.c_str(), static_cast<int>(trial), answer.nees,
+                answer.depthErrorMm, answer.depthStdMm, answer.gain, answer.isTrusted ? "trusted" : "flagged",
+                answer.isNamed ? " named" : "", answer.isAlarmed ? " word" : "", answer.timeMs);
+    std::fflush(stdout);
+}
+
+/// Every tree and trial of one row.
+std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedError& told, const std::string& views,
+                           const core::RegistrationOptions& options, const Arguments& arguments)
+{
+    const auto first = static_cast<std::uint64_t>(arguments.number("first", 0));
+    const auto trials = static_cast<std::uint64_t>(arguments.number("trials", 4));
+    std::vector<Answer> answers;
+    for (std::size_t tree = 0; tree < trees.size(); ++tree) {
+        for (std::uint64_t trial = first; trial < first + trials; ++trial) {
+            answers.push_back(views == "two" ? askBoth(makeForeignPair(trees, tree, trial), told, trial, options)
+                                             : askOne(makeForeignCase(trees, tree, ForeignScene::WholeTree, trial),
+                                                      told, trial, options));
+            if (arguments.isSet("each")) {
+                printAnswer(told, views, trees[tree], trial, answers.back());
+            }
+        }
+    }
+    return answers;
+}
+
+}   // namespace
+
+int main(int argc, char** argv)
+{
+    const Arguments arguments(argc, argv, usage);
+    const bool isReal = arguments.text("family", "real") == "real";
+    const std::vector<RootedTree> trees =
+        isReal ? cerebralTrees(std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs") : forkedTrees(10);
+    if (trees.empty()) {
+        std::fprintf(stderr, "The graphs of cerebral arteries are not there.\n");
+        return 1;
+    }
+    core::RegistrationOptions options;
+    if (arguments.text("set", "") == "none") {
+        options.geometry.spread = core::GeometrySpread::None;
+    }
+    const std::vector<std::string> wanted =
+        arguments.list("errors", "exact,sid,spacing,principal,mirrored,flipped,turned,upside-down");
+    core::ResultTable table;
+    table.columns = {"views",    "told wrongly",     "trusted",      "pose in 95 %", "depth in 95 %", "named",
+                     "any word", "word or no trust", "depth off mm", "depth σ mm",   "gain",          "median ms"};
+    for (const std::string& views : arguments.list("views", "one,two")) {
+        for (const NamedError& told : geometryErrors) {
+            const bool isWanted = std::find(wanted.begin(), wanted.end(), told.key) != wanted.end();
+            if (isWanted && (views == "one" || hasTruth(told.error))) {
+                table.rows.push_back(rowOf(told, views, askAll(trees, told, views, options, arguments)));
+            }
+        }
+    }
+    std::printf("%s trees, whole in the image, starts up to 15°, 30 mm across and 50 mm along the ray off\n\n%s\n",
+                isReal ? "Real cerebral" : "Made-up", io::toPlainText(table).c_str());
+    return 0;
+}
