@@ -1,5 +1,6 @@
 #include "io/surface_file.h"
 
+#include "io/decode/vtk_file.h"
 #include "io/messages/says.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -20,24 +21,17 @@ constexpr std::size_t maxTriangles = 50'000'000;
 constexpr double smallestUsualMm = 60.0;   // across the whole surface of vessels
 constexpr double largestUsualMm = 2000.0;
 
-core::Result<PolygonSet> parseVtk(std::string_view content, const std::string& path)
-{
-    auto parsed = content.starts_with("# vtk DataFile") ? parseLegacyVtk(content, path) : parseXmlVtk(content, path);
-    if (!parsed) {
-        return parsed.error();
-    }
-    VtkLines lines = std::move(parsed).value();
-    return PolygonSet{std::move(lines.set.points), std::move(lines.polygons), lines.set.isRas};
-}
-
-core::Result<PolygonSet> parse(std::string_view content, const std::string& path)
+core::Result<VtkLines> parse(std::string_view content, const std::string& path, const ReadObserver& observe)
 {
     const std::string extension = extensionOf(path);
-    if (content.starts_with("# vtk DataFile") || content.substr(0, 4096).find("<VTKFile") != std::string_view::npos) {
-        return parseVtk(content, path);
+    if (content.starts_with("# vtk DataFile")) {
+        return readLegacyVtk(content, path, observe);
+    }
+    if (content.substr(0, 4096).find("<VTKFile") != std::string_view::npos) {
+        return parseXmlVtk(content, path);
     }
     if (content.starts_with("ply")) {
-        return parsePly(content, path);
+        return readPly(path, observe);
     }
     if (extension == ".stl") {
         return parseStl(content, path);
@@ -52,42 +46,36 @@ core::Result<PolygonSet> parse(std::string_view content, const std::string& path
     return fileError(path, says::surfaceIsOther((*found)()));
 }
 
-/// Triangles of all polygons (fans); returns what is wrong.
-std::optional<core::Message> appendTriangles(const PolygonSet& set, core::SurfaceMesh& mesh)
+/// What is wrong with the triangles.
+std::optional<core::Message> findProblem(const VtkLines& surface)
 {
-    for (const auto& polygon : set.polygons) {
-        for (const std::size_t index : polygon) {
-            if (index >= set.points.size()) {
-                return says::surfaceBadIndex();
-            }
-        }
-        for (std::size_t k = 2; k < polygon.size(); ++k) {
-            mesh.triangles.push_back({static_cast<std::uint32_t>(polygon[0]),
-                                      static_cast<std::uint32_t>(polygon[k - 1]),
-                                      static_cast<std::uint32_t>(polygon[k])});
-        }
-        if (mesh.triangles.size() > maxTriangles) {
-            return says::surfaceTooLarge();
+    if (surface.triangles.size() > maxTriangles) {
+        return says::surfaceTooLarge();
+    }
+    for (const Triangle& triangle : surface.triangles) {
+        if (*std::max_element(triangle.begin(), triangle.end()) >= surface.set.points.size()) {
+            return says::surfaceBadIndex();
         }
     }
-    return mesh.triangles.empty() ? std::optional(says::surfaceNoTriangles()) : std::nullopt;
+    return surface.triangles.empty() ? std::optional(says::surfaceNoTriangles()) : std::nullopt;
 }
 
-core::Result<core::SurfaceMesh> meshOf(const PolygonSet& set, double unitMm, const std::string& path)
+core::Result<core::SurfaceMesh> meshOf(VtkLines surface, double unitMm, const std::string& path)
 {
     core::SurfaceMesh mesh;
-    for (Eigen::Vector3d point : set.points) {
+    for (Eigen::Vector3d point : surface.set.points) {
         if (!point.allFinite() || point.cwiseAbs().maxCoeff() * unitMm > 1e6) {
             return fileError(path, says::surfaceCoordinate());
         }
-        if (set.isRas) {
+        if (surface.set.isRas) {
             point.head<2>() *= -1.0;
         }
         mesh.pointsInPatient.emplace_back(point * unitMm);
     }
-    if (const auto problem = appendTriangles(set, mesh)) {
+    if (const auto problem = findProblem(surface)) {
         return fileError(path, *problem);
     }
+    mesh.triangles = std::move(surface.triangles);
     return core::welded(mesh);
 }
 
@@ -123,7 +111,7 @@ bool isUsualSize(double acrossMm)
     return acrossMm >= smallestUsualMm && acrossMm <= largestUsualMm;
 }
 
-core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
+core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, const ReadObserver& observe)
 {
     if (!std::isfinite(unitMm) || unitMm <= 0.0) {
         return fileError(path, says::fileWrongUnit());
@@ -132,14 +120,15 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm)
     if (!input) {
         return input.error();
     }
-    auto parsed = parse(input.value().view(), path);
+    auto parsed = parse(input.value().view(), path, observe);
     if (!parsed) {
         return parsed.error();
     }
-    PolygonSet set = std::move(parsed).value();
+    VtkLines surface = std::move(parsed).value();
     // Slicer notes the axes in the comment of any format.
-    set.isRas = set.isRas || input.value().view().substr(0, 1024).find("SPACE=RAS") != std::string_view::npos;
-    auto mesh = meshOf(set, unitMm, path);
+    surface.set.isRas =
+        surface.set.isRas || input.value().view().substr(0, 1024).find("SPACE=RAS") != std::string_view::npos;
+    auto mesh = meshOf(std::move(surface), unitMm, path);
     if (!mesh) {
         return mesh.error();
     }

@@ -2,6 +2,7 @@
 
 #include "core/support/result.h"
 #include "core/vessel/surface_mesh.h"
+#include "io/support/read_observer.h"
 
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ bool isUsualSize(double acrossMm);
 
 /// A triangle surface from VTP, legacy VTK (poly-data, unstructured grid), STL, PLY or OBJ; lengths times `unitMm`.
 /// RAS files that say so are turned. Fails with file, problem and remedy, also when there is no triangle.
-core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm = 1.0);
+core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm = 1.0, const ReadObserver& observe = {});
 
 /// Writes binary STL, patient LPS.
 core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path);

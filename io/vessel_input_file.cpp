@@ -26,6 +26,7 @@ namespace {
 using core::VesselInputKind;
 
 constexpr double largestBodyMm = 10'000.0;
+constexpr double surfaceShare = 0.1;   // of the progress, for reading a surface
 constexpr double readShare = 0.3;   // of the progress; the rest is tracing
 
 core::TracingObserver tracingObserver(const ReadObserver& observe)
@@ -64,11 +65,12 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
     return loaded;
 }
 
-core::Result<LoadedVessels> readCenterlines(const std::string& path, const core::VesselInput& input)
+core::Result<LoadedVessels> readCenterlines(const std::string& path, const core::VesselInput& input,
+                                            const ReadObserver& observe)
 {
     VesselTreeReadOptions options;
     options.unitMm = input.unitMm;
-    auto tree = readVesselTree(path, options);
+    auto tree = readVesselTree(path, options, observe);
     if (!tree) {
         return tree.error();
     }
@@ -85,7 +87,7 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
 core::Result<LoadedVessels> traceSurface(const std::string& path, const core::VesselInput& input,
                                          const ReadObserver& observe)
 {
-    const auto surface = readSurface(path, input.unitMm);
+    const auto surface = readSurface(path, input.unitMm, partOf(observe, 0.0, surfaceShare));
     if (!surface) {
         return surface.error();
     }
@@ -94,7 +96,7 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
                                                                           core::Quantity::asNeeded, "m"}));
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;
-    if (isStopWished(observe, 0.1)) {
+    if (isStopWished(observe, surfaceShare)) {
         return stoppedReading(path);
     }
     const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh));
@@ -238,7 +240,7 @@ core::Result<LoadedVessels> readVessels(const std::string& path, const core::Ves
         case VesselInputKind::Volume:
             return traceVolume(path, input, observe);
         default:
-            return readCenterlines(path, input);
+            return readCenterlines(path, input, observe);
     }
 }
 

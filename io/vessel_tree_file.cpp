@@ -1,5 +1,6 @@
 #include "io/vessel_tree_file.h"
 
+#include "io/decode/vtk_file.h"
 #include "io/messages/says.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -15,9 +16,11 @@
 namespace angiopose::io {
 namespace {
 
-core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const std::string& path)
+core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const std::string& path,
+                               const ReadObserver& observe)
 {
-    auto lines = content.starts_with("# vtk DataFile") ? parseLegacyVtk(content, path) : parseXmlVtk(content, path);
+    auto lines =
+        content.starts_with("# vtk DataFile") ? readLegacyVtk(content, path, observe) : parseXmlVtk(content, path);
     if (!lines) {
         return lines.error();
     }
@@ -32,11 +35,12 @@ core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const st
 }
 
 /// By content where that decides, by extension for plain tables.
-core::Result<LineSet> parseLines(std::string_view content, const std::string& path, double unitMm)
+core::Result<LineSet> parseLines(std::string_view content, const std::string& path, double unitMm,
+                                 const ReadObserver& observe)
 {
     const bool isVtkXml = content.substr(0, 4096).find("<VTKFile") != std::string_view::npos;
     if (isVtkXml || content.starts_with("# vtk DataFile")) {
-        return parseVtk(content, unitMm, path);
+        return parseVtk(content, unitMm, path, observe);
     }
     const std::string extension = extensionOf(path);
     const auto* found = describeContent(content);
@@ -60,7 +64,8 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
 
 }   // namespace
 
-core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options)
+core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options,
+                                              const ReadObserver& observe)
 {
     if (!std::isfinite(options.unitMm) || options.unitMm <= 0.0) {
         return fileError(path, says::fileWrongUnit());
@@ -69,7 +74,7 @@ core::Result<core::VesselTree> readVesselTree(const std::string& path, const Ves
     if (!input) {
         return input.error();
     }
-    auto lines = parseLines(input.value().view(), path, options.unitMm);
+    auto lines = parseLines(input.value().view(), path, options.unitMm, observe);
     if (!lines) {
         return lines.error();
     }

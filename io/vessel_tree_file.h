@@ -2,6 +2,7 @@
 
 #include "core/support/result.h"
 #include "core/vessel/vessel_tree.h"
+#include "io/support/read_observer.h"
 
 #include <string>
 
@@ -15,7 +16,8 @@ struct VesselTreeReadOptions {
 /// patient LPS mm. RAS files are converted, and stretches that several lines share (VMTK) come once, cut at
 /// bifurcations. Branch ids are the file's where they are unique, else 1…n in file order. Fails with file, problem and
 /// remedy.
-core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {});
+core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {},
+                                              const ReadObserver& observe = {});
 
 /// Writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), by extension, atomically.
 core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,7 @@ public:
     {
         putAll(values);
     }
+    void put(const Eigen::Vector3d& point) { putAll(point); }
 
     void put(const std::string& text)
     {
@@ -98,6 +100,7 @@ public:
     {
         takeAll(values);
     }
+    void take(Eigen::Vector3d& point) { takeAll(point); }
 
     void take(std::string& text)
     {

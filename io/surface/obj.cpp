@@ -1,7 +1,7 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/support/value_cursor.h"
+#include "io/support/text_cursor.h"
 #include "io/surface/surface_formats.h"
 
 namespace angiopose::io {
@@ -16,27 +16,29 @@ std::size_t pointIndex(std::string_view word, std::size_t pointCount)
 
 }   // namespace
 
-core::Result<PolygonSet> parseObj(std::string_view content, const std::string& path)
+core::Result<VtkLines> parseObj(std::string_view content, const std::string& path)
 {
-    PolygonSet set;
-    ValueCursor lines(content);
+    VtkLines surface;
+    std::vector<Eigen::Vector3d>& points = surface.set.points;
+    TextCursor lines(content);
     for (std::size_t line = 1; lines.left() > 0; ++line) {
-        ValueCursor words(lines.line());
+        TextCursor words(lines.line());
         const std::string_view kind = words.word();
         if (kind == "v") {
             const auto point = words.point();
             if (!point) {
                 return fileError(path, says::objBadPoint(line));
             }
-            set.points.push_back(*point);
+            points.push_back(*point);
         } else if (kind == "f") {
-            std::vector<std::size_t>& polygon = set.polygons.emplace_back();
+            std::vector<std::size_t> polygon;
             while (!words.isAtEnd()) {
-                polygon.push_back(pointIndex(words.word(), set.points.size()));
+                polygon.push_back(pointIndex(words.word(), points.size()));
             }
+            addFan(polygon, surface.triangles);
         }
     }
-    return set;
+    return surface;
 }
 
 }   // namespace angiopose::io

@@ -1,6 +1,6 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
-#include "io/support/value_cursor.h"
+#include "io/support/text_cursor.h"
 #include "io/surface/surface_formats.h"
 
 #include <cstdint>
@@ -20,27 +20,27 @@ std::uint32_t declaredTriangles(std::string_view content)
     return count;
 }
 
-PolygonSet parseBinary(std::string_view content)
+VtkLines parseBinary(std::string_view content)
 {
-    PolygonSet set;
-    const std::size_t count = declaredTriangles(content);
-    for (std::size_t i = 0; i < count; ++i) {
-        const char* corners = content.data() + headSize + i * triangleSize + 12;   // after the normal
+    VtkLines surface;
+    const std::uint32_t count = declaredTriangles(content);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const char* corners = content.data() + headSize + std::size_t{i} * triangleSize + 12;   // after the normal
         for (std::size_t k = 0; k < 3; ++k) {
             float point[3];
             std::memcpy(point, corners + 12 * k, sizeof point);
-            set.points.emplace_back(point[0], point[1], point[2]);
+            surface.set.points.emplace_back(point[0], point[1], point[2]);
         }
-        set.polygons.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        surface.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    return set;
+    return surface;
 }
 
 /// "vertex x y z" wherever it occurs; three make a triangle. Nothing when one of them is damaged.
-std::optional<PolygonSet> parseText(std::string_view content)
+std::optional<VtkLines> parseText(std::string_view content)
 {
-    PolygonSet set;
-    for (ValueCursor cursor(content); !cursor.isAtEnd();) {
+    VtkLines surface;
+    for (TextCursor cursor(content); !cursor.isAtEnd();) {
         if (const auto word = cursor.word(); word != "vertex" && word != "VERTEX") {
             continue;
         }
@@ -48,13 +48,13 @@ std::optional<PolygonSet> parseText(std::string_view content)
         if (!point) {
             return std::nullopt;
         }
-        set.points.push_back(*point);
-        const std::size_t count = set.points.size();
+        surface.set.points.push_back(*point);
+        const auto count = static_cast<std::uint32_t>(surface.set.points.size());
         if (count % 3 == 0) {
-            set.polygons.push_back({count - 3, count - 2, count - 1});
+            surface.triangles.push_back({count - 3, count - 2, count - 1});
         }
     }
-    return set.points.size() % 3 == 0 ? std::optional(set) : std::nullopt;
+    return surface.set.points.size() % 3 == 0 ? std::optional(std::move(surface)) : std::nullopt;
 }
 
 }   // namespace
@@ -65,14 +65,14 @@ bool looksLikeBinaryStl(std::string_view content)
            content.size() - headSize <= (declaredTriangles(content) + std::size_t{1}) * triangleSize;
 }
 
-core::Result<PolygonSet> parseStl(std::string_view content, const std::string& path)
+core::Result<VtkLines> parseStl(std::string_view content, const std::string& path)
 {
     if (looksLikeBinaryStl(content)) {
         return parseBinary(content);
     }
     const bool isText = content.substr(0, 512).find("solid") != std::string_view::npos;
-    const auto set = isText ? parseText(content) : std::nullopt;
-    return set ? core::Result<PolygonSet>(*set) : fileError(path, says::surfaceCutShort());
+    auto surface = isText ? parseText(content) : std::nullopt;
+    return surface ? core::Result<VtkLines>(std::move(*surface)) : fileError(path, says::surfaceCutShort());
 }
 
 }   // namespace angiopose::io

@@ -1,8 +1,9 @@
 #include "io/vessel/vtk_lines.h"
 
-#include <vtkCellType.h>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace angiopose::io {
 namespace {
@@ -23,39 +24,16 @@ const std::vector<double>* findArray(const std::map<std::string, std::vector<dou
     return nullptr;
 }
 
-/// Triangles of strips: every second one is turned round.
-void appendStrips(const VtkCells& strips, VtkCells& triangles)
-{
-    for (const auto& strip : strips) {
-        for (std::size_t k = 2; k < strip.size(); ++k) {
-            const bool isTurned = k % 2 == 1;
-            triangles.push_back({strip[k - 2], strip[isTurned ? k : k - 1], strip[isTurned ? k - 1 : k]});
-        }
-    }
-}
-
 }   // namespace
 
-void addCells(VtkCellSections cells, VtkLines& lines)
+void addFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles)
 {
-    // Cell data counts vertices first, then lines (vtkPolyData).
-    for (std::size_t i = 0; i < cells.lines.size(); ++i) {
-        lines.set.lines.push_back(std::move(cells.lines[i]));
-        lines.cellOfLine.push_back(cells.vertexCount + i);
+    const auto index = [&corners](std::size_t k) {
+        return static_cast<std::uint32_t>(std::min<std::size_t>(corners[k], std::numeric_limits<std::uint32_t>::max()));
+    };
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+        triangles.push_back({index(0), index(k - 1), index(k)});
     }
-    for (std::size_t i = 0; i < cells.mixed.size() && i < cells.types.size(); ++i) {
-        const int type = cells.types[i];
-        if (type == VTK_LINE || type == VTK_POLY_LINE) {
-            lines.set.lines.push_back(std::move(cells.mixed[i]));
-            lines.cellOfLine.push_back(i);
-        } else if (type == VTK_TRIANGLE || type == VTK_POLYGON || type == VTK_QUAD) {
-            cells.polygons.push_back(std::move(cells.mixed[i]));
-        }
-        lines.set.hasSurface |= type > VTK_POLY_LINE;
-    }
-    appendStrips(cells.strips, cells.polygons);
-    lines.set.hasSurface |= !cells.polygons.empty();
-    lines.polygons = std::move(cells.polygons);
 }
 
 LineSet lineSetOf(VtkLines lines)

@@ -4768,9 +4768,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
     </message>
     <message>
-        <source>its PLY data are damaged or cut short. Export it again.</source>
+        <source>its PLY data are damaged or cut short, or a face has more than 255 corners. Export it again, as triangles.</source>
         <comment>surface.ply-data-damaged</comment>
-        <translation>die PLY-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
+        <translation>ihre PLY-Daten sind beschädigt oder abgeschnitten, oder eine Fläche hat mehr als 255 Ecken. Neu exportieren, als Dreiecke.</translation>
     </message>
     <message>
         <source>this is %1, not a centreline. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>

@@ -4768,9 +4768,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>PLY 文件头损坏：元素 &quot;%1&quot; 没有属性。请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY data are damaged or cut short. Export it again.</source>
+        <source>its PLY data are damaged or cut short, or a face has more than 255 corners. Export it again, as triangles.</source>
         <comment>surface.ply-data-damaged</comment>
-        <translation>PLY 数据损坏或截断。请重新导出。</translation>
+        <translation>其 PLY 数据已损坏或不完整，或某个面超过 255 个角点。请重新导出为三角形。</translation>
     </message>
     <message>
         <source>this is %1, not a centreline. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>

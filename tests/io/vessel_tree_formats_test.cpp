@@ -109,6 +109,36 @@ TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
     EXPECT_EQ(tree.branches[0].radiusMm, (std::vector<double>{1.0, 0.5, 0.25}));
 }
 
+TEST(ReadVesselTree, LegacyTextMayHoldNoNumbersAndAnyWords)
+{
+    // "nan" as VTK's own writer puts it, CRLF, arrays of every kind, names in field data.
+    const test::TemporaryFolder folder;
+    std::string text = header + std::string(
+                                    "t\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nSPACE 1 1 string\nRAS\n"
+                                    "POINTS 3 double\n0.1 0 0 1 0 0 2 0 0\nMETADATA\nINFORMATION 0\n\n"
+                                    "VERTICES 1 2\n1 0\nLINES 1 4\n3 0 1 2\nCELL_DATA 2\nFIELD FieldData 1\n"
+                                    "GroupIds 1 2 int\n5 12\nPOINT_DATA 3\nNORMALS n float\n0 0 1 0 0 1 0 0 1\n"
+                                    "FIELD FieldData 2\nflow 1 3 float\nnan -inf 1\nRadius 1 3 double\n1 0.1 2\n");
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2) {
+        text.insert(at, "\r");
+    }
+    const auto tree = readTreeOrFail(folder.write("rich.vtk", text));
+    ASSERT_EQ(tree.branches.size(), 1u);
+    EXPECT_EQ(tree.branches[0].id, 12);
+    EXPECT_EQ(tree.branches[0].pointsInPatient[0], Eigen::Vector3d(-0.1, 0, 0));
+    EXPECT_EQ(tree.branches[0].radiusMm, (std::vector<double>{1.0, 0.1, 2.0}));
+}
+
+TEST(ReadVesselTree, StopEndsTheDecoderOfALegacyFile)
+{
+    const test::TemporaryFolder folder;
+    const std::string path =
+        folder.write("tree.vtk", header + std::string("t\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
+                                                      "0 0 0 1 0 0\nLINES 1 3\n2 0 1\n"));
+    EXPECT_TRUE(io::readVesselTree(path, {}, [](double) { return core::Verdict::Stop; }).isStopped());
+    EXPECT_TRUE(io::readVesselTree(path, {}, [](double) { return core::Verdict::Continue; }));
+}
+
 TEST(ReadVesselTree, ChainsSegmentsAtBifurcations)
 {
     const test::TemporaryFolder folder;
@@ -263,6 +293,10 @@ TEST(ReadVesselTree, SaysWhatIsWrong)
               std::string::npos);
     EXPECT_NE(treeErrorOf(folder.write("h.vtk", start + "POLYGONS 1 4\n3 0 1 1\n")).find("surface"), std::string::npos);
     EXPECT_NE(treeErrorOf(folder.write("i.vtk", start + "LINES 1 90\n89 0 1\n")).find("LINES"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("j.vtk", start + "LINES 2 3\n2 0 1\n")).find("LINES"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("k.vtk", start + "LINES 1 3\n2 0 x\n")).find("LINES"), std::string::npos);
+    EXPECT_NE(treeErrorOf(folder.write("l.vtk", start + "LINES 1 3\n2 0 1\nPOINT_DATA 9\n")).find("POINT_DATA"),
+              std::string::npos);
 }
 
 TEST(ReadVesselTree, ReadsSlicerCurves)

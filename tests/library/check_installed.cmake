@@ -42,7 +42,7 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 expect_installed(library "${LIBRARY_FOLDER}/libangiopose\\.so\\.[0-9]+\\.[0-9]+\\.[0-9]+" "libangiopose\\.so\\.[0-9]+\\.[0-9]+"
-  "libexec/angiopose/angiopose-decode-itk$")
+  "libexec/angiopose/angiopose-decode-itk$" "libexec/angiopose/angiopose-decode-vtk$")
 expect_installed(development "include/angiopose/" "${LIBRARY_FOLDER}/cmake/AngioPose/" "${LIBRARY_FOLDER}/libangiopose\\.so$")
 foreach(component library development)
   run(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component ${component})

@@ -207,6 +207,40 @@ TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
     }
 }
 
+TEST(ReadSurface, PlyIsTakenAtItsWord)
+{
+    // What VTK would take for zeros, or pass by.
+    const TemporaryFolder folder;
+    const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+        return text.replace(text.find(from), from.size(), to);
+    };
+    std::string wheel = "0 0 0\n", corners = "300";
+    for (int i = 0; i < 300; ++i) {
+        wheel += std::to_string(100.0 * std::cos(i)) + " " + std::to_string(100.0 * std::sin(i)) + " 0\n";
+        corners += " " + std::to_string(i);
+    }
+    const std::string many = changed(changed(plyText(), "vertex 8", "vertex 301"), "face 12", "face 1");
+    const std::string cut = binaryPly(false);
+    const std::map<std::string, std::pair<std::string, std::string>> files = {
+        {"word.ply", {changed(plyText(), "70.000000", "70.0x0000"), "surface.ply-data-damaged"}},
+        {"cut.ply", {cut.substr(0, cut.size() - 3), "surface.ply-data-damaged"}},
+        {"short.ply", {changed(plyText(), "face 12", "face 13"), "surface.ply-data-damaged"}},
+        {"type.ply", {changed(plyText(), "float z", "flaot z"), "surface.ply-header-damaged"}},
+        {"flat.ply", {changed(plyText(), "float z", "float q"), "surface.ply-header-damaged"}},
+        {"huge.ply", {changed(plyText(), "vertex 8", "vertex 2147483647"), "surface.ply-header-damaged"}},
+        {"none.ply", {changed(plyText(), "face 12", "face 0"), "surface.no-triangles"}},
+        {"wheel.ply", {many.substr(0, many.find("end_header\n") + 11) + wheel + corners, "surface.ply-data-damaged"}},
+    };
+    for (const auto& [name, expected] : files) {
+        const auto surface = io::readSurface(folder.write(name, expected.first));
+        ASSERT_FALSE(surface) << name;
+        EXPECT_EQ(surface.error().message.id(), expected.second) << name;
+    }
+    EXPECT_TRUE(io::readSurface(folder.write("box.ply", plyText()), 1.0, [](double) {
+                    return core::Verdict::Stop;
+                }).isStopped());
+}
+
 TEST(ReadSurface, AortaInCentimetresKeepsItsVolume)
 {
     ANGIOPOSE_NEEDS_DATA("abdominal-aorta-mesh/demo.vtp");

@@ -1,0 +1,156 @@
+#include "app/decode/vtk_formats.h"
+#include "app/decode/vtk_reading.h"
+#include "io/decode/vtk_lines_reply.h"
+#include "io/support/numbers.h"
+#include "io/support/text_cursor.h"
+#include "io/vessel/vtk_point_set.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPLYReader.h>
+#include <vtkPolyData.h>
+#include <optional>
+#include <regex>
+
+namespace angiopose::decode {
+namespace {
+
+using io::DecoderReply;
+using io::ReplyKind;
+
+/// What the header says of one element. Sizes are numbers of a text file, bytes of a binary one.
+struct Element {
+    std::string name;
+    std::size_t count = 0;
+    std::size_t entrySize = 0;   ///< without what lists hold
+    std::size_t listCount = 0;
+    std::size_t cornerSize = 0;   ///< of one index in the list of a face's corners
+    std::string coordinates;   ///< of x, y and z those that are there
+};
+
+struct Header {
+    bool isText = false;
+    std::vector<Element> elements;
+};
+
+/// Of a number in a binary file; 0 for a type that PLY does not have.
+std::size_t sizeOf(const std::string& type)
+{
+    static const std::map<std::string, std::size_t> sizes = {
+        {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
+        {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
+        {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+    const auto found = sizes.find(type);
+    return found == sizes.end() ? 0 : found->second;
+}
+
+/// "property list COUNT TYPE NAME", or without a list; false where the type is none.
+bool addProperty(const std::string& countType, const std::string& type, const std::string& name, bool isText,
+                 Element& element)
+{
+    const bool isList = !countType.empty();
+    const std::size_t size = isText ? 1 : sizeOf(type), countSize = isText ? 1 : sizeOf(countType);
+    element.entrySize += isList ? countSize : size;
+    element.listCount += isList ? 1 : 0;
+    element.cornerSize = isList && name.starts_with("vertex_ind") ? size : element.cornerSize;
+    element.coordinates += !isList && (name == "x" || name == "y" || name == "z") ? name : "";
+    return sizeOf(type) > 0 && (!isList || sizeOf(countType) > 0);
+}
+
+/// Reads up to the first value; nothing when a line is none of a header. VTK passes by what it does not know.
+std::optional<Header> takeHeader(io::TextCursor& lines)
+{
+    static const std::regex known(
+        R"(ply|(?:comment|obj_info).*|format\s+(ascii|binary_little_endian|binary_big_endian)\s+1\.0|)"
+        R"(element\s+(\S+)\s+(\d{1,9})|property\s+(?:list\s+(\w+)\s+)?(\w+)\s+(\S+)|(end_header))");
+    Header header;
+    std::smatch words;
+    for (std::string line; lines.left() > 0;) {
+        line = lines.line();
+        if (!std::regex_match(line, words, known)) {
+            return std::nullopt;
+        }
+        if (words[1].matched) {
+            header.isText = words[1] == "ascii";
+        } else if (words[2].matched) {
+            header.elements.push_back({words[2], std::stoul(words[3]), 0, 0, 0, {}});
+        } else if (words[6].matched &&
+                   (header.elements.empty() ||
+                    !addProperty(words[4], words[5], words[6], header.isText, header.elements.back()))) {
+            return std::nullopt;
+        } else if (words[7].matched) {
+            return header;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Numbers of a text, bytes else; nothing when a word of the text is no number, which VTK would take for 0.
+std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
+{
+    std::size_t count = 0;
+    for (; isText && !body.isAtEnd(); ++count) {
+        if (!io::parseNumber(body.word())) {
+            return std::nullopt;
+        }
+    }
+    return isText ? count : body.left();
+}
+
+/// Whether a body of that size is what the header declares, with so many corners of faces. VTK takes what is missing
+/// for zeros, and of a face the number of corners by 256. After a binary body there may be a little more.
+bool explains(const Header& header, std::size_t cornerCount, std::size_t bodySize)
+{
+    std::size_t size = 0, tail = 0, lists = 0;
+    for (const Element& element : header.elements) {
+        if (element.count > 0 && element.entrySize > bodySize / element.count) {
+            return false;
+        }
+        size += element.count * element.entrySize + cornerCount * element.cornerSize;
+        tail += header.isText ? element.cornerSize : 256 * element.cornerSize;
+        lists += element.count > 0 ? element.listCount : 0;
+    }
+    return size <= bodySize && (lists > 1 || bodySize < size + tail);
+}
+
+DecoderReply refusal(const std::string& place)
+{
+    return {ReplyKind::Refusal, place};
+}
+
+}   // namespace
+
+DecoderReply readPly(const std::string& path)
+{
+    const std::string content = contentOf(path);
+    io::TextCursor cursor(content);
+    const auto header = takeHeader(cursor);
+    if (!header) {
+        return refusal("header");
+    }
+    bool hasPoints = false, hasFaces = false;
+    for (const Element& element : header->elements) {
+        if (element.entrySize == 0 && element.count > 0) {
+            return refusal("element " + element.name);
+        }
+        hasPoints |= element.name == "vertex" && element.coordinates == "xyz";
+        hasFaces |= element.name == "face" && element.count > 0 && element.cornerSize > 0;
+    }
+    if (!hasFaces) {   // which VTK would not read
+        return {ReplyKind::Result, io::toReply({})};
+    }
+    const auto bodySize = sizeOfBody(cursor, header->isText);
+    if (!hasPoints || !bodySize) {
+        return refusal(hasPoints ? "data" : "header");
+    }
+    const vtkNew<vtkPLYReader> reader;
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(content);
+    readOrRefuse(*reader, [] { return "data"; });
+    vtkPolyData* data = reader->GetOutput();
+    const auto corners = static_cast<std::size_t>(data->GetPolys()->GetNumberOfConnectivityIds());
+    auto lines = explains(*header, corners, *bodySize) ? io::linesOf(data) : std::nullopt;
+    return lines ? DecoderReply{ReplyKind::Result, io::toReply(*lines)} : refusal("data");
+}
+
+}   // namespace angiopose::decode

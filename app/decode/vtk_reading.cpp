@@ -1,0 +1,60 @@
+#include "app/decode/vtk_reading.h"
+
+#include "app/decode/helper_session.h"
+
+#include <vtkCommand.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace angiopose::decode {
+namespace {
+
+/// Where VTK says its errors and warnings, also those that no observer of a reader hears.
+class ComplaintWindow : public vtkOutputWindow {
+public:
+    static ComplaintWindow* New();
+    void DisplayText(const char*) override
+    {
+        std::_Exit(sayReply([this] { return io::DecoderReply{io::ReplyKind::Refusal, place()}; }));
+    }
+    std::function<std::string()> place;
+};
+vtkStandardNewMacro(ComplaintWindow)
+
+    class Progress : public vtkCommand {
+public:
+    static Progress* New() { return new Progress; }
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+        sayProgress(vtkAlgorithm::SafeDownCast(caller)->GetProgress());
+    }
+};
+
+}   // namespace
+
+std::string contentOf(const std::string& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void readOrRefuse(vtkAlgorithm& reader, const std::function<std::string()>& place)
+{
+    const vtkNew<ComplaintWindow> window;
+    window->place = place;
+    vtkOutputWindow::SetInstance(window);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    const vtkNew<Progress> progress;
+    reader.AddObserver(vtkCommand::ProgressEvent, progress);
+    reader.Update();
+    if (reader.GetErrorCode() != 0) {
+        window->DisplayText("");
+    }
+}
+
+}   // namespace angiopose::decode

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "io/decode/decoder_reply.h"
+#include "io/vessel/vtk_lines.h"
+
+namespace angiopose::io {
+
+/// What of a file goes through the pipe, in this order.
+template <class Lines, class Use>
+void eachField(Lines& lines, const Use& use)
+{
+    use(lines.set.points);
+    use(lines.set.lines);
+    use(lines.set.isRas);
+    use(lines.set.hasSurface);
+    use(lines.cellOfLine);
+    use(lines.pointArrays);
+    use(lines.cellArrays);
+    use(lines.cellNames);
+    use(lines.triangles);
+}
+
+inline std::string toReply(const VtkLines& lines)
+{
+    ReplyWriter writer;
+    eachField(lines, [&writer](const auto& field) { writer.put(field); });
+    return std::move(writer).bytes();
+}
+
+/// Nothing when it is not whole.
+inline std::optional<VtkLines> linesFromReply(std::string_view bytes)
+{
+    VtkLines lines;
+    ReplyReader reader(bytes);
+    eachField(lines, [&reader](auto& field) { reader.take(field); });
+    return reader.isDone() ? std::optional(std::move(lines)) : std::nullopt;
+}
+
+}   // namespace angiopose::io

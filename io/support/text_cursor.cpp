@@ -1,0 +1,51 @@
+#include "io/support/text_cursor.h"
+
+#include "io/support/numbers.h"
+
+#include <algorithm>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+
+}   // namespace
+
+bool TextCursor::isAtEnd() const
+{
+    return rest_.find_first_not_of(blanks) == std::string_view::npos;
+}
+
+std::string_view TextCursor::taken(std::size_t count)
+{
+    const std::string_view result = rest_.substr(0, count);
+    rest_.remove_prefix(result.size());
+    return result;
+}
+
+std::string_view TextCursor::line()
+{
+    const std::size_t end = rest_.find('\n');
+    return trimmed(taken(end == std::string_view::npos ? end : end + 1));
+}
+
+std::string_view TextCursor::word()
+{
+    taken(std::min(rest_.find_first_not_of(blanks), rest_.size()));
+    return taken(std::min(rest_.find_first_of(blanks), rest_.size()));
+}
+
+std::optional<Eigen::Vector3d> TextCursor::point()
+{
+    Eigen::Vector3d point;
+    for (double& coordinate : point) {
+        const std::optional<double> value = parseNumber(word());
+        if (!value) {
+            return std::nullopt;
+        }
+        coordinate = *value;
+    }
+    return point;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string_view>
+
+namespace angiopose::io {
+
+/// Walks through the words of a file.
+class TextCursor {
+public:
+    explicit TextCursor(std::string_view content) : rest_(content) {}
+
+    bool isAtEnd() const;
+    std::size_t left() const { return rest_.size(); }   ///< bytes
+
+    std::string_view line();   ///< up to the next line end, trimmed
+    std::string_view word();   ///< between blanks; empty at the end
+    std::optional<Eigen::Vector3d> point();   ///< the next three words
+
+private:
+    std::string_view taken(std::size_t count);
+
+    std::string_view rest_;
+};
+
+}   // namespace angiopose::io
