@@ -1,6 +1,8 @@
 #include "app/decode/vtk_formats.h"
 #include "app/decode/vtk_reading.h"
 #include "io/decode/vtk_lines_reply.h"
+#include "io/support/numbers.h"
+#include "io/support/text_cursor.h"
 #include "io/vessel/vtk_point_set.h"
 
 #include <vtkCellArray.h>
@@ -12,8 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <limits>
+#include <set>
 #include <string_view>
 
 namespace angiopose::decode {
@@ -81,72 +83,68 @@ void takeStandIns(io::VtkLines& lines)
     }
 }
 
-constexpr std::array sections = {"POINTS",          "VERTICES", "LINES",         "POLYGONS",
-                                 "TRIANGLE_STRIPS", "CELLS",    "CELL_TYPES",    "POINT_DATA",
-                                 "CELL_DATA",       "SCALARS",  "FIELD",         "VECTORS",
-                                 "NORMALS",         "TENSORS",  "COLOR_SCALARS", "TEXTURE_COORDINATES",
-                                 "LOOKUP_TABLE",    "METADATA"};
+/// Where the file announces what follows: "LINES 2 8".
+struct Section {
+    std::string name;   ///< in capitals
+    std::size_t at = 0;
+    vtkIdType cells = 0;   ///< declared; of other sections another count, or 0
+};
 
-/// Where the last line before `end` lies that begins with that word, in capitals or not; npos where none does.
-std::size_t lastLineOf(std::string_view section, std::string_view content, std::size_t end)
+/// In the order of the file; of binary values one line in a billion looks like one.
+std::vector<Section> sectionsIn(std::string_view content)
 {
-    std::string capitals = "\n" + std::string(section), small = capitals;
-    std::transform(small.begin(), small.end(), small.begin(), lower);
-    const std::size_t first = content.rfind(capitals, end), second = content.rfind(small, end);
-    const std::size_t found = first == std::string_view::npos    ? second
-                              : second == std::string_view::npos ? first
-                                                                 : std::max(first, second);
-    return found != std::string_view::npos && isBlankAt(content, found + capitals.size()) ? found
-                                                                                          : std::string_view::npos;
-}
-
-/// The section that is being read at `end`.
-std::string sectionAt(std::string_view content, std::size_t end)
-{
-    std::string last;
-    std::size_t best = 0;
-    for (const char* section : sections) {
-        const std::size_t found = lastLineOf(section, content, end);
-        if (found != std::string_view::npos && found >= best) {
-            best = found;
-            last = section;
+    static const std::set<std::string, std::less<>> known = {
+        "POINTS",     "VERTICES",   "LINES",        "POLYGONS", "TRIANGLE_STRIPS", "CELLS",
+        "CELL_TYPES", "POINT_DATA", "CELL_DATA",    "SCALARS",  "FIELD",           "VECTORS",
+        "NORMALS",    "TENSORS",    "LOOKUP_TABLE", "METADATA", "COLOR_SCALARS",   "TEXTURE_COORDINATES"};
+    std::vector<Section> sections;
+    std::size_t end = content.find('\n', content.find('\n') + 1);   // that of the title, which may say anything
+    for (; end != std::string_view::npos; end = content.find('\n', end + 1)) {
+        if (end + 1 == content.size() || std::isalpha(static_cast<unsigned char>(content[end + 1])) == 0) {
+            continue;
+        }
+        io::TextCursor words(content.substr(end + 1, 80));
+        std::string name(words.word());
+        std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+        if (name == "OFFSETS" && !sections.empty()) {
+            --sections.back().cells;   // format 5 counts the offsets, one more than cells
+        } else if (known.contains(name)) {
+            sections.push_back({name, end, io::parseInteger(words.word()).value_or(0)});
         }
     }
-    return last;
+    return sections;
+}
+
+/// The one that is being read there; empty where none is.
+std::string sectionAt(const std::vector<Section>& sections, std::size_t place)
+{
+    const auto next = std::find_if(sections.begin(), sections.end(), [&](const auto& each) { return each.at > place; });
+    return next == sections.begin() ? std::string() : std::prev(next)->name;
 }
 
 /// VTK does not compare how many cells a section declares with how many are in it.
-bool holdsItsCells(std::string_view content, std::string_view section, vtkIdType cells)
+bool holdsItsCells(const std::vector<Section>& sections, std::string_view name, vtkIdType cells)
 {
-    const std::size_t line = lastLineOf(section, content, std::string_view::npos);
-    if (line == std::string_view::npos) {
-        return cells == 0;
-    }
-    std::size_t start = line + 1 + section.size();
-    while (start < content.size() && (content[start] == ' ' || content[start] == '\t')) {
-        ++start;
-    }
-    vtkIdType declared = -1;
-    std::from_chars(content.data() + start, content.data() + content.size(), declared);
-    const bool hasOffsets = content.find("\nOFFSETS ") != std::string_view::npos;   // one more than cells
-    return declared == cells || (hasOffsets && declared == cells + 1);
+    const auto section =
+        std::find_if(sections.begin(), sections.end(), [&](const auto& each) { return each.name == name; });
+    return cells == (section == sections.end() ? 0 : section->cells);
 }
 
-std::string sectionOfWrongCount(std::string_view content, vtkPointSet* data)
+std::string sectionOfWrongCount(const std::vector<Section>& sections, vtkPointSet* data)
 {
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data)) {
-        return holdsItsCells(content, "CELLS", grid->GetNumberOfCells()) ? "" : "CELLS";
+    std::vector<std::pair<std::string, vtkIdType>> counts;
+    if (auto* poly = vtkPolyData::SafeDownCast(data)) {
+        counts = {{"VERTICES", poly->GetNumberOfVerts()},
+                  {"LINES", poly->GetNumberOfLines()},
+                  {"POLYGONS", poly->GetNumberOfPolys()},
+                  {"TRIANGLE_STRIPS", poly->GetNumberOfStrips()}};
+    } else {
+        counts = {{"CELLS", data->GetNumberOfCells()}};
     }
-    auto* poly = vtkPolyData::SafeDownCast(data);
-    const std::array counts = {
-        std::pair("VERTICES", poly->GetNumberOfVerts()), std::pair("LINES", poly->GetNumberOfLines()),
-        std::pair("POLYGONS", poly->GetNumberOfPolys()), std::pair("TRIANGLE_STRIPS", poly->GetNumberOfStrips())};
-    for (const auto& [section, count] : counts) {
-        if (!holdsItsCells(content, section, count)) {
-            return section;
-        }
-    }
-    return {};
+    const auto wrong = std::find_if(counts.begin(), counts.end(), [&](const auto& each) {
+        return !holdsItsCells(sections, each.first, each.second);
+    });
+    return wrong == counts.end() ? std::string() : wrong->first;
 }
 
 template <class Reader>
@@ -157,15 +155,16 @@ DecoderReply readWith(const std::string& path)
     if (head.find("\nASCII") != std::string_view::npos || head.find("\nascii") != std::string_view::npos) {
         putStandIns(content);
     }
+    const std::vector<Section> sections = sectionsIn(content);
     const vtkNew<Reader> reader;
     reader->ReadFromInputStringOn();
     reader->SetInputString(content);
     readOrRefuse(*reader, [&] {
         std::istream* stream = reader->GetIStream();
         const auto place = stream ? stream->rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in) : std::streampos(-1);
-        return sectionAt(content, place < 0 ? content.size() : static_cast<std::size_t>(place));
+        return sectionAt(sections, place < 0 ? content.size() : static_cast<std::size_t>(place));
     });
-    const std::string damaged = sectionOfWrongCount(content, reader->GetOutput());
+    const std::string damaged = sectionOfWrongCount(sections, reader->GetOutput());
     auto lines = damaged.empty() ? io::linesOf(reader->GetOutput()) : std::nullopt;
     if (!lines) {
         return {ReplyKind::Refusal, damaged};

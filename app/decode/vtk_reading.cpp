@@ -8,8 +8,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace angiopose::decode {
 namespace {
@@ -40,7 +40,10 @@ public:
 std::string contentOf(const std::string& path)
 {
     std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    std::string content(std::filesystem::file_size(path), '\0');
+    stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+    content.resize(static_cast<std::size_t>(stream.gcount()));
+    return content;
 }
 
 void readOrRefuse(vtkAlgorithm& reader, const std::function<std::string()>& place)
