@@ -97,6 +97,20 @@ endif()
 run(COMMAND ${CMAKE_COMMAND} -S ${ROOT}/resources/examples/cpp -B ${examples} -DCMAKE_BUILD_TYPE=Debug
   -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_PREFIX_PATH=${prefix} "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Werror -DEIGEN_MAX_ALIGN_BYTES=64")
 run(COMMAND ${CMAKE_COMMAND} --build ${examples})
+
+# The installed library finds the helper programs that are installed with it.
+file(WRITE ${WORK}/pose.cpp "#include <angiopose/registration.h>
+int main()
+{
+    angiopose::Pose pose = angiopose::Pose::Identity();
+    pose(0, 3) = 0.1;
+    angiopose::writePose(pose, \"pose.h5\");
+    return angiopose::readPose(\"pose.h5\") == pose ? 0 : 1;
+}
+")
+run(COMMAND ${CXX} -std=c++20 -isystem /usr/include/eigen3 -I${prefix}/include ${WORK}/pose.cpp -o ${WORK}/pose
+  -L${prefix}/${LIBRARY_FOLDER} -langiopose -Wl,-rpath,${prefix}/${LIBRARY_FOLDER})
+run(COMMAND ${WORK}/pose)
 file(GLOB sources ${ROOT}/resources/examples/*/*.cpp ${ROOT}/resources/examples/*/*.py)
 foreach(source ${sources})
   file(READ ${source} text)

@@ -29,6 +29,19 @@ def test_a_path_may_be_a_path(demo, tmp_path):
     assert (tmp_path / "run.dcm").exists()
 
 
+def test_helper_programs_are_found(tmp_path):
+    pose = np.array([[0.0, -1.0, 0.0, 1.5], [1.0, 0.0, 0.0, -2.0], [0.0, 0.0, 1.0, 740.1], [0.0, 0.0, 0.0, 1.0]])
+    angiopose.writePose(pose, tmp_path / "pose.h5")
+    assert np.array_equal(angiopose.readPose(tmp_path / "pose.h5"), pose)
+    path = tmp_path / "tree.vtk"
+    path.write_text("# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+                    "0 0 0 10 0 0 20 0 0\nLINES 1 4\n3 0 1 2\n")
+    assert len(angiopose.readVesselTree(path)) == 1
+    path.write_text(path.read_text().replace("LINES 1 4", "LINES 1 90"))
+    with pytest.raises(angiopose.Error, match="LINES"):
+        angiopose.readVesselTree(path)
+
+
 def tube():
     """A mask (k, j, i) with a tube along k, spacing 1 mm, and its geometry."""
     mask = np.zeros((60, 30, 30), np.uint8)
