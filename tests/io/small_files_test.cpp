@@ -1,7 +1,9 @@
 #include "core/messages/says.h"
 #include "io/centerline2d_file.h"
+#include "io/decode/ask_decoder.h"
 #include "io/file_hash.h"
 #include "io/image_file.h"
+#include "io/messages/says.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
 #include "tests/support/temporary_folder.h"
@@ -102,6 +104,25 @@ TEST(ReadPose, TakesTheMatlabFilesOfItk)
     for (std::size_t size = 0; size < content.size(); ++size) {
         EXPECT_FALSE(io::readPose(folder.write("cut.mat", content.substr(0, std::max<std::size_t>(size, 1)))));
     }
+}
+
+TEST(ReadPose, Hdf5FilesMustBeRigid)
+{
+    const test::TemporaryFolder folder;
+    const auto written = [&folder](const std::string& scale) {
+        const auto reply = io::askDecoder(
+            "angiopose-decode-itk", {"write", scale, "0", "0", "1.5", "0", scale, "0", "-2", "0", "0", scale, "740.25"},
+            folder.file("pose.h5"));
+        EXPECT_TRUE(reply) << reply.error().message;
+        return folder.write("pose.h5", reply ? reply.value().content : "");
+    };
+    const auto pose = io::readPose(written("1"));
+    ASSERT_TRUE(pose) << pose.error().message;
+    EXPECT_EQ(pose.value().translation, Eigen::Vector3d(1.5, -2.0, 740.25));
+    EXPECT_NE(poseErrorOf(io::readPose(written("2"))).find("not a rotation"), std::string::npos);
+    EXPECT_NE(poseErrorOf(io::readPose(written("-1"))).find("reflection"), std::string::npos);
+    const std::string other = folder.write("other.h5", "\x89HDF\r\n\x1a\n and nothing of a transform");
+    EXPECT_TRUE(io::readPose(other).error().message.is(io::says::poseNoTransform));
 }
 
 TEST(ReadPose, CutHdf5FilesAreRefused)
