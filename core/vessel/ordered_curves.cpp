@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t leastTold = 8;   // points from which a curve has an order to speak of
 constexpr std::size_t askedPoints = 48;
+constexpr std::size_t firstAskedPoints = 16;   // where all but one of these are in order, the others are, too
 constexpr double leastInOrder = 0.8;   // curves have nearly 1, pixels row by row 0.4 to 0.7
 constexpr double nearlyNearest = 1.5;   // steps along the pixel grid are 1 or √2
 constexpr std::size_t leastLonePoints = 20;
@@ -31,18 +32,27 @@ bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
     return adjacent <= nearlyNearest * nearlyNearest * nearest;
 }
 
+/// Of `asked` points, spread evenly.
+std::size_t countInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t asked)
+{
+    std::size_t inOrder = 0;
+    for (std::size_t k = 0; k < asked; ++k) {
+        inOrder += isInOrder(points, k * points.size() / asked) ? 1 : 0;
+    }
+    return inOrder;
+}
+
 bool isUnordered(const Curve2d& curve)
 {
     const std::size_t count = curve.pointsPx.size();
     if (count < leastTold) {
         return false;
     }
-    const std::size_t asked = std::min(count, askedPoints);
-    std::size_t inOrder = 0;
-    for (std::size_t k = 0; k < asked; ++k) {
-        inOrder += isInOrder(curve.pointsPx, k * count / asked) ? 1 : 0;
+    if (count >= askedPoints && countInOrder(curve.pointsPx, firstAskedPoints) + 1 >= firstAskedPoints) {
+        return false;
     }
-    return static_cast<double>(inOrder) < leastInOrder * static_cast<double>(asked);
+    const std::size_t asked = std::min(count, askedPoints);
+    return static_cast<double>(countInOrder(curve.pointsPx, asked)) < leastInOrder * static_cast<double>(asked);
 }
 
 /// The points one by one are most of the curves.

@@ -7,9 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double endOnShare = 0.3;   // shorter projected tangents say nothing about direction (§6.3)
 constexpr double agreeingGate = 0.5;   // within 33°
-constexpr std::size_t reverseStride = 2;   // neighbouring lines share their noise: every second one stands for two
 constexpr double cutOff = 4.0;   // beyond 4 ℓ a Welsch weight is below 4e-4: nothing
 
 AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
@@ -37,14 +35,34 @@ inline void addRow(double weight, double residual, const Vector6d& J, NormalEqua
 
 }   // namespace
 
-/// A tree point and the line it is compared with.
+/// The line that a tree point is compared with.
 struct Alignment::Match {
-    Eigen::Vector3d turned;   ///< from the centroid, camera axes
-    Eigen::Vector3d inCamera;
+    const TargetLines::Line* line = nullptr;
+    double du, dv;   ///< from the line's place to the point
     double normalX, normalY;   ///< of the line
     double residual;   ///< along the normal
     double squaredDistance;
     double gate;   ///< cos⁴ between the directions
+
+    bool find(const TargetLines& target, const SeenPoint& seen, double limitPx)
+    {
+        line = &target.nearest(seen.u, seen.v);
+        du = seen.u - line->x;
+        dv = seen.v - line->y;
+        squaredDistance = du * du + dv * dv;
+        return squaredDistance <= limitPx * limitPx;
+    }
+
+    void compare(const SeenPoint& seen)
+    {
+        const double cosine = seen.su * line->tx + seen.sv * line->ty;
+        // The normal points to the same side of the branch however the curve was traced.
+        const double side = cosine < 0.0 ? -1.0 : 1.0;
+        normalX = -side * line->ty;
+        normalY = side * line->tx;
+        residual = normalX * du + normalY * dv;
+        gate = seen.hasDirection ? cosine * cosine * cosine * cosine : 1.0;
+    }
 };
 
 Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera& camera, const TargetLines& target)
@@ -69,60 +87,22 @@ Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera&
     buffers_.residuals.reserve(points_.size());
 }
 
-inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const
+inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, SeenPoint& seen,
+                             Match& match) const
 {
-    match.turned.noalias() = pose.rotation * point.fromCentroid;
-    match.inCamera = match.turned + pose.centroidInCamera;
-    const Eigen::Vector3d& X = match.inCamera;
-    if (!(X.z() >= minProjectableDepthMm)) {
+    if (!seePlace(camera_, point, pose, seen) || !match.find(*target_, seen, limitPx)) {
         return false;
     }
-    const double perDepth = 1.0 / X.z();
-    const double u = camera_.fx * X.x() * perDepth + camera_.cx;
-    const double v = camera_.fy * X.y() * perDepth + camera_.cy;
-    const TargetLines::Line& line = target_->nearest(u, v);
-    const double du = u - line.x;
-    const double dv = v - line.y;
-    match.squaredDistance = du * du + dv * dv;
-    if (match.squaredDistance > limitPx * limitPx) {
-        return false;
-    }
-    const Eigen::Vector3d tangent = pose.rotation * point.tangent;
-    const double su = camera_.fx * (tangent.x() - X.x() * perDepth * tangent.z());
-    const double sv = camera_.fy * (tangent.y() - X.y() * perDepth * tangent.z());
-    const double squaredLength = su * su + sv * sv;
-    const double shortest = endOnShare * camera_.fy;
-    const double along = su * line.tx + sv * line.ty;
-    // The normal points to the same side of the branch however the curve was traced.
-    const double side = along < 0.0 ? -1.0 : 1.0;
-    match.normalX = -side * line.ty;
-    match.normalY = side * line.tx;
-    match.residual = match.normalX * du + match.normalY * dv;
-    const double squaredCosine = squaredLength < shortest * shortest ? 1.0 : along * along / squaredLength;
-    match.gate = squaredCosine * squaredCosine;
+    seeDirection(camera_, point, pose, seen);
+    match.compare(seen);
     return true;
 }
 
-/// d(residual) / d(rotation rad, shift mm).
-inline Vector6d Alignment::residualGradient(const Match& found) const
-{
-    const Eigen::Vector3d& X = found.inCamera;
-    const double perDepth = 1.0 / X.z();
-    const double ax = found.normalX * camera_.fx * perDepth;
-    const double ay = found.normalY * camera_.fy * perDepth;
-    const Eigen::Vector3d a(ax, ay, -(ax * X.x() + ay * X.y()) * perDepth);
-    Vector6d J;
-    J << found.turned.cross(a), a;
-    return J;
-}
-
 /// d(residual) / d(log of the focal length, cx px, cy px).
-inline Eigen::Vector3d Alignment::cameraGradient(const Match& found) const
+inline Eigen::Vector3d Alignment::cameraGradient(const SeenPoint& seen, const Match& found) const
 {
-    const Eigen::Vector3d& X = found.inCamera;
-    const double u = camera_.fx * X.x() / X.z();
-    const double v = camera_.fy * X.y() / X.z();
-    return {found.normalX * u + found.normalY * v, found.normalX, found.normalY};
+    const double along = found.normalX * (seen.u - camera_.cx) + found.normalY * (seen.v - camera_.cy);
+    return {along, found.normalX, found.normalY};
 }
 
 Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
@@ -132,25 +112,29 @@ Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
     return agreement;
 }
 
-void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreement) const
+/// Sums up what the points say, each by what `matched` finds for it.
+template <class Matched>
+inline void Alignment::addForward(double scalePx, const Matched& matched, Agreement& agreement) const
 {
     agreement.equations = {};
     agreement.branchWeight.assign(visibility_.size(), 0.0);
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double costShare = 0.0;
     Match found;
-    for (const AlignmentPoint& point : points_) {
-        const auto branch = static_cast<std::size_t>(point.branchIndex);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const auto branch = static_cast<std::size_t>(points_[i].branchIndex);
         const double importance = visibility_[branch] * visibility_[branch];
         costShare += importance;
-        if (!match(point, pose, cutOff * scalePx, found)) {
+        const SeenPoint* seen = matched(i, found);
+        if (seen == nullptr) {
             continue;
         }
         const double agreeing = found.gate * std::exp(perSquaredScale * found.squaredDistance);
         const double weight = importance * agreeing;
         agreement.branchWeight[branch] += agreeing;
         costShare -= weight;
-        addRow(weight, found.residual, residualGradient(found), agreement.equations);
+        addRow(weight, found.residual, distanceGradient(camera_, *seen, found.normalX, found.normalY),
+               agreement.equations);
     }
     for (std::size_t b = 0; b < pointCount_.size(); ++b) {
         agreement.branchWeight[b] /= pointCount_[b];
@@ -158,53 +142,58 @@ void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreem
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
 }
 
-void Alignment::projectPoints(const CentroidPose& pose, double reachPx)
+void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreement) const
 {
-    buffers_.projected.reserve(points_.size());
-    buffers_.projected.restart(camera_.width, camera_.height, reachPx);
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const Eigen::Vector3d X = pose.rotation * points_[i].fromCentroid + pose.centroidInCamera;
-        const auto pixel = project(camera_, X);
-        if (!pixel) {
-            continue;
-        }
-        const Eigen::Vector3d tangent = pose.rotation * points_[i].tangent;
-        const double su = camera_.fx * (tangent.x() - X.x() / X.z() * tangent.z());
-        const double sv = camera_.fy * (tangent.y() - X.y() / X.z() * tangent.z());
-        const double length = std::hypot(su, sv);
-        if (length >= endOnShare * camera_.fy) {
-            buffers_.projected.add({pixel->x(), pixel->y(), su / length, sv / length, static_cast<int>(i)});
-        }
-    }
+    SeenPoint seen;
+    const auto matched = [&](std::size_t i, Match& found) {
+        return match(points_[i], pose, cutOff * scalePx, seen, found) ? &seen : nullptr;
+    };
+    addForward(scalePx, matched, agreement);
 }
 
-void Alignment::addReverse(const CentroidPose& pose, double scalePx, Agreement& agreement)
+void Alignment::lookBothWays(const CentroidPose& pose, double scalePx, Agreement& agreement)
 {
-    projectPoints(pose, cutOff * scalePx);
+    std::vector<SeenPoint>& seen = buffers_.reverse.seen();
+    seen.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        seen[i].isInFront = seePlace(camera_, points_[i], pose, seen[i]);
+        seeDirection(camera_, points_[i], pose, seen[i]);
+    }
+    const auto matched = [&](std::size_t i, Match& found) -> const SeenPoint* {
+        if (!seen[i].isInFront || !found.find(*target_, seen[i], cutOff * scalePx)) {
+            return nullptr;
+        }
+        found.compare(seen[i]);
+        return &seen[i];
+    };
+    addForward(scalePx, matched, agreement);
+    buffers_.reverse.match(*target_, camera_.width, camera_.height, cutOff * scalePx);
+    addReverse(scalePx, agreement);
+}
+
+void Alignment::addReverse(double scalePx, Agreement& agreement) const
+{
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double weights = 0.0;
-    Match match;
     const auto& lines = target_->lines();
-    for (std::size_t j = 0; j < lines.size(); j += reverseStride) {
-        const TargetLines::Line& line = lines[j];
-        const ProjectedPoint* nearest = buffers_.projected.nearest(line.x, line.y);
-        if (nearest == nullptr) {
+    const std::vector<int>& partners = buffers_.reverse.partners();
+    for (std::size_t k = 0; k < partners.size(); ++k) {
+        if (partners[k] < 0) {
             continue;
         }
-        const AlignmentPoint& point = points_[static_cast<std::size_t>(nearest->number)];
-        const double visibility = visibility_[static_cast<std::size_t>(point.branchIndex)];
-        const double du = nearest->u - line.x;
-        const double dv = nearest->v - line.y;
-        const double cosine = nearest->su * line.tx + nearest->sv * line.ty;
+        const TargetLines::Line& line = lines[k * ReverseMatching::lineStride];
+        const auto number = static_cast<std::size_t>(partners[k]);
+        const SeenPoint& seen = buffers_.reverse.seen()[number];
+        const double visibility = visibility_[static_cast<std::size_t>(points_[number].branchIndex)];
+        const double du = seen.u - line.x;
+        const double dv = seen.v - line.y;
+        const double cosine = seen.su * line.tx + seen.sv * line.ty;
         const double gate = cosine * cosine * cosine * cosine;
-        const double weight =
-            reverseStride * visibility * visibility * gate * std::exp(perSquaredScale * (du * du + dv * dv));
+        const double weight = ReverseMatching::lineStride * visibility * visibility * gate *
+                              std::exp(perSquaredScale * (du * du + dv * dv));
         weights += weight;
-        match.turned = pose.rotation * point.fromCentroid;
-        match.inCamera = match.turned + pose.centroidInCamera;
-        match.normalX = -nearest->sv;
-        match.normalY = nearest->su;
-        addRow(weight, match.normalX * du + match.normalY * dv, residualGradient(match), agreement.equations);
+        addRow(weight, seen.su * dv - seen.sv * du, distanceGradient(camera_, seen, -seen.sv, seen.su),
+               agreement.equations);
     }
     agreement.loss -= 2.0 * scalePx * scalePx * weights;
 }
@@ -213,10 +202,11 @@ double Alignment::loss(const CentroidPose& pose, double scalePx) const
 {
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double costShare = 0.0;
+    SeenPoint seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const double visibility = visibility_[static_cast<std::size_t>(point.branchIndex)];
-        const bool isMatched = match(point, pose, cutOff * scalePx, found);
+        const bool isMatched = match(point, pose, cutOff * scalePx, seen, found);
         const double weight = isMatched ? found.gate * std::exp(perSquaredScale * found.squaredDistance) : 0.0;
         costShare += visibility * visibility * (1.0 - weight);
     }
@@ -228,17 +218,18 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
     rows.clear();
     rows.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
+    SeenPoint seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         ResidualRow row;
         row.branchIndex = point.branchIndex;
-        if (match(point, pose, cutOff * scalePx, found)) {
+        if (match(point, pose, cutOff * scalePx, seen, found)) {
             const double v = visibility_[static_cast<std::size_t>(point.branchIndex)];
             row.weight = v * v * found.gate * std::exp(perSquaredScale * found.squaredDistance);
             row.residual = found.residual;
-            row.fromCentroid = found.turned;
-            row.gradient = residualGradient(found);
-            row.cameraGradient = cameraGradient(found);
+            row.fromCentroid = seen.turned;
+            row.gradient = distanceGradient(camera_, seen, found.normalX, found.normalY);
+            row.cameraGradient = cameraGradient(seen, found);
         }
         rows.push_back(row);
     }
@@ -249,12 +240,13 @@ void Alignment::collectAgreement(const CentroidPose& pose, double scalePx, std::
     agreement.clear();
     agreement.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
+    SeenPoint seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
         if (!pixel || !isInImage(camera_, *pixel)) {
             agreement.push_back(std::numeric_limits<double>::quiet_NaN());
-        } else if (match(point, pose, cutOff * scalePx, found)) {
+        } else if (match(point, pose, cutOff * scalePx, seen, found)) {
             agreement.push_back(found.gate * std::exp(perSquaredScale * found.squaredDistance));
         } else {
             agreement.push_back(0.0);
@@ -266,9 +258,10 @@ void Alignment::collectResiduals(const CentroidPose& pose, double limitPx, std::
 {
     residuals.clear();
     residuals.reserve(points_.size());
+    SeenPoint seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
-        const bool agrees = match(point, pose, limitPx, found) && found.gate > agreeingGate;
+        const bool agrees = match(point, pose, limitPx, seen, found) && found.gate > agreeingGate;
         residuals.push_back(agrees ? found.residual : std::numeric_limits<double>::quiet_NaN());
     }
 }
@@ -303,9 +296,9 @@ std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t
     return points;
 }
 
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx)
+std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx, double spacingPx)
 {
-    const double leastMm = tellingSpacingPx * mmPerPx;
+    const double leastMm = spacingPx * mmPerPx;
     std::vector<AlignmentPoint> points;
     points.reserve(tree.size());
     std::size_t last = 0;

@@ -1,20 +1,12 @@
 #pragma once
 
-#include "core/registration/alignment/projected_points.h"
-#include "core/registration/matching/target_lines.h"
+#include "core/registration/alignment/reverse_matching.h"
 #include "core/registration/pose/damped_descent.h"
 #include "core/registration/pose/start_prior.h"
 
 #include <algorithm>
 
 namespace angiopose::core {
-
-/// A tree point as the inner loop reads it: relative to the tree's centroid.
-struct AlignmentPoint {
-    Eigen::Vector3d fromCentroid;   ///< mm, patient axes
-    Eigen::Vector3d tangent;   ///< unit, patient axes
-    int branchIndex = 0;
-};
 
 /// What a look at one pose gives.
 struct Agreement {
@@ -44,9 +36,9 @@ public:
     /// The same into an agreement that is reused: nothing is allocated after the first time.
     void look(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
-    /// Adds the other way round (ALGORITHMS §6.6 b): every line of the target is drawn to the branch that runs nearest
-    /// beside it, so that all of the image counts, not only what is nearest to some tree point.
-    void addReverse(const CentroidPose& pose, double scalePx, Agreement& agreement);
+    /// Likewise, and the other way round besides (ALGORITHMS §6.6 b): every line of the target is drawn to the branch
+    /// that runs nearest beside it, so that all of the image counts, not only what is nearest to some tree point.
+    void lookBothWays(const CentroidPose& pose, double scalePx, Agreement& agreement);
 
     /// The loss alone.
     double loss(const CentroidPose& pose, double scalePx) const;
@@ -75,16 +67,18 @@ public:
     struct Buffers {
         LookPair<Agreement> looks;
         std::vector<double> residuals;
-        ProjectedPoints projected;
+        ReverseMatching reverse;
     };
     Buffers& buffers() { return buffers_; }
 
 private:
     struct Match;
-    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, Match& match) const;
-    Vector6d residualGradient(const Match& found) const;
-    Eigen::Vector3d cameraGradient(const Match& found) const;
-    void projectPoints(const CentroidPose& pose, double reachPx);
+    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, SeenPoint& seen,
+               Match& match) const;
+    Eigen::Vector3d cameraGradient(const SeenPoint& seen, const Match& found) const;
+    template <class Matched>
+    void addForward(double scalePx, const Matched& matched, Agreement& agreement) const;
+    void addReverse(double scalePx, Agreement& agreement) const;
 
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;
@@ -113,8 +107,8 @@ std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t
 /// The tree points that can tell something: none of a branch nearer than `tellingSpacingPx` to the one before. The
 /// target is sampled every pixel or so; between such points it holds nothing more, and neighbours would count the same
 /// displacement many times.
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx);
 inline constexpr double tellingSpacingPx = 1.5;
+std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx, double spacingPx = tellingSpacingPx);
 
 /// The tree points with these numbers.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers);

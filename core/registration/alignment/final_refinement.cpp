@@ -8,6 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t fewPoints = 400;
+constexpr double spacedPx = 3.0;   // tracing noise is shared over about 5 px: points between say the same
 constexpr RefinementSchedule fewSchedule{2.5, 1.0, 0.7, 2, 4, 20};
 
 }   // namespace
@@ -28,14 +29,16 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     RefinementResult result = core::refine(few_, prior_, pose, fewSchedule);
     if (!all_) {
         const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
-        all_.emplace(tellingPoints(problem_.tree, millimetresPerPixel(problem_.camera, depthMm)), problem_.camera,
-                     target_);
+        const double mmPerPx = millimetresPerPixel(problem_.camera, depthMm);
+        spaced_.emplace(tellingPoints(problem_.tree, mmPerPx, spacedPx), problem_.camera, target_);
+        all_.emplace(tellingPoints(problem_.tree, mmPerPx), problem_.camera, target_);
     }
-    all_->resetVisibility();
+    spaced_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);
     const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations, true};
-    result = core::refine(*all_, prior_, result.pose, schedule, observe);
+    result = core::refine(*spaced_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
+        all_->setVisibility(spaced_->look(result.pose, result.scalePx));
         result.pose = refineTolerantly(*all_, prior_, result.pose, result.scalePx);
     }
     return result;

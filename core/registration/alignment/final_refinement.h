@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// From a roughly refined pose to the answer: few points until the noise shows, then all that can tell more, then
-/// tolerance of the tree's shape errors (ALGORITHMS §6.5, §6.14).
+/// From a roughly refined pose to the answer: few points until the noise shows, then points as far apart as the noise
+/// is shared, at last tolerance of the tree's shape errors with all that can tell more (ALGORITHMS §6.5, §6.14).
 class FinalRefinement {
 public:
     FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
@@ -21,7 +21,8 @@ private:
     const RegistrationOptions& options_;
     const TargetLines& target_;
     Alignment few_;
-    std::optional<Alignment> all_;   ///< made when first needed: its spacing follows from the depth
+    std::optional<Alignment> spaced_;   ///< made when first needed, as the next: their spacing follows from the depth
+    std::optional<Alignment> all_;
 };
 
 }   // namespace angiopose::core

@@ -7,6 +7,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double settledRefinementMm = 1e-3;   // 0.003 px
+// The loss jitters, as matches leap from line to line. Per point:
+constexpr double jitter = 5e-3;   // times ℓ²: a rise by less is none. Losing the point costs 400 times as much
+constexpr double settledGainPx2 = 1e-4;   // a step that promises less is lost in the jitter
 constexpr double noiseMattersPx = 5.0;   // above, the scale is wider than any noise
 constexpr double madToStd = 1.4826;
 
@@ -25,9 +28,10 @@ public:
 
     bool look(const CentroidPose& pose, Agreement& agreement) const
     {
-        alignment_.look(pose, scalePx_, agreement);
         if (bothWays_) {
-            alignment_.addReverse(pose, scalePx_, agreement);
+            alignment_.lookBothWays(pose, scalePx_, agreement);
+        } else {
+            alignment_.look(pose, scalePx_, agreement);
         }
         const double variance = noiseVariance(scalePx_);
         prior_.add(pose, variance, agreement.equations);
@@ -52,7 +56,9 @@ public:
 
     std::optional<double> gained(const Agreement& here, const Agreement& there) const
     {
-        return there.loss <= here.loss ? std::optional(here.loss - there.loss) : std::nullopt;
+        const double slack = jitter * scalePx_ * scalePx_ * static_cast<double>(alignment_.size());
+        const double gained = here.loss - there.loss;
+        return gained >= -slack ? std::optional(std::max(0.0, gained)) : std::nullopt;
     }
 
     double lengthMm(const CentroidPose&, const Vector6d& step) const
@@ -105,7 +111,9 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
                         const RefinementSchedule& schedule, const RefinementObserver& observe)
 {
     AlignmentAtScale problem(alignment, prior, schedule);
-    DampedDescent descent(problem, start, alignment.buffers().looks, {.settledMm = settledRefinementMm});
+    const StepOptions steps{.settledMm = settledRefinementMm,
+                            .settledGain = settledGainPx2 * static_cast<double>(alignment.size())};
+    DampedDescent descent(problem, start, alignment.buffers().looks, steps);
     RefinementResult result;
     const double wholeSteps = expectedSteps(schedule);
     const auto report = [&](const StepOutcome&) {
@@ -122,13 +130,13 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
     double endScalePx = schedule.endScalePx;
     while (true) {
         const bool isLast = problem.scalePx() <= endScalePx;
-        const int steps = isLast ? schedule.lastSteps : schedule.stepsPerScale;
+        const int wanted = isLast ? schedule.lastSteps : schedule.stepsPerScale;
         const int left = schedule.maxSteps - result.steps;
-        const StepOutcome last = descent.descend(std::min(steps, left), report);
+        const StepOutcome last = descent.descend(std::min(wanted, left), report);
         if (last.isStopped) {
             return finish(StopReason::StoppedByUser);
         }
-        if (steps > left && !last.isSettled) {
+        if (wanted > left && !last.isSettled) {
             return finish(StopReason::IterationLimit);
         }
         if (isLast) {

@@ -33,7 +33,7 @@ struct RefinementResult {
 };
 
 /// Graduated non-convexity: damped Gauss–Newton on the Welsch loss while its scale shrinks. A step that raises the loss
-/// at its scale is not taken.
+/// at its scale by more than matches jitter is not taken.
 RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe = {});
 

@@ -7,7 +7,6 @@ namespace angiopose::core {
 /// A tree point as one pose shows it.
 struct ProjectedPoint {
     double u, v;   ///< px
-    double su, sv;   ///< unit direction of its branch in the image
     int number;   ///< of the tree point
 };
 

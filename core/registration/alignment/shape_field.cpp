@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestBlock = 10;   // points
-constexpr std::size_t aboutBlocks = 100;   // the field costs the cube of their number
+constexpr std::size_t aboutBlocks = 64;   // the field costs the cube of their number
 constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
 /// The derivatives of a row, then its residual.

@@ -11,7 +11,7 @@ namespace {
 constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
 constexpr int maxShapeSteps = 8;
-constexpr double settledShapeMm = 1e-2;   // 0.02 px, far below what bent vessels tell
+constexpr double settledShapeSigmas = 0.1;   // the steps after are smaller still
 constexpr double leastShapeDamping = 1e-9;
 
 NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
@@ -62,6 +62,13 @@ EquationsOf<Parameters> ofIndependentRows(const std::vector<ResidualRow>& rows, 
     return sum;
 }
 
+/// The step is a small part of what the equations leave uncertain; `variance`: of one of their rows.
+bool isSettled(const Vector6d& step, const NormalEquations& equations, double variance)
+{
+    const double squaredSigmas = step.dot(equations.hessian.selfadjointView<Eigen::Lower>() * step) / variance;
+    return squaredSigmas < settledShapeSigmas * settledShapeSigmas;
+}
+
 /// What the rows tell when the vessels may be bent by as much as they show.
 template <int Parameters>
 EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const CentroidPose& pose,
@@ -87,7 +94,7 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
         prior.add(settled, rowVariance, equations);
         const Vector6d step = shifts.dampedStep(equations, leastShapeDamping, settled);
         settled = shifts.moved(settled, step);
-        if (step.norm() < settledShapeMm) {
+        if (isSettled(step, equations, rowVariance)) {
             break;
         }
     }
@@ -111,7 +118,7 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
         prior.add(refined, 1.0, equations);
         const Vector6d step = prior.freedom.dampedStep(equations, leastShapeDamping, refined);
         refined = prior.freedom.moved(refined, step);
-        if (step.tail<3>().norm() < settledShapeMm) {
+        if (isSettled(step, equations, 1.0)) {
             break;
         }
         alignment.collectRows(refined, tolerantScalePx(noise), rows);

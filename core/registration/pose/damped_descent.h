@@ -43,6 +43,7 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::Place& plac
 struct StepOptions {
     int triesPerStep = 1;   ///< each with more damping than the one before
     double settledMm = 0.0;   ///< a step that moves less settles it
+    double settledGain = 0.0;   ///< so does one that promises to lower the cost by less
 };
 
 /// What became of one step. A last, tiny step may be taken and settle it.
@@ -127,7 +128,7 @@ StepOutcome DampedDescent<Problem>::step()
         if (!(promised > 0.0)) {
             return {false, true};
         }
-        const bool isTiny = problem_.lengthMm(place_, step) < options_.settledMm;
+        const bool isTiny = promised < options_.settledGain || problem_.lengthMm(place_, step) < options_.settledMm;
         const Place trial = problem_.moved(place_, step);
         const bool canStand = problem_.look(trial, looks_.there);
         const auto gained = canStand ? problem_.gained(looks_.here, looks_.there) : std::nullopt;

@@ -87,24 +87,53 @@ TEST_F(AlignmentTest, CameraGradientsMatchDifferencesOfResiduals)
 
 TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
 {
-    Agreement reverse;
+    // The tree's own points say nothing here: what both ways say more than one way comes from the lines.
+    Agreement both;
     CentroidPose pose = beside;
     for (int k = 0; k < 4; ++k) {
-        reverse = {};
-        alignment.addReverse(pose, 5.0, reverse);
-        pose = moved(pose, dampedStep(reverse.equations, 1e-6));
+        alignment.lookBothWays(pose, 5.0, both);
+        NormalEquations reverse = alignment.look(pose, 5.0).equations;
+        reverse.hessian = both.equations.hessian - reverse.hessian;
+        reverse.gradient = both.equations.gradient - reverse.gradient;
+        pose = moved(pose, dampedStep(reverse, 1e-6));
     }
     EXPECT_LT(stepBetween(truth, pose).head<3>().norm(), 0.1 * stepBetween(truth, beside).head<3>().norm());
     EXPECT_LT(stepBetween(truth, pose).segment<2>(3).norm(), 0.1 * stepBetween(truth, beside).segment<2>(3).norm());
+}
+
+TEST_F(AlignmentTest, LinesKeepTheirPartnersWhileThePointsHardlyMove)
+{
+    Vector6d step = Vector6d::Zero();
+    step[3] = 0.2 * millimetresPerPixel(clean.camera, beside.centroidInCamera.z());
+    const CentroidPose near = moved(beside, step);
+    Alignment fresh = alignment;
+    Agreement kept;
+    Agreement anew;
+    alignment.lookBothWays(beside, 3.0, kept);
+    const std::vector<int> partners = alignment.buffers().reverse.partners();
+    alignment.lookBothWays(near, 3.0, kept);
+    fresh.lookBothWays(near, 3.0, anew);
+    EXPECT_EQ(alignment.buffers().reverse.partners(), partners);
+    EXPECT_NE(fresh.buffers().reverse.partners(), partners);
+    // Across the branches both say the same.
+    EXPECT_NEAR(kept.loss, anew.loss, 0.01 * std::abs(anew.loss));
+    const Vector6d keptStep = dampedStep(kept.equations, 1e-6);
+    const Vector6d freshStep = dampedStep(anew.equations, 1e-6);
+    EXPECT_LT((keptStep - freshStep).norm(), 0.02 * freshStep.norm());
+    // A longer way, or another reach, and they are found anew.
+    alignment.lookBothWays(truth, 3.0, kept);
+    fresh.lookBothWays(truth, 3.0, anew);
+    EXPECT_EQ(alignment.buffers().reverse.partners(), fresh.buffers().reverse.partners());
+    EXPECT_EQ(kept.loss, anew.loss);
 }
 
 TEST_F(AlignmentTest, NearestProjectedPointIsFoundWithinReachOnly)
 {
     ProjectedPoints points;
     points.restart(100, 60, 6.0);
-    points.add({50.0, 30.0, 1.0, 0.0, 7});
-    points.add({57.0, 30.0, 1.0, 0.0, 8});
-    points.add({-5.0, 30.0, 1.0, 0.0, 9});
+    points.add({50.0, 30.0, 7});
+    points.add({57.0, 30.0, 8});
+    points.add({-5.0, 30.0, 9});
     ASSERT_NE(points.nearest(52.0, 31.0), nullptr);
     EXPECT_EQ(points.nearest(52.0, 31.0)->number, 7);
     EXPECT_EQ(points.nearest(55.0, 31.0)->number, 8);

@@ -87,6 +87,26 @@ TEST(DampedDescent, LinearisesOncePerPlaceHoweverManyTriesItTakes)
     EXPECT_GT(problem.looks, 2);
 }
 
+TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
+{
+    const Vector6d wish = 0.5 * Vector6d::Ones();
+    const auto stepsUntil = [&](double settledGain) {
+        Arctangents problem(wish);
+        LookPair<Arctangents::Look> looks;
+        DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks,
+                              {.settledMm = 1e-9, .settledGain = settledGain});
+        int steps = 0;
+        const StepOutcome last = descent.descend(50, [&](const StepOutcome&) {
+            ++steps;
+            return Verdict::Continue;
+        });
+        EXPECT_TRUE(last.isSettled);
+        EXPECT_LT((descent.place() - wish).norm(), 1e-3);
+        return steps;
+    };
+    EXPECT_LT(stepsUntil(1e-4), stepsUntil(0.0));
+}
+
 TEST(DampedDescent, NeverStandsWhereItCannot)
 {
     Arctangents problem(0.9 * Vector6d::Ones());

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/registration/pose/centroid_pose.h"
+
+#include <cmath>
+
+namespace angiopose::core {
+
+/// A tree point as the inner loop reads it: relative to the tree's centroid.
+struct AlignmentPoint {
+    Eigen::Vector3d fromCentroid;   ///< mm, patient axes
+    Eigen::Vector3d tangent;   ///< unit, patient axes
+    int branchIndex = 0;
+};
+
+/// A tree point as one pose shows it.
+struct SeenPoint {
+    Eigen::Vector3d turned;   ///< from the centroid, camera axes, mm
+    Eigen::Vector3d inCamera;
+    double perDepth;   ///< 1/mm
+    double u, v;   ///< px
+    double su, sv;   ///< unit direction of its branch in the image
+    bool isInFront = false;   ///< of the source: the other values mean something
+    bool hasDirection = false;   ///< false: its branch is seen end-on
+};
+
+/// Shorter projected tangents say nothing about direction (§6.3).
+inline constexpr double endOnShare = 0.3;
+
+/// Where the point lies under a pose; false where it does not project.
+inline bool seePlace(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
+                     SeenPoint& seen)
+{
+    seen.turned.noalias() = pose.rotation * point.fromCentroid;
+    seen.inCamera = seen.turned + pose.centroidInCamera;
+    seen.perDepth = 1.0 / seen.inCamera.z();
+    seen.u = camera.fx * seen.inCamera.x() * seen.perDepth + camera.cx;
+    seen.v = camera.fy * seen.inCamera.y() * seen.perDepth + camera.cy;
+    return seen.inCamera.z() >= minProjectableDepthMm;
+}
+
+/// Which way its branch runs there; after seePlace.
+inline void seeDirection(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
+                         SeenPoint& seen)
+{
+    const Eigen::Vector3d tangent = pose.rotation * point.tangent;
+    const double su = camera.fx * (tangent.x() - seen.inCamera.x() * seen.perDepth * tangent.z());
+    const double sv = camera.fy * (tangent.y() - seen.inCamera.y() * seen.perDepth * tangent.z());
+    const double length = std::sqrt(su * su + sv * sv);
+    const double perLength = length > 0.0 ? 1.0 / length : 0.0;
+    seen.su = su * perLength;
+    seen.sv = sv * perLength;
+    seen.hasDirection = length >= endOnShare * camera.fy;
+}
+
+/// d(distance along the normal) / d(rotation rad, shift mm).
+inline Vector6d distanceGradient(const ProjectionCamera& camera, const SeenPoint& seen, double normalX, double normalY)
+{
+    const double ax = normalX * camera.fx * seen.perDepth;
+    const double ay = normalY * camera.fy * seen.perDepth;
+    const Eigen::Vector3d a(ax, ay, -(ax * seen.inCamera.x() + ay * seen.inCamera.y()) * seen.perDepth);
+    Vector6d J;
+    J << seen.turned.cross(a), a;
+    return J;
+}
+
+}   // namespace angiopose::core
