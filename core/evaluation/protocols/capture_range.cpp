@@ -32,7 +32,7 @@ std::vector<CaptureSetting> makeCaptureSettings()
             rows.push_back({{(isDegraded ? "degraded-" : "clean-") + range,
                              "start " + plainText(from) + "–" + plainText(to) + " mm, " +
                                  (isDegraded ? "degraded target" : "curves sampled anew"),
-                             !isDegraded},
+                             true},
                             isDegraded,
                             from,
                             to});

@@ -1,15 +1,18 @@
 #include "core/evaluation/report/table_parts.h"
 #include "core/support/format_number.h"
 
+#include <algorithm>
+
 namespace angiopose::core {
 namespace {
 
 constexpr double demandedRate = 0.95;
 
+/// All of the protocol, run or not.
 std::vector<Condition> binsOf(const RunGroups& groups, const std::string& target)
 {
     std::vector<Condition> bins;
-    for (const Condition& condition : groups.conditions()) {
+    for (const Condition& condition : groups.protocol().conditions) {
         if (condition.id.starts_with(target + "-")) {
             bins.push_back(condition);
         }
@@ -28,14 +31,36 @@ int successesOf(const RunGroups& groups, const RunGroup& group)
     return group.countIf([&](const RunRecord& run) { return isSuccess(groups.protocol().success, run); });
 }
 
-/// Upper edge of the last bin such that this and all lower ones succeed often enough; "0" when the first does not.
+bool hasRun(const RunGroups& groups, const Condition& bin)
+{
+    return std::ranges::any_of(groups.methods(),
+                               [&](const std::string& method) { return groups.of(bin, method).count() > 0; });
+}
+
+/// "Not run: 3-4, 60-65." of a table's bins; nothing where all were.
+std::string missingNote(const RunGroups& groups, const std::vector<Condition>& bins, const std::string& target)
+{
+    std::string missing;
+    for (const Condition& bin : bins) {
+        if (!hasRun(groups, bin)) {
+            missing += (missing.empty() ? "Not run: " : ", ") + rangeOf(bin, target);
+        }
+    }
+    return missing.empty() ? "" : missing + " mm.";
+}
+
+/// Upper edge of the last bin such that this and all lower ones succeed often enough; "0" when the first does not, "≥"
+/// before it when the next was not run.
 std::string captureRangeCell(const RunGroups& groups, const std::vector<Condition>& bins, const std::string& target,
                              const std::string& method)
 {
     std::string reached = "0";
     for (const Condition& bin : bins) {
         const RunGroup& group = groups.of(bin, method);
-        if (group.count() == 0 || successesOf(groups, group) < demandedRate * group.count()) {
+        if (group.count() == 0) {
+            return "≥ " + reached;
+        }
+        if (successesOf(groups, group) < demandedRate * group.count()) {
             return reached;
         }
         const std::string range = rangeOf(bin, target);
@@ -56,17 +81,25 @@ ResultTable tableOf(const RunGroups& groups, const std::string& target, const st
     }
     table.rows.push_back(std::move(ranges));
     for (const Condition& bin : bins) {
+        if (!hasRun(groups, bin)) {
+            continue;
+        }
         ResultTable::Row row{{rangeOf(bin, target)}, false};
         row.cells.front().replace(row.cells.front().find('-'), 1, "–");
         for (const std::string& method : groups.methods()) {
             const RunGroup& group = groups.of(bin, method);
-            row.cells.push_back(shareCell(successesOf(groups, group), group.count()));
+            row.cells.push_back(
+                shareCell(group, [&](const RunRecord& run) { return isSuccess(groups.protocol().success, run); }));
         }
         table.rows.push_back(std::move(row));
     }
     table.notes = {
-        "Success: mRPD below 2 mm, with the rate's 95 % Wilson interval. Capture range: upper edge of the "
-        "last bin such that this and all lower ones succeed in at least 95 % of the starts."};
+        "Success: mRPD below 2 mm, with the rate's 95 % interval, trees drawn anew with all their trials. "
+        "Capture range: upper edge of the last bin such that this and all lower ones succeed in at least 95 % of the "
+        "starts; at least that where the next bin was not run."};
+    if (const std::string missing = missingNote(groups, bins, target); !missing.empty()) {
+        table.notes.push_back(missing);
+    }
     return table;
 }
 
@@ -77,7 +110,8 @@ std::vector<ResultTable> captureRangeTables(const RunGroups& groups)
     std::vector<ResultTable> tables;
     for (const auto& [target, title] :
          {std::pair<std::string, std::string>{"clean", "curves sampled anew"}, {"degraded", "degraded target"}}) {
-        if (!binsOf(groups, target).empty()) {
+        const std::vector<Condition> bins = binsOf(groups, target);
+        if (std::ranges::any_of(bins, [&](const Condition& bin) { return hasRun(groups, bin); })) {
             tables.push_back(tableOf(groups, target, title));
         }
     }

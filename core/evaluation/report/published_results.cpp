@@ -43,11 +43,11 @@ std::optional<PublishedInVivo> publishedInVivo(std::string_view methodId)
 {
     static constexpr std::array rows{
         ByMethod<PublishedInVivo>{"dynaweight", {12.0, 4.02, 11.35, 31.85, 33.2}},
-        ByMethod<PublishedInVivo>{"iterative-pnp", {15.0, 6.17, 13.72, 38.89, notPublished}},
-        ByMethod<PublishedInVivo>{"nicp", {56.0, 3.49, 10.52, 37.09, notPublished}},
-        ByMethod<PublishedInVivo>{"dt-icp", {21.0, 4.84, 14.11, 50.04, notPublished}},
-        ByMethod<PublishedInVivo>{"automask", {100.0, 17.0, notPublished, 29.8, 150000.0}},
-        ByMethod<PublishedInVivo>{"rgbr", {100.0, 5.99, notPublished, 38.9, notPublished}},
+        ByMethod<PublishedInVivo>{"iterative-pnp", {15.0, 6.17, 13.72, 38.89, 16.9}},
+        ByMethod<PublishedInVivo>{"nicp", {56.0, 3.49, 10.52, 37.09, 385.1}},
+        ByMethod<PublishedInVivo>{"dt-icp", {21.0, 4.84, 14.11, 50.04, 13.2}},
+        ByMethod<PublishedInVivo>{"automask", {100.0, 17.01, 23.26, 29.75, 150302.0}},
+        ByMethod<PublishedInVivo>{"rgbr", {100.0, 5.99, 12.16, 38.9, notPublished}},
     };
     return valueOf(rows, methodId);
 }

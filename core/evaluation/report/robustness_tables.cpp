@@ -48,7 +48,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
     cells.push_back(fixedText(group.median(&RunRecord::centroidInPlaneMm), 3));
     cells.push_back(fixedText(medianDepthMm(group), 3));
     cells.push_back(fixedText(group.quantile(&RunRecord::angleDeg, 0.95), 3));
-    cells.push_back(shareCell(group.countIf(isGrossPx), group.count()));
+    cells.push_back(shareCell(group, isGrossPx));
     return cells;
 }
 
@@ -84,7 +84,7 @@ ResultTable robustnessTable(const RunGroups& groups, const Condition& condition)
         "point to the nearest target point, Dist the shift of the camera-frame origin; the centroid's error does not "
         "depend on that origin.",
         "GFR: share of registrations whose points lie more than 5 px from their true partners on average, with its "
-        "95 % Wilson interval."};
+        "95 % interval, trees drawn anew with all their trials."};
     if (publishedRobustness(condition.id, "nicp")) {
         table.notes.emplace_back(
             "Where Dist equals the disturbance the shift was never undone: iterative-pnp is held by its prior, which "

@@ -27,7 +27,7 @@ std::vector<std::string> simulationCells(const std::string& method, const RunGro
     const RunGroup gross = group.where(isGrossPx);
     const auto flagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
     return {method,
-            shareCell(gross.count(), group.count()),
+            shareCell(group, isGrossPx),
             significantText(group.mean(&RunRecord::meanMm)),
             significantText(group.quantile(&RunRecord::meanMm, 0.75)),
             significantText(group.quantile(&RunRecord::meanMm, 0.95)),
@@ -41,6 +41,7 @@ std::vector<std::string> simulationCells(const std::string& method, const RunGro
             significantText(medianDepthMm(group)),
             percentCell(gross.countIf(flagged), gross.count()),
             percentCell(good.countIf(flagged), good.count()),
+            significantText(group.mean(&RunRecord::nees)),
             fixedText(good.mean(&RunRecord::nees), 1),
             boundRatioCell(group)};
 }
@@ -65,7 +66,7 @@ ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
     table.columns = {
         "method",       "GFR %",      "mean mm",         "p75 mm",  "p95 mm",      "mean mm, not gross", "median px",
         "p95 px",       "GFR 5 mm %", "points > 5 px %", "angle °", "in plane mm", "depth mm",           "flagged",
-        "false alarms", "NEES",       "PR / CRB"};
+        "false alarms", "NEES",       "NEES, not gross", "PR / CRB"};
     for (const std::string& method : groups.methods()) {
         if (groups.of(condition, method).count() == 0) {
             continue;
@@ -75,10 +76,12 @@ ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
     table.notes = {
         "Distances are means over the tree's points to their true partners (PR), summarised over registrations; mm at "
         "the depth of the tree's centroid.",
-        "GFR: share of registrations with PR above 5 px (first) or 5 mm, with its 95 % Wilson interval; flagged: share "
+        "GFR: share of registrations with PR above 5 px (first) or 5 mm, with its 95 % interval, trees drawn anew with "
+        "all their trials; flagged: share "
         "of the gross ones not called trustworthy; false alarms: share of the others.",
-        "angle, in plane and depth are medians; NEES is the mean of the normalised squared errors of the runs that are "
-        "not gross (6 is expected of an honest covariance); PR / CRB is their rms PR over what the Cramér–Rao bound "
+        "angle, in plane and depth are medians; NEES is the mean of the normalised squared errors of all runs, and of "
+        "those that are not gross (6 is expected of an honest covariance); PR / CRB is their rms PR over what the "
+        "Cramér–Rao bound "
         "of the drawn noise allows.",
         startNote(groups, condition)};
     return table;

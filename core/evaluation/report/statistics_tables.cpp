@@ -17,14 +17,28 @@ RunValue comparedValue(const Protocol& protocol)
     return protocol.success == Success::RayDistanceWithin2Mm ? &RunRecord::mrpdMm : &RunRecord::meanMm;
 }
 
+/// What of a tree's trials is compared.
+struct ComparedQuantile {
+    const char* name;
+    double fraction;
+};
+constexpr ComparedQuantile comparedMedian{"median", 0.5};
+constexpr ComparedQuantile compared95th{"p95", 0.95};
+
+bool comparesByAnatomy(const RunGroups& groups)
+{
+    return groups.protocol().anatomyCount >= fewestAnatomies;
+}
+
 /// First minus second: by anatomy, where there are enough of them, otherwise by trial.
-std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, const RunGroup& theirs)
+std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, const RunGroup& theirs, double fraction)
 {
     const RunValue value = comparedValue(groups.protocol());
     std::vector<double> result;
-    if (groups.protocol().anatomyCount >= fewestAnatomies) {
+    if (comparesByAnatomy(groups)) {
         for (int anatomy = 0; anatomy < groups.protocol().anatomyCount; ++anatomy) {
-            result.push_back(ours.ofAnatomy(anatomy).median(value) - theirs.ofAnatomy(anatomy).median(value));
+            result.push_back(ours.ofAnatomy(anatomy).quantile(value, fraction) -
+                             theirs.ofAnatomy(anatomy).quantile(value, fraction));
         }
     } else {
         for (std::size_t k = 0; k < std::min(ours.runs().size(), theirs.runs().size()); ++k) {
@@ -37,26 +51,28 @@ std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, c
     return result;
 }
 
-std::vector<ResultTable::Row> rowsOf(const RunGroups& groups, const Condition& condition)
+std::vector<ResultTable::Row> rowsOf(const RunGroups& groups, const Condition& condition,
+                                     const ComparedQuantile& compared)
 {
     std::vector<ResultTable::Row> rows;
     std::vector<double> pValues;
     for (std::size_t k = 1; k < groups.methods().size(); ++k) {
         const std::vector<double> paired = differences(groups, groups.of(condition, groups.methods().front()),
-                                                       groups.of(condition, groups.methods()[k]));
+                                                       groups.of(condition, groups.methods()[k]), compared.fraction);
         if (paired.empty()) {
             continue;
         }
         const SignedRankTest test = signedRankTest(paired);
         pValues.push_back(test.pLess);
-        rows.push_back({{condition.id, groups.methods()[k], std::to_string(test.count), fixedText(test.rankSum, 1),
-                         significantText(test.pLess), significantText(test.pTwoSided), "",
-                         fixedText(test.effectSize, 3), significantText(hodgesLehmann(paired))},
+        rows.push_back({{condition.id, groups.methods()[k], comparesByAnatomy(groups) ? compared.name : "trial",
+                         std::to_string(test.count), fixedText(test.rankSum, 1), significantText(test.pLess),
+                         significantText(test.pTwoSided), "", fixedText(test.effectSize, 3),
+                         significantText(hodgesLehmann(paired))},
                         false});
     }
     const std::vector<double> adjusted = holmAdjusted(pValues);
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        rows[k].cells[6] = significantText(adjusted[k]);
+        rows[k].cells[7] = significantText(adjusted[k]);
     }
     return rows;
 }
@@ -72,20 +88,26 @@ std::vector<ResultTable> statisticsTables(const RunGroups& groups)
     ResultTable table;
     table.id = std::string(groups.protocol().id) + "-statistics";
     table.title = "Is " + groups.methods().front() + " better? Wilcoxon's signed-rank test";
-    table.columns = {"condition", "against", "N", "W", "p one-sided", "p two-sided", "p Holm", "r", "shift mm"};
+    table.columns = {"condition", "against", "of", "N", "W", "p one-sided", "p two-sided", "p Holm", "r", "shift mm"};
     for (const Condition& condition : groups.conditions()) {
-        for (ResultTable::Row& row : rowsOf(groups, condition)) {
+        for (ResultTable::Row& row : rowsOf(groups, condition, comparedMedian)) {
             table.rows.push_back(std::move(row));
         }
     }
-    const bool isByAnatomy = groups.protocol().anatomyCount >= fewestAnatomies;
+    const bool isByAnatomy = comparesByAnatomy(groups);
+    for (std::size_t k = 0; isByAnatomy && k < groups.conditions().size(); ++k) {
+        for (ResultTable::Row& row : rowsOf(groups, groups.conditions()[k], compared95th)) {
+            table.rows.push_back(std::move(row));
+        }
+    }
     table.notes = {
         std::string("Paired differences (") + groups.methods().front() + " minus the other) of " +
             (comparedValue(groups.protocol()) == &RunRecord::mrpdMm ? "mRPD" : "PR") + ", " +
-            (isByAnatomy ? "of the medians over each tree's trials" : "of each trial") +
+            (isByAnatomy ? "of the medians, and of the 95th percentiles, over each tree's trials" : "of each trial") +
             "; less than a nanometre is no difference; exact up to 50 pairs. W: rank sum of the differences where " +
             groups.methods().front() + " is worse.",
-        "p Holm: the one-sided p adjusted for all comparisons of the same condition; r = Φ⁻¹(1 − p)/√N; shift: "
+        "p Holm: the one-sided p adjusted for all comparisons of the same condition and percentile; r = Φ⁻¹(1 − p)/√N, "
+        "at most 1; shift: "
         "Hodges–Lehmann estimate, negative where " +
             groups.methods().front() + " is better."};
     return {table};

@@ -1,11 +1,12 @@
 #include "core/evaluation/report/table_parts.h"
 
-#include "core/evaluation/statistics/proportion.h"
+#include "core/evaluation/statistics/clustered_share.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace angiopose::core {
 
@@ -24,14 +25,24 @@ bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index
     return true;
 }
 
-std::string shareCell(int part, int whole)
+std::string shareCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& holds)
 {
-    if (whole == 0) {
+    if (group.count() == 0) {
         return "–";
     }
-    const Interval interval = wilsonInterval(part, whole);
-    return fixedText(100.0 * part / whole, 1) + " [" + fixedText(100.0 * interval.low, 1) + ", " +
-           fixedText(100.0 * interval.high, 1) + "]";
+    std::map<int, ClusterCount> byTree;
+    for (const RunRecord* run : group.runs()) {
+        ClusterCount& tree = byTree[run->anatomy];
+        tree.successes += holds(*run) ? 1 : 0;
+        ++tree.count;
+    }
+    std::vector<ClusterCount> trees;
+    for (const auto& [anatomy, tree] : byTree) {
+        trees.push_back(tree);
+    }
+    const Interval interval = clusteredInterval(trees);
+    return fixedText(100.0 * group.countIf(holds) / group.count(), 1) + " [" + fixedText(100.0 * interval.low, 1) +
+           ", " + fixedText(100.0 * interval.high, 1) + "]";
 }
 
 std::string percentCell(int part, int whole)

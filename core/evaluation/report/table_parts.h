@@ -27,8 +27,9 @@ std::string methodIdOf(const std::string& label);
 /// True for the last label of its method: the published row comes below it.
 bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index);
 
-/// "12.5 % [10.1, 15.2]": share and its Wilson interval; "–" of nothing.
-std::string shareCell(int part, int whole);
+/// "12.5 [10.1, 15.2]": the share of the runs for which `holds`, in %, and its 95 % interval, for which trees are drawn
+/// anew with all their trials (clusteredInterval); "–" of nothing.
+std::string shareCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& holds);
 
 /// "95 %", "–" of nothing.
 std::string percentCell(int part, int whole);

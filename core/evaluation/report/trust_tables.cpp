@@ -13,9 +13,9 @@ ResultTable::Row rowOf(const std::string& method, const std::string& condition, 
     const RunGroup gross = group.where(isGrossMm);
     const RunGroup failures = group.where([rule](const RunRecord& run) { return !isSuccess(rule, run); });
     const RunGroup successes = group.where([rule](const RunRecord& run) { return isSuccess(rule, run); });
-    return {{method, condition, std::to_string(gross.count()), shareCell(gross.countIf(isFlagged), gross.count()),
-             std::to_string(failures.count()), shareCell(failures.countIf(isFlagged), failures.count()),
-             std::to_string(successes.count()), shareCell(successes.countIf(isFlagged), successes.count())},
+    return {{method, condition, std::to_string(gross.count()), shareCell(gross, isFlagged),
+             std::to_string(failures.count()), shareCell(failures, isFlagged), std::to_string(successes.count()),
+             shareCell(successes, isFlagged)},
             false};
 }
 
@@ -41,7 +41,8 @@ std::vector<ResultTable> trustTables(const RunGroups& groups)
     }
     table.notes = {
         "gross: mean projection distance above 5 mm; failures: mRPD of 2 mm and more; successes: all others. flagged, "
-        "false alarms: the method does not call the pose trustworthy. Shares with their 95 % Wilson intervals.",
+        "false alarms: the method does not call the pose trustworthy. Shares with their 95 % intervals, trees drawn "
+        "anew with all their trials.",
         "Another patient's tree and a mirrored image have no right pose: every answer is a gross failure."};
     return {table};
 }

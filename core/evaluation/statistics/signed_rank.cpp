@@ -58,13 +58,14 @@ double normalBelow(double z)
 struct Tails {
     double below = 1.0;   ///< P(this or smaller)
     double above = 1.0;   ///< P(this or larger)
+    double z = 0.0;   ///< standard normal deviate of `below`, the sign turned
 };
 
 Tails exactTails(const std::vector<int>& ranks, int doubledSum)
 {
     const std::vector<double> below = exactDistribution(ranks);
     const auto s = static_cast<std::size_t>(doubledSum);
-    return {below[s], s == 0 ? 1.0 : 1.0 - below[s - 1]};
+    return {below[s], s == 0 ? 1.0 : 1.0 - below[s - 1], -normalQuantile(std::min(below[s], 1.0 - 1e-15))};
 }
 
 Tails normalTails(const std::vector<int>& ranks, int doubledSum)
@@ -77,21 +78,11 @@ Tails normalTails(const std::vector<int>& ranks, int doubledSum)
     }
     const double sum = 0.5 * doubledSum;
     const double std = std::sqrt(variance);
-    return {normalBelow((sum + 0.5 - mean) / std), normalBelow((mean - sum + 0.5) / std)};
+    const double z = (mean - sum - 0.5) / std;   // also where its probability is too small for a number
+    return {normalBelow(-z), normalBelow((mean - sum + 0.5) / std), z};
 }
 
 }   // namespace
-
-double normalQuantile(double p)
-{
-    double low = -40.0;
-    double high = 40.0;
-    for (int halving = 0; halving < 100; ++halving) {
-        const double middle = 0.5 * (low + high);
-        (normalBelow(middle) < p ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-}
 
 SignedRankTest signedRankTest(const std::vector<double>& differences)
 {
@@ -112,9 +103,20 @@ SignedRankTest signedRankTest(const std::vector<double>& differences)
     test.rankSum = 0.5 * doubledSum;
     test.pLess = tails.below;
     test.pTwoSided = std::min(1.0, 2.0 * std::min(tails.below, tails.above));
-    const double clipped = std::clamp(test.pLess, 1e-300, 1.0 - 1e-15);
-    test.effectSize = -normalQuantile(clipped) / std::sqrt(static_cast<double>(test.count));
+    // From 42 exact pairs on that all agree the quotient is above 1.
+    test.effectSize = std::clamp(tails.z / std::sqrt(static_cast<double>(test.count)), -1.0, 1.0);
     return test;
+}
+
+double normalQuantile(double p)
+{
+    double low = -40.0;
+    double high = 40.0;
+    for (int halving = 0; halving < 100; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (normalBelow(middle) < p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
 }
 
 double hodgesLehmann(const std::vector<double>& differences)

@@ -11,7 +11,7 @@ struct SignedRankTest {
     double rankSum = 0.0;   ///< W: ranks of the positive differences ("ours minus theirs": where ours is worse)
     double pLess = 1.0;   ///< P(W or smaller) when neither side is better: one-sided, differences tend to be negative
     double pTwoSided = 1.0;
-    double effectSize = 0.0;   ///< r = Φ⁻¹(1 − pLess)/√count
+    double effectSize = 0.0;   ///< r = Φ⁻¹(1 − pLess)/√count, −1…1
 };
 
 /// Not finite differences are an error of the caller; infinities of one sign compare as the largest.

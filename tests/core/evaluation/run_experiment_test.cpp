@@ -166,9 +166,52 @@ TEST(TablesOf, CountsFailuresAndSetsThePublishedRowInATableOfItsOwn)
     EXPECT_TRUE(published.rows[1].isPublished);
     EXPECT_EQ(published.rows[1].cells[2], "0.24");
     const ResultTable& statistics = tables[2];
-    ASSERT_EQ(statistics.rows.size(), 1u);
-    EXPECT_EQ(statistics.rows[0].cells[2], "10");   // one pair per tree
-    EXPECT_EQ(statistics.rows[0].cells[4], "9.8e-04");   // 1/1024
+    ASSERT_EQ(statistics.rows.size(), 2u);   // medians and 95th percentiles
+    EXPECT_EQ(statistics.rows[0].cells[2], "median");
+    EXPECT_EQ(statistics.rows[0].cells[3], "10");   // one pair per tree
+    EXPECT_EQ(statistics.rows[0].cells[5], "9.8e-04");   // 1/1024
+    EXPECT_EQ(statistics.rows[1].cells[2], "p95");
+}
+
+ResultTable tableOf(const std::vector<ResultTable>& tables, const std::string& id)
+{
+    return *std::find_if(tables.begin(), tables.end(), [&](const ResultTable& table) { return table.id == id; });
+}
+
+TEST(TablesOf, SayWhichBinsOfTheCaptureRangeWereNotRun)
+{
+    RunSet runs{"capture-range", 1, {}};
+    for (const std::string condition : {"degraded-0-1", "degraded-1-2", "degraded-3-4"}) {
+        for (std::uint64_t trial = 0; trial < 20; ++trial) {
+            RunRecord run = runWith("angiopose", trial, 0.1);
+            run.condition = condition;
+            run.mrpdMm = 0.2;
+            runs.runs.push_back(run);
+        }
+    }
+    const ResultTable table = tableOf(tablesOf(runs), "capture-range-degraded");
+    EXPECT_EQ(table.rows[0].cells[1], "≥ 2");   // 3–4 succeeds, but what is below it is not known
+    EXPECT_EQ(table.rows.size(), 4u);
+    EXPECT_TRUE(table.notes.back().starts_with("Not run: 2-3, 4-5")) << table.notes.back();
+}
+
+TEST(TablesOf, CountsWhichMethodsStandInThePublishedOrder)
+{
+    RunSet runs{"clinical", 1, {}};
+    // Published medians: nicp 3.49, dynaweight 4.02, dt-icp 4.84 mm.
+    for (const auto& [method, meanMm] :
+         {std::pair<std::string, double>{"nicp", 1.0}, {"dynaweight", 3.0}, {"dt-icp", 2.0}}) {
+        RunRecord run = runWith(method, 0, meanMm);
+        run.condition = "nonrigid-1";
+        run.nees = 1e6;
+        run.mrpdMm = meanMm;
+        runs.runs.push_back(run);
+    }
+    const ResultTable table = tableOf(tablesOf(runs), "clinical-nonrigid-1");
+    EXPECT_NE(table.notes.back().find("2 of 3 pairs"), std::string::npos) << table.notes.back();
+    const auto nees = std::find(table.columns.begin(), table.columns.end(), "NEES") - table.columns.begin();
+    EXPECT_EQ(table.rows[2].cells[static_cast<std::size_t>(nees)], table.rows[0].cells[static_cast<std::size_t>(nees)]);
+    EXPECT_NE(table.rows[2].cells[static_cast<std::size_t>(nees)], "–");   // of failures, too
 }
 
 TEST(TablesOf, LaysOutTheAblation)

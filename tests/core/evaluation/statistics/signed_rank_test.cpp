@@ -42,6 +42,18 @@ TEST(SignedRank, GivesThePublishedProbabilitiesAndEffectSizes)
     }
 }
 
+TEST(SignedRank, EffectSizesStayWithinOne)
+{
+    for (const int count : {6, 45, 50, 51, 10000}) {
+        const std::vector<double> better(static_cast<std::size_t>(count), -1.0);
+        const std::vector<double> worse(static_cast<std::size_t>(count), 1.0);
+        EXPECT_LE(signedRankTest(better).effectSize, 1.0) << count;
+        EXPECT_GT(signedRankTest(better).effectSize, 0.8) << count;   // however small p is
+        EXPECT_GE(signedRankTest(worse).effectSize, -1.0) << count;
+        EXPECT_LT(signedRankTest(worse).effectSize, -0.8) << count;
+    }
+}
+
 TEST(SignedRank, DropsZerosAndSharesRanksOfEqualSizes)
 {
     const auto test = signedRankTest({0.0, -1.0, 1.0, -2.0, 0.0});
