@@ -1,14 +1,13 @@
 #include "tests/benchmark/foreign_trees.h"
 
+#include "tests/benchmark/artery_graph.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace angiopose::benchmarks {
 namespace {
@@ -19,25 +18,7 @@ constexpr double inflowRadiusVoxels = 2.5;
 constexpr double pointSpacingMm = 0.9;
 constexpr double mostBow = 2.0;   // of the chord's length
 
-using Row = std::vector<double>;
-
-std::vector<Row> numbersIn(const std::filesystem::path& file)
-{
-    std::ifstream stream(file);
-    std::vector<Row> rows;
-    std::string line;
-    std::getline(stream, line);   // names of the columns
-    while (std::getline(stream, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream cells(line);
-        Row row;
-        for (double value = 0.0; cells >> value;) {
-            row.push_back(value);
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
+using Row = ArteryGraph::Row;
 
 double lengthOf(const std::vector<Eigen::Vector3d>& points)
 {
@@ -95,22 +76,18 @@ private:
     std::array<Eigen::Vector3d, 3> swings_;
 };
 
-/// Nodes and edges of one patient.
-struct ArteryGraph {
-    std::vector<Row> nodes;   ///< id, x, y, z, radius, label; ids count from 0 without gaps
-    std::vector<Row> edges;   ///< a, b, length, mean radius; voxels
+/// Index of the node at one end (0 or 1) of an edge.
+std::size_t nodeAt(const ArteryGraph& graph, std::size_t edge, std::size_t end)
+{
+    const auto found =
+        std::ranges::find_if(graph.nodes, [&](const Row& node) { return node[0] == graph.edges[edge][end]; });
+    return static_cast<std::size_t>(found - graph.nodes.begin());
+}
 
-    std::size_t nodeAt(std::size_t edge, std::size_t end) const
-    {
-        const auto found =
-            std::find_if(nodes.begin(), nodes.end(), [&](const Row& node) { return node[0] == edges[edge][end]; });
-        return static_cast<std::size_t>(found - nodes.begin());
-    }
-    Eigen::Vector3d placeMm(std::size_t node) const
-    {
-        return voxelMm * Eigen::Vector3d(nodes[node][1], nodes[node][2], nodes[node][3]);
-    }
-};
+Eigen::Vector3d placeMm(const ArteryGraph& graph, std::size_t node)
+{
+    return voxelMm * Eigen::Vector3d(graph.nodes[node][1], graph.nodes[node][2], graph.nodes[node][3]);
+}
 
 /// How far every node lies from where blood flows in, along the vessels, and through which edge it is reached.
 struct Flow {
@@ -122,8 +99,8 @@ struct Flow {
     {
         std::vector<int> degree(graph.nodes.size(), 0);
         for (std::size_t edge = 0; edge < graph.edges.size(); ++edge) {
-            ++degree[graph.nodeAt(edge, 0)];
-            ++degree[graph.nodeAt(edge, 1)];
+            ++degree[nodeAt(graph, edge, 0)];
+            ++degree[nodeAt(graph, edge, 1)];
         }
         for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
             const Row& told = graph.nodes[node];
@@ -147,8 +124,8 @@ private:
             isChanged = false;
             for (std::size_t edge = 0; edge < graph.edges.size(); ++edge) {
                 for (const std::size_t end : {0U, 1U}) {
-                    const std::size_t near = graph.nodeAt(edge, end);
-                    const std::size_t far = graph.nodeAt(edge, 1 - end);
+                    const std::size_t near = nodeAt(graph, edge, end);
+                    const std::size_t far = nodeAt(graph, edge, 1 - end);
                     const double reached = distance[near] + graph.edges[edge][2];
                     if (reached < distance[far]) {
                         distance[far] = reached;
@@ -161,21 +138,21 @@ private:
     }
 };
 
-RootedTree rooted(const ArteryGraph& graph, const std::string& name, ForeignRandom& random)
+RootedTree rooted(const ArteryGraph& graph, ForeignRandom& random)
 {
     const Flow flow(graph);
     RootedTree result;
-    result.name = name;
+    result.name = graph.name;
     for (std::size_t edge = 0; edge < graph.edges.size(); ++edge) {
-        std::size_t near = graph.nodeAt(edge, 0);
-        std::size_t far = graph.nodeAt(edge, 1);
+        std::size_t near = nodeAt(graph, edge, 0);
+        std::size_t far = nodeAt(graph, edge, 1);
         if (flow.distance[far] < flow.distance[near]) {
             std::swap(near, far);
         }
         core::VesselBranch branch;
         branch.id = static_cast<int>(edge) + 1;
         const double lengthMm = voxelMm * graph.edges[edge][2];
-        branch.pointsInPatient = Bow(graph.placeMm(near), graph.placeMm(far), random).ofLength(lengthMm);
+        branch.pointsInPatient = Bow(placeMm(graph, near), placeMm(graph, far), random).ofLength(lengthMm);
         branch.radiusMm.assign(branch.pointsInPatient.size(), voxelMm * graph.edges[edge][3]);
         result.tree.branches.push_back(std::move(branch));
         result.parent.push_back(flow.through[near]);
@@ -258,16 +235,14 @@ bool RootedTree::isLeaf(std::size_t branch) const
 std::vector<RootedTree> cerebralTrees(const std::string& folder)
 {
     std::vector<RootedTree> trees;
-    for (int patient = 1; patient <= 5; ++patient) {
-        const std::string name = "Anzhen00" + std::to_string(patient);
-        const std::filesystem::path stem = std::filesystem::path(folder) / "csv" / name;
-        ArteryGraph graph{numbersIn(stem.string() + "_nodes.csv"), numbersIn(stem.string() + "_edges.csv")};
+    for (int patient = 1; patient <= arteryGraphCount; ++patient) {
+        ArteryGraph graph = readArteryGraph(folder, patient);
         if (graph.edges.empty()) {
             return {};
         }
         std::erase_if(graph.edges, [](const Row& edge) { return edge[0] == edge[1]; });   // loops without a course
         ForeignRandom random(static_cast<std::uint64_t>(patient));
-        trees.push_back(rooted(graph, name, random));
+        trees.push_back(rooted(graph, random));
     }
     return trees;
 }

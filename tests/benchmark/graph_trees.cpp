@@ -3,34 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <numbers>
-#include <sstream>
 
 namespace angiopose::benchmarks {
 namespace {
 
 constexpr double voxelMm = 0.45;   // not recorded with the graphs: arteries of a brain are about 130 mm wide
 constexpr double mostTortuous = 1.45;   // length over chord; what is more was traced zigzag
-
-std::vector<std::vector<double>> readTable(const std::string& path)
-{
-    std::ifstream file(path);
-    std::vector<std::vector<double>> rows;
-    std::string line;
-    std::getline(file, line);
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        std::string cell;
-        std::vector<double> row;
-        while (std::getline(cells, cell, ',')) {
-            row.push_back(std::stod(cell));
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
 
 Eigen::Vector3d anyDirection(core::CounterRandom& random)
 {
@@ -73,17 +53,15 @@ std::vector<Eigen::Vector3d> arched(const Eigen::Vector3d& from, const Eigen::Ve
 
 core::VesselTree graphTree(int number, core::CounterRandom random)
 {
-    const std::string stem =
-        std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs/csv/Anzhen00" + std::to_string(number + 1) + "_";
+    const ArteryGraph graph = readArteryGraph(std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs", number + 1);
     std::map<int, Eigen::Vector3d> nodes;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    const auto rows = readTable(stem + "nodes.csv");
-    for (const auto& row : rows) {
+    for (const ArteryGraph::Row& row : graph.nodes) {
         nodes[static_cast<int>(row[0])] = voxelMm * Eigen::Vector3d(row[1], row[2], row[3]);
-        mean += nodes[static_cast<int>(row[0])] / static_cast<double>(rows.size());
+        mean += nodes[static_cast<int>(row[0])] / static_cast<double>(graph.nodes.size());
     }
     core::VesselTree tree;
-    for (const auto& row : readTable(stem + "edges.csv")) {
+    for (const ArteryGraph::Row& row : graph.edges) {
         const Eigen::Vector3d from = nodes[static_cast<int>(row[0])] - mean;
         const Eigen::Vector3d to = nodes[static_cast<int>(row[1])] - mean;
         const double chordMm = (to - from).norm();

@@ -2,11 +2,12 @@
 
 #include "core/support/random.h"
 #include "core/vessel/vessel_tree.h"
+#include "tests/benchmark/artery_graph.h"
 
 namespace angiopose::benchmarks {
 
 /// How many real cerebral trees there are: bifurcations and ends of traced arteries with the lengths between them.
-inline constexpr int graphTreeCount = 5;
+inline constexpr int graphTreeCount = arteryGraphCount;
 
 /// The tree of a graph (0…4), about 130 mm across, patient axes about the origin: every edge a smooth curve of about
 /// its true length (bent anew for each seed), points 1 mm apart. Empty without the data.
