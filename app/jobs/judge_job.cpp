@@ -16,22 +16,25 @@ core::Result<SharedJudgement> judge(const JudgeRequest& request)
 
 }   // namespace
 
-JudgeJob::JudgeJob(QObject* parent)
+JudgeJob::JudgeJob(std::chrono::milliseconds rest, QObject* parent)
     : QObject(parent),
       job_({[this](const SharedJudgement& judgement) {
-                startWaiting();
+                goOn();
                 emit judged(judgement);
             },
             [this](const core::Error& error) {
-                startWaiting();
+                goOn();
                 emit failed(error.message);
             }})
 {
+    rest_.setSingleShot(true);
+    rest_.setInterval(rest);
+    connect(&rest_, &QTimer::timeout, this, &JudgeJob::startWaiting);
 }
 
 void JudgeJob::request(JudgeRequest request)
 {
-    if (job_.isRunning()) {
+    if (job_.isRunning() || rest_.isActive()) {
         waiting_ = std::move(request);
     } else {
         start(std::move(request));
@@ -47,6 +50,15 @@ void JudgeJob::cancel()
 void JudgeJob::start(JudgeRequest request)
 {
     job_.start([request = std::move(request)](JobLink<double>&) { return judge(request); });
+}
+
+void JudgeJob::goOn()
+{
+    if (rest_.interval() > 0) {
+        rest_.start();
+    } else {
+        startWaiting();
+    }
 }
 
 void JudgeJob::startWaiting()

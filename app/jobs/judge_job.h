@@ -4,7 +4,9 @@
 #include "core/workflow/pose_judgement.h"
 
 #include <QObject>
+#include <QTimer>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -18,11 +20,13 @@ struct JudgeRequest {
 
 using SharedJudgement = std::shared_ptr<const core::PoseJudgement>;
 
-/// Judges poses off the GUI thread, always the newest: a request while one is being judged replaces the waiting one.
+/// Judges poses off the GUI thread, always the newest: a request while one is being judged, or soon after, replaces the
+/// waiting one.
 class JudgeJob : public QObject {
     Q_OBJECT
 public:
-    explicit JudgeJob(QObject* parent = nullptr);
+    /// `rest`: from an outcome to the next request's turn, so that the processor has time for others.
+    explicit JudgeJob(std::chrono::milliseconds rest = {}, QObject* parent = nullptr);
 
     void request(JudgeRequest request);
     void cancel();   ///< drops the waiting request and the outcome of the running one
@@ -33,9 +37,11 @@ signals:
 
 private:
     void start(JudgeRequest request);
+    void goOn();
     void startWaiting();
 
     std::optional<JudgeRequest> waiting_;
+    QTimer rest_;
     Job<SharedJudgement> job_;
 };
 

@@ -7,6 +7,7 @@
 #include "ui/words/message_text.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace angiopose::app {
 namespace {
@@ -27,6 +28,8 @@ std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
     }
     return residuals;
 }
+
+constexpr auto restBetween = std::chrono::milliseconds(60);   ///< a drag is judged as it moves, but drawn first
 
 /// The run knows more than a second look at its pose: other solutions, why it stopped, how long it took.
 void takeOverFromRun(core::RegistrationResult& judged, const core::RegistrationResult& run)
@@ -55,7 +58,8 @@ const core::PoseSnapshot* runThatFound(const core::View& view)
 
 }   // namespace
 
-JudgementController::JudgementController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+JudgementController::JudgementController(const Parts& parts, QObject* parent)
+    : QObject(parent), on_(parts), job_(restBetween)
 {
     connect(&job_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) {
         judgement_ = judgement;

@@ -6,20 +6,19 @@
 #include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
 
+#include <chrono>
 #include <utility>
 
 namespace angiopose::app {
 namespace {
 
-constexpr int colorPauseMs = 150;   ///< while a preview moves, the processor is for drawing and the shown view
+constexpr auto restOfOthers = std::chrono::milliseconds(150);   ///< the processor is for drawing and the shown view
 
 }   // namespace
 
-OtherView::OtherView(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+OtherView::OtherView(const Parts& parts, QObject* parent) : QObject(parent), on_(parts), job_(restOfOthers)
 {
     connect(&job_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) { showResiduals(*judgement); });
-    colors_.setSingleShot(true);
-    connect(&colors_, &QTimer::timeout, this, &OtherView::showColors);
     connect(&job_, &JudgeJob::failed, this, [this] { on_.pane.image().scene().clearResiduals(); });
     connect(&on_.pane.image(), &ui::AngiogramView::windowLevelChanged, this, [this](double window, double level) {
         if (isBrightnessOwn_) {
@@ -91,16 +90,11 @@ void OtherView::showPose()
 {
     pose_ = on_.preview.poseIn(place_);
     on_.pane.image().setPose(pose_);
-    if (!on_.preview.shown()) {
-        showColors();
-    } else if (!colors_.isActive()) {
-        colors_.start(colorPauseMs);
-    }
+    showColors();
 }
 
 void OtherView::showColors()
 {
-    colors_.stop();
     const auto target = on_.views.targetOf(place_);
     const bool areHidden = on_.preview.colors() == ResidualColors::Hidden || on_.document.isLocked();
     if (!target || !tree_ || areHidden) {

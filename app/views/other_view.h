@@ -8,7 +8,6 @@
 #include "app/views/view_controller.h"
 
 #include <QObject>
-#include <QTimer>
 
 #include <cstddef>
 #include <memory>
@@ -73,7 +72,6 @@ private:
     bool isBrightnessOwn_ = false;   ///< set by the user, not by an image that is new here
     std::optional<Judged> judged_;
     JudgeJob job_;
-    QTimer colors_;   ///< until the next judgement while a preview moves
 };
 
 }   // namespace angiopose::app

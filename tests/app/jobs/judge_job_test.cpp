@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QSignalSpy>
 #include <QThreadPool>
+
+#include <chrono>
 
 namespace angiopose::app {
 namespace {
@@ -54,6 +57,32 @@ TEST(JudgeJob, AnswersTheNewestRequestLast)
     ASSERT_EQ(medians.size(), 2U);
     EXPECT_GT(medians.front(), medians.back());
     EXPECT_LT(medians.back(), 1.0);
+}
+
+TEST(JudgeJob, RestsBetweenAnswersAndThenTakesTheNewest)
+{
+    const auto simulated = test::smallCase();
+    constexpr auto rest = std::chrono::milliseconds(400);
+    JudgeJob job(rest);
+    QElapsedTimer sinceFirst;
+    std::vector<double> medians;
+    std::vector<qint64> timesMs;
+    QObject::connect(&job, &JudgeJob::judged, [&](const SharedJudgement& j) {
+        if (medians.empty()) {
+            sinceFirst.start();
+            job.request(requestAt(simulated, 6.0));
+            job.request(requestAt(simulated, 0.0));
+        }
+        medians.push_back(j->result.metrics.medianPx);
+        timesMs.push_back(sinceFirst.elapsed());
+    });
+    QSignalSpy judged(&job, &JudgeJob::judged);
+    job.request(requestAt(simulated, 20.0));
+    while (medians.size() < 2 && judged.wait(test::patienceMs)) {
+    }
+    ASSERT_EQ(medians.size(), 2U);
+    EXPECT_LT(medians.back(), 1.0);
+    EXPECT_GE(timesMs.back(), rest.count() - 20);
 }
 
 TEST(JudgeJob, StaysSilentAfterCancel)
