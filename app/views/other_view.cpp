@@ -33,12 +33,13 @@ void OtherView::show(std::size_t place)
     showTree();
     showImage();
     const auto camera = core::cameraOf(view());
+    const bool isSeen = camera && angiogram_;   // no vessels where there is no image
+    const core::ProjectionCamera known = isSeen ? camera.value() : core::ProjectionCamera();
     ui::AngiogramView& image = on_.pane.image();
-    if (const core::ProjectionCamera known = camera ? camera.value() : core::ProjectionCamera();
-        !(known == image.camera())) {
+    if (!(known == image.camera())) {
         image.setCamera(known);
     }
-    image.setOrientationKnown(camera && isOrientationKnown(view(), current().vessels));
+    image.setOrientationKnown(isSeen && isOrientationKnown(view(), current().vessels));
     showPose();
 }
 

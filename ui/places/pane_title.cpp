@@ -27,10 +27,22 @@ void PaneTitle::showWords(const QString& title, const QString& note, const QStri
 {
     title_->showText(title);
     note_->showText(note);
-    note_->setVisible(!note.isEmpty());
+    showNote();
     for (QWidget* part : {static_cast<QWidget*>(this), static_cast<QWidget*>(title_), static_cast<QWidget*>(note_)}) {
         part->setToolTip(tip);
     }
+}
+
+/// Where there is little room it is for the name.
+void PaneTitle::showNote()
+{
+    constexpr int narrowPx = 220;
+    note_->setVisible(!note_->text().isEmpty() && width() >= narrowPx);
+}
+
+void PaneTitle::resizeEvent(QResizeEvent*)
+{
+    showNote();
 }
 
 void PaneTitle::setShown(bool shown)

@@ -24,10 +24,13 @@ signals:
     void menuRequested(const QPoint& globalPosition);
 
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    void showNote();
+
     ElidedLabel* title_;
     ElidedLabel* note_;
     bool isShown_ = false;

@@ -152,7 +152,8 @@ QRectF modeBox(const QPainter& painter, const QSizeF& size, const ModeLabel& mod
     if (mode.text.isEmpty()) {
         return {};
     }
-    const double width = QFontMetricsF(modeFont(painter)).horizontalAdvance(mode.text) + 16.0;
+    const double width =
+        std::min(QFontMetricsF(modeFont(painter)).horizontalAdvance(mode.text) + 16.0, size.width() - 12.0);
     return {0.5 * (size.width() - width), 6.0, width, 20.0};
 }
 
@@ -167,7 +168,8 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
     const QRectF box = modeBox(painter, size, mode);
     painter.setFont(modeFont(painter));
     painter.fillRect(box, colorOf(annotationTones().canvas, 0.65));
-    drawShadowedText(painter, box, Qt::AlignHCenter | Qt::AlignVCenter, mode.text, tone);
+    drawShadowedText(painter, box, Qt::AlignHCenter | Qt::AlignVCenter,
+                     QFontMetricsF(painter.font()).elidedText(mode.text, Qt::ElideRight, box.width() - 8.0), tone);
 }
 
 /// How far up the bottom letter, how far down the top one has to go to stay clear of the corner texts.

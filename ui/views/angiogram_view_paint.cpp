@@ -71,8 +71,9 @@ void AngiogramView::paintCrosshair(QPainter& painter) const
 void AngiogramView::paintAbsence(QPainter& painter) const
 {
     const bool isWorking = interaction_->role == ImageRole::Working;
+    const int margin = std::min(24, width() / 12);
     painter.setPen(toQColor(ui::palette(ThemeMode::Dark).label));
-    painter.drawText(rect().adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+    painter.drawText(rect().adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap,
                      isWorking ? tr("No angiogram yet: drop one here, or open it (%1).").arg(keyOf(Command::Open))
                                : interaction_->absence);
 }
@@ -80,7 +81,8 @@ void AngiogramView::paintAbsence(QPainter& painter) const
 /// The keys of the review, where there are vessels to look at: they are about the working image.
 QString AngiogramView::keyText() const
 {
-    if (interaction_->role == ImageRole::Working && showsVessels()) {
+    constexpr int narrowPx = 360;   // where the line would be cut
+    if (interaction_->role == ImageRole::Working && width() >= narrowPx && showsVessels()) {
         return tr("flicker %1 · swipe %2 · hide H · outline %3")
             .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));
     }

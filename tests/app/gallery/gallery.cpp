@@ -185,6 +185,7 @@ void Gallery::showTrial(ui::MainWindow& window, app::CaseController& controller)
 void Gallery::showViews(ui::MainWindow& window, app::CaseController& controller)
 {
     core::Case views = twoViewCase();
+    window.actions()[ui::Command::Nudge]->setChecked(false);   // which the trial has begun
     controller.document().replace(views, {});
     window.actions()[ui::Command::SideBySide]->setChecked(true);
     QTest::qWait(2000);   // small pictures and colours are made by workers
