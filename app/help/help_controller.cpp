@@ -45,29 +45,23 @@ void HelpController::offerTour()
     }
 }
 
-/// An empty window shows nothing of what the tour tells of: there it opens the sample case.
-auto HelpController::tourStart() -> ui::TourStop
-{
-    ui::TourStop start{
-        &window_.angiogramView(), tr("Start here"),
-        tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own "
-           "data.")};
-    if (!window_.angiogramView().isVisible()) {
-        start.target = &window_.welcome();
-        start.way = tr("Open the sample case");
-        start.onLeave = [this] { window_.actions()[ui::Command::OpenSample]->trigger(); };
-    }
-    return start;
-}
-
 void HelpController::startTour()
 {
     if (tour_) {
         return;
     }
     settings::tourSeen.write(true);
+    ui::TourStop start{
+        &window_.angiogramView(), tr("Start here"),
+        tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own "
+           "data.")};
+    if (!window_.angiogramView().isVisible()) {   // an empty window shows nothing of what the tour tells of
+        start.target = &window_.welcome();
+        start.way = tr("Open the sample case");
+        start.onLeave = [this] { window_.actions()[ui::Command::OpenSample]->trigger(); };
+    }
     tour_ = new ui::Tour(
-        {tourStart(),
+        {start,
          {&window_.steps(), tr("The way to a result"),
           tr("Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.")},
          {&window_.branches(), tr("The vessel tree"),

@@ -9,7 +9,6 @@ namespace angiopose::ui {
 class GoodFit;
 class MainWindow;
 class Tour;
-struct TourStop;
 }   // namespace angiopose::ui
 namespace angiopose::app {
 
@@ -25,7 +24,6 @@ public:
 private:
     void showPage();
     void startTour();
-    ui::TourStop tourStart();
     void showGoodFit();
     void fillGoodFit(int index);
     void showAbout();

@@ -469,6 +469,10 @@
 <context>
     <name>angiopose::app::HelpController</name>
     <message>
+        <source>Open the sample case</source>
+        <translation>Beispielfall öffnen</translation>
+    </message>
+    <message>
         <source>AngioPose %1</source>
         <translation>AngioPose %1</translation>
     </message>
@@ -2555,6 +2559,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>main branches</source>
         <translation>Hauptäste</translation>
+    </message>
+    <message>
+        <source>by origin</source>
+        <translation>nach Herkunft</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>gegeben</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
     <message>
         <source>map</source>

@@ -469,6 +469,10 @@
 <context>
     <name>angiopose::app::HelpController</name>
     <message>
+        <source>Open the sample case</source>
+        <translation>打开示例病例</translation>
+    </message>
+    <message>
         <source>AngioPose %1</source>
         <translation>AngioPose %1</translation>
     </message>
@@ -2555,6 +2559,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>main branches</source>
         <translation>主要分支</translation>
+    </message>
+    <message>
+        <source>by origin</source>
+        <translation>按来源</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>给定</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
     </message>
     <message>
         <source>map</source>

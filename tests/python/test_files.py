@@ -36,7 +36,7 @@ def test_helper_programs_are_found(tmp_path):
     path = tmp_path / "tree.vtk"
     path.write_text("# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                     "0 0 0 10 0 0 20 0 0\nLINES 1 4\n3 0 1 2\n")
-    assert len(angiopose.readVesselTree(path)) == 1
+    assert len(angiopose.readVesselTree(path)) == 3
     path.write_text(path.read_text().replace("LINES 1 4", "LINES 1 90"))
     with pytest.raises(angiopose.Error, match="LINES"):
         angiopose.readVesselTree(path)

@@ -77,7 +77,9 @@ ANGIOPOSE_EXPORT void writeCase(Case& theCase, const std::string& path);
 ANGIOPOSE_EXPORT Centerline2d targetOf(const Case& theCase);
 
 /// What `registerVessels` needs, as arrays; traces the angiogram where no target is given. Method, settings and locks
-/// of the case are not among it: `registerVessels(inputOf(theCase), theCase.options())` does what `registerCase` does.
+/// of the case are not among it: `registerVessels(inputOf(theCase), theCase.options())` finds the pose that
+/// `registerCase` finds. Only a case knows how far its geometry may be off by where it comes from; see option
+/// `geometryErrors`.
 ANGIOPOSE_EXPORT RegistrationInput inputOf(const Case& theCase);
 
 /// Registers the case with its options and takes over the pose. Throws for a case of several views, see registerViews.

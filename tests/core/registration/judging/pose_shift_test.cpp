@@ -37,7 +37,7 @@ TEST_F(PoseShiftTest, ExpectationIsTheSpreadOfDrawnPoses)
     PoseUncertainty uncertainty;
     Vector6d std;
     std << 0.01, 0.02, 0.03, 0.5, 0.8, 10.0;
-    uncertainty.covariance.diagonal() = std.cwiseAbs2();
+    uncertainty.imageCovariance.diagonal() = std.cwiseAbs2();
     CounterRandom random(3);
     double squares = 0.0;
     constexpr int draws = 400;
