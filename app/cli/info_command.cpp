@@ -103,11 +103,15 @@ Json curvesJson(const core::Centerline2d& centerline)
     return {{"kind", "2-D centreline"}, {"curves", centerline.curves.size()}, {"points", centerline.pointCount()}};
 }
 
-/// A pose says so by its content; other JSON is Slicer curves.
-core::Result<Json> poseOrTreeJson(const std::string& path)
+/// JSON that is no pose is Slicer curves; transforms are nothing else.
+core::Result<Json> poseOrTreeJson(const std::string& path, const std::string& extension)
 {
-    if (const auto pose = io::readPose(path)) {
+    const auto pose = io::readPose(path);
+    if (pose) {
         return Json{{"kind", "pose"}};
+    }
+    if (extension != ".json") {
+        return pose.error();
     }
     const auto tree = io::readVesselTree(path);
     return tree ? core::Result<Json>(treeJson(tree.value())) : tree.error();
@@ -169,7 +173,7 @@ core::Result<Json> describe(const std::string& path)
         return surfaceJson(path);
     }
     if (extension == ".json" || extension == ".tfm" || extension == ".mat" || extension == ".h5") {
-        return poseOrTreeJson(path);
+        return poseOrTreeJson(path, extension);
     }
     const bool isTree =
         extension == ".vtp" || extension == ".vtk" || extension == ".vtu" || extension == ".swc" || extension == ".csv";

@@ -188,6 +188,15 @@ TEST(Cli, SaysWhatAFileIsInsteadOfWhatIsWanted)
     EXPECT_NE(curves.messages.find("holds centrelines already"), std::string::npos) << curves.messages;
 }
 
+TEST(Cli, InfoOfATransformThatIsNoneSaysSo)
+{
+    const test::TemporaryFolder folder;
+    const auto info = runCli({"info", folder.write("pose.tfm", "#Insight Transform File V1.0\nnonsense\n")});
+    EXPECT_EQ(info.exitCode, 3);
+    EXPECT_NE(info.messages.find("pose.tfm"), std::string::npos);
+    EXPECT_EQ(info.messages.find("centreline"), std::string::npos) << info.messages;
+}
+
 TEST(Cli, DoubtsThatABallIsAVessel)
 {
     const TemporaryFolder folder;
