@@ -2,7 +2,6 @@
 
 #include "core/messages/says.h"
 #include "core/registration/alignment/pose_ranking.h"
-#include "core/registration/alignment/pose_search.h"
 
 #include <algorithm>
 #include <array>
@@ -37,16 +36,20 @@ RegistrationProblem readAs(const FrameReading& reading, const RegistrationProble
     return other;
 }
 
-/// Agreement of tree and image, 0…1, when the frame is read so and the tree is looked for around the start.
-double agreementOf(const RegistrationProblem& problem, const RegistrationOptions& options)
+/// Agreement of tree and image, 0…1, when the frame is read so and the tree is looked for around the start; 0 when
+/// stopped.
+double agreementOf(const RegistrationProblem& problem, const RegistrationOptions& options,
+                   const SearchObserver& observe)
 {
     const TargetLines lines(problem.target, problem.camera);
     const CentroidPose start = aboutCentroid(problem.start, problem.tree.centroid);
-    const auto goOn = [](double) { return Verdict::Continue; };
     PoseRanking ranking(problem, lines, startPrior(start, options));
     ranking.add(start);
     if (!ranking.isConclusive()) {
-        for (const CentroidPose& hypothesis : PoseSearch(problem, lines, options).nearby(start, goOn)) {
+        for (const CentroidPose& hypothesis : PoseSearch(problem, lines, options).nearby(start, observe)) {
+            if (observe(1.0) == Verdict::Stop) {
+                return 0.0;
+            }
             ranking.add(hypothesis);
             if (ranking.isConclusive()) {
                 break;
@@ -79,7 +82,7 @@ Message wordsOf(const FrameReading& reading, const ProjectionCamera& camera, dou
 }
 
 std::optional<Message> likelyReading(const RegistrationProblem& problem, const RegistrationOptions& options,
-                                     double asItIs)
+                                     double asItIs, const SearchObserver& observe)
 {
     static constexpr std::array readings{FrameReading{true, 0},  FrameReading{true, 2},  FrameReading{false, 1},
                                          FrameReading{false, 2}, FrameReading{false, 3}, FrameReading{true, 1},
@@ -87,7 +90,10 @@ std::optional<Message> likelyReading(const RegistrationProblem& problem, const R
     double best = std::max(leastConvincing, asItIs + leastBetter);
     std::optional<Message> likely;
     for (const FrameReading& reading : readings) {
-        const double agreement = agreementOf(readAs(reading, problem), options);
+        if (observe(0.0) == Verdict::Stop) {
+            return {};
+        }
+        const double agreement = agreementOf(readAs(reading, problem), options, observe);
         if (agreement > best) {
             best = agreement;
             likely = wordsOf(reading, problem.camera, agreement, asItIs);
@@ -99,7 +105,7 @@ std::optional<Message> likelyReading(const RegistrationProblem& problem, const R
 }   // namespace
 
 FrameDoubt doubtFrame(const RegistrationProblem& problem, const RegistrationOptions& options,
-                      const MethodSolution& solution, const RegistrationResult& judged)
+                      const MethodSolution& solution, const RegistrationResult& judged, const SearchObserver& observe)
 {
     if (!options.geometry.otherFrames || !options.angiopose.search || isAnyLocked(options.locks)) {
         return {};
@@ -108,12 +114,12 @@ FrameDoubt doubtFrame(const RegistrationProblem& problem, const RegistrationOpti
     const double asItIs =
         solution.agreement ? *solution.agreement : AgreementScore(problem, *solution.targetLines).of(pose);
     if (!judged.trustworthy) {
-        return {likelyReading(problem, options, asItIs), false};
+        return {likelyReading(problem, options, asItIs, observe), false};
     }
     if (asItIs >= middlingAgreement && problem.tree.branchIds.size() >= fewBranches) {
         return {};
     }
-    const double mirrored = agreementOf(readAs({true, 0}, problem), options);
+    const double mirrored = agreementOf(readAs({true, 0}, problem), options, observe);
     if (mirrored < asWell * asItIs) {
         return {};
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/registration/alignment/pose_search.h"
 #include "core/registration/problem/method_solution.h"
 #include "core/registration/problem/registration_problem.h"
 
@@ -12,8 +13,9 @@ struct FrameDoubt {
 };
 
 /// After a fit that failed: whether a mirrored or turned reading of the frame explains the image clearly better. After
-/// one that is trusted but explains it middlingly, or of few branches: whether the mirrored frame does as well.
+/// one that is trusted but explains it middlingly, or of few branches: whether the mirrored frame does as well. Takes
+/// up to a second: `observe` hears of it and may stop it, then nothing is known.
 FrameDoubt doubtFrame(const RegistrationProblem& problem, const RegistrationOptions& options,
-                      const MethodSolution& solution, const RegistrationResult& judged);
+                      const MethodSolution& solution, const RegistrationResult& judged, const SearchObserver& observe);
 
 }   // namespace angiopose::core

@@ -10,16 +10,24 @@ namespace angiopose::core {
 
 namespace {
 
-/// What holds for a fit of our own, whatever way it was found: a depth that the image does not tell stays, and a frame
-/// that may be mirrored or turned is named.
+/// What holds for a fit of our own, whatever way it was found: a depth that the image does not tell stays, unless
+/// branches were chosen to tell it, and a frame that may be mirrored or turned is named. Who stops that keeps the pose,
+/// untrusted: it was not looked at to the end.
 RegistrationResult judgeWithCare(const RegistrationProblem& problem, const RegistrationOptions& options,
-                                 const MethodSolution& solution)
+                                 const MethodSolution& solution, ProgressLog& progress)
 {
     RegistrationResult result = judgePose(problem, options, solution);
-    if (const auto held = withDepthHeld(problem, options, solution, result)) {
+    const auto held =
+        solution.isSettled ? withDepthHeld(problem, options, solution, result) : std::optional<MethodSolution>();
+    if (held) {
         result = judgePose(problem, options, *held);
     }
-    const FrameDoubt doubt = doubtFrame(problem, options, solution, result);
+    const FrameDoubt doubt =
+        doubtFrame(problem, options, solution, result, [&](double) { return progress.askAgain(); });
+    if (progress.isStopped()) {
+        result.stopReason = StopReason::StoppedByUser;
+        result.trustworthy = false;
+    }
     if (doubt.message) {
         result.warnings.insert(result.warnings.begin(), *doubt.message);
         result.trustworthy = result.trustworthy && !doubt.shakesTrust;
@@ -43,7 +51,7 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
     ProgressLog progress(problem.value(), observe);
     const MethodSolution solution = findMethod(options.method)->solve(problem.value(), options, progress);
 
-    RegistrationResult result = solution.wantsCare ? judgeWithCare(problem.value(), options, solution)
+    RegistrationResult result = solution.wantsCare ? judgeWithCare(problem.value(), options, solution, progress)
                                                    : judgePose(problem.value(), options, solution);
     result.method = options.method;
     result.history = progress.history();

@@ -322,7 +322,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.isFilled = run.filledPoints();
     solution.filledForks = run.filledForks();
     solution.isSettled = !progress.isStopped() && !run.isMovedByChoice();
-    solution.wantsCare = !progress.isStopped() && !run.isMovedByChoice();
+    solution.wantsCare = !progress.isStopped();
     solution.time.solveMs = stopwatch.lapMs();
     return solution;
 }

@@ -26,4 +26,12 @@ Verdict ProgressLog::report(IterationReport report)
     return isStopped_ ? Verdict::Stop : Verdict::Continue;
 }
 
+Verdict ProgressLog::askAgain()
+{
+    if (observe_ && !history_.empty() && observe_(history_.back()) == Verdict::Stop) {
+        isStopped_ = true;
+    }
+    return isStopped_ ? Verdict::Stop : Verdict::Continue;
+}
+
 }   // namespace angiopose::core

@@ -18,6 +18,9 @@ public:
     /// it stays Stop.
     Verdict report(IterationReport report);
 
+    /// Asks whether to go on while the pose rests: the last report once more, which is not kept again.
+    Verdict askAgain();
+
     bool isStopped() const { return isStopped_; }
     int iterations() const { return static_cast<int>(history_.size()); }
     const std::vector<IterationReport>& history() const { return history_; }

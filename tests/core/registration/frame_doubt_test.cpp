@@ -13,8 +13,8 @@ using Move = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
 constexpr double lastPixel = 1023.0;   // column and row of the clean case's images
 
-/// What is said of an image that was stored otherwise.
-RegistrationResult resultOf(const Move& stored)
+/// A tree and its image, which was stored otherwise.
+RegistrationInput inputOf(const Move& stored)
 {
     const test::CleanCase clean(3);
     CounterRandom random(4);
@@ -22,7 +22,18 @@ RegistrationResult resultOf(const Move& stored)
     for (Curve2d& curve : input.target.curves) {
         std::ranges::transform(curve.pointsPx, curve.pointsPx.begin(), stored);
     }
-    return registerVessels(input).value();
+    return input;
+}
+
+/// What is said of it.
+RegistrationResult resultOf(const Move& stored)
+{
+    return registerVessels(inputOf(stored)).value();
+}
+
+Eigen::Vector2d leftToRight(const Eigen::Vector2d& at)
+{
+    return {lastPixel - at.x(), at.y()};
 }
 
 bool isSaid(const RegistrationResult& result, const MessageEntry& message)
@@ -32,13 +43,38 @@ bool isSaid(const RegistrationResult& result, const MessageEntry& message)
 
 TEST(FrameDoubt, NamesAMirroredImage)
 {
-    const auto leftRight =
-        resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(lastPixel - at.x(), at.y()); });
+    const auto leftRight = resultOf(leftToRight);
     EXPECT_FALSE(leftRight.trustworthy);
     EXPECT_TRUE(isSaid(leftRight, says::frameMirroredLeftRight));
     const auto upDown = resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(at.x(), lastPixel - at.y()); });
     EXPECT_FALSE(upDown.trustworthy);
     EXPECT_TRUE(isSaid(upDown, says::frameMirroredUpDown));
+}
+
+TEST(FrameDoubt, NamesAMirroredImageThoughBranchesWereChosen)
+{
+    RegistrationInput input = inputOf(leftToRight);
+    input.auxiliaryBranchIds = {input.tree.branches[1].id};
+    const RegistrationResult result = registerVessels(input).value();
+    EXPECT_FALSE(result.trustworthy);
+    EXPECT_TRUE(isSaid(result, says::frameMirroredLeftRight));
+}
+
+TEST(FrameDoubt, IsStoppedWhereTheFitIsDone)
+{
+    // After the fit its last report is repeated while other frames are looked at.
+    int last = 0;
+    int asked = 0;
+    const auto stopAfterTheFit = [&](const IterationReport& report) {
+        asked += report.iteration == last ? 1 : 0;
+        last = report.iteration;
+        return asked > 0 ? Verdict::Stop : Verdict::Continue;
+    };
+    const RegistrationResult result = registerVessels(inputOf(leftToRight), {}, stopAfterTheFit).value();
+    EXPECT_EQ(asked, 1) << "nobody is asked again once stopped";
+    EXPECT_EQ(result.stopReason, StopReason::StoppedByUser);
+    EXPECT_FALSE(result.trustworthy);
+    EXPECT_FALSE(isSaid(result, says::frameMirroredLeftRight));
 }
 
 TEST(FrameDoubt, NamesATurnedImageUnlessItIsFoundTurned)
