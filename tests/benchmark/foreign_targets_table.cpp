@@ -101,11 +101,9 @@ void printAnswer(const NamedScene& scene, const RootedTree& tree, std::uint64_t 
 int main(int argc, char** argv)
 {
     const Arguments arguments(argc, argv, usage);
-    const bool isReal = arguments.text("family", "real") == "real";
-    const std::vector<RootedTree> trees =
-        isReal ? cerebralTrees(std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs") : forkedTrees(10);
+    const std::string family = arguments.text("family", "real");
+    const std::vector<RootedTree> trees = treesOfFamily(family);
     if (trees.empty()) {
-        std::fprintf(stderr, "The graphs of cerebral arteries are not there.\n");
         return 1;
     }
     const std::vector<std::string> wanted =
@@ -131,6 +129,6 @@ int main(int argc, char** argv)
         table.rows.push_back(rowOf(scene, answers));
     }
     std::printf("%s trees, starts up to 15°, 30 mm across and 50 mm along the ray off; medians of errors\n\n%s\n",
-                isReal ? "Real cerebral" : "Made-up", io::toPlainText(table).c_str());
+                family == "real" ? "Real cerebral" : "Made-up", io::toPlainText(table).c_str());
     return 0;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -259,6 +260,16 @@ std::vector<RootedTree> forkedTrees(std::size_t count)
             fork(tree, -1, Eigen::Vector3d(side, 0.0, 0.0), up, 0, random);
         }
         trees.push_back(std::move(tree));
+    }
+    return trees;
+}
+
+std::vector<RootedTree> treesOfFamily(const std::string& family)
+{
+    const std::vector<RootedTree> trees =
+        family == "real" ? cerebralTrees(std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs") : forkedTrees(10);
+    if (trees.empty()) {
+        std::fprintf(stderr, "The graphs of cerebral arteries are not there.\n");
     }
     return trees;
 }

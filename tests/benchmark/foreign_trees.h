@@ -42,4 +42,7 @@ std::vector<RootedTree> cerebralTrees(const std::string& folder);
 /// The developing family: trees that split in two again and again, bowed at random.
 std::vector<RootedTree> forkedTrees(std::size_t count);
 
+/// "real": the cerebral trees, else ten made-up ones. None, and says so, where the graphs are not there.
+std::vector<RootedTree> treesOfFamily(const std::string& family);
+
 }   // namespace angiopose::benchmarks

@@ -173,11 +173,9 @@ std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedErro
 int main(int argc, char** argv)
 {
     const Arguments arguments(argc, argv, usage);
-    const bool isReal = arguments.text("family", "real") == "real";
-    const std::vector<RootedTree> trees =
-        isReal ? cerebralTrees(std::string(TEST_DATA_DIR) + "/cerebral-artery-graphs") : forkedTrees(10);
+    const std::string family = arguments.text("family", "real");
+    const std::vector<RootedTree> trees = treesOfFamily(family);
     if (trees.empty()) {
-        std::fprintf(stderr, "The graphs of cerebral arteries are not there.\n");
         return 1;
     }
     core::RegistrationOptions options;
@@ -198,6 +196,6 @@ int main(int argc, char** argv)
         }
     }
     std::printf("%s trees, whole in the image, starts up to 15°, 30 mm across and 50 mm along the ray off\n\n%s\n",
-                isReal ? "Real cerebral" : "Made-up", io::toPlainText(table).c_str());
+                family == "real" ? "Real cerebral" : "Made-up", io::toPlainText(table).c_str());
     return 0;
 }
