@@ -13,7 +13,7 @@ namespace {
 void addLine(core::Messages& lines, const std::string& text)
 {
     if (!text.empty()) {
-        lines.emplace_back(text);
+        lines.push_back(core::Message::verbatim(text));
     }
 }
 

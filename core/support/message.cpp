@@ -63,7 +63,10 @@ std::string_view toText(Severity severity)
     return "error";
 }
 
-Message::Message(std::string sentence) : Message(plainSentence, {std::move(sentence)}) {}
+Message Message::verbatim(std::string words)
+{
+    return {plainSentence, {std::move(words)}};
+}
 
 Message Message::as(Severity severity) const
 {

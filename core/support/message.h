@@ -51,8 +51,8 @@ public:
         : entry_(&entry), arguments_(std::move(arguments))
     {
     }
-    Message(std::string sentence);   ///< without an entry of its own: `text.plain`
-    Message(const char* sentence) : Message(std::string(sentence)) {}
+    /// Words that no catalogue has: a patient's name, a sentence that another version stored. Its id is `text.plain`.
+    static Message verbatim(std::string words);
 
     const MessageEntry& entry() const { return *entry_; }
     std::string_view id() const { return entry_->id; }

@@ -103,7 +103,7 @@ core::Message messageOf(const MessageJson& json)
     const core::Severity severity = severityOf(json.value("severity", std::string()));
     const core::MessageEntry* entry = findEntry(json.at("id").get<std::string>());
     if (!entry || json.at("arguments").size() != core::placesIn(entry->english)) {
-        return core::Message(json.value("text", std::string())).as(severity);
+        return core::Message::verbatim(json.value("text", std::string())).as(severity);
     }
     std::vector<core::MessageArgument> arguments;
     for (const MessageJson& each : json.at("arguments")) {

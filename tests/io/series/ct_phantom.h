@@ -59,7 +59,7 @@ inline std::vector<CtSlice> allSlices(const core::Volume& volume)
 inline io::LoadedVolume readFolder(const TemporaryFolder& folder)
 {
     auto loaded = io::readVolume(folder.file(""));
-    EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
+    EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message.text());
     return loaded ? std::move(loaded).value() : io::LoadedVolume{};
 }
 

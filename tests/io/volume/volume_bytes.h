@@ -12,7 +12,7 @@ namespace angiopose::test {
 inline core::Volume readBack(const std::string& path)
 {
     auto loaded = io::readVolume(path);
-    EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
+    EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message.text());
     return loaded ? std::move(loaded).value().volume : core::Volume{};
 }
 

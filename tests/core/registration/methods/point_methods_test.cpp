@@ -26,7 +26,7 @@ RegistrationOptions exactSamplesBy(std::string_view method)
 RigidTransform poseOf(const RegistrationInput& input, const RegistrationOptions& options)
 {
     const Result<RegistrationProblem> problem = makeProblem(input, options);
-    EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
+    EXPECT_TRUE(problem) << (problem ? "" : problem.error().message.text());
     const IterationObserver none;
     ProgressLog progress(problem.value(), none);
     return findMethod(options.method)->solve(problem.value(), options, progress).cameraFromPatient;

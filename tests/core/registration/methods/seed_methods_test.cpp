@@ -33,7 +33,7 @@ Outcome solvedBy(MethodSolver* method, const RegistrationInput& input, const Reg
                  const IterationObserver& observe = {})
 {
     const Result<RegistrationProblem> problem = makeProblem(input, options);
-    EXPECT_TRUE(problem) << (problem ? "" : problem.error().message);
+    EXPECT_TRUE(problem) << (problem ? "" : problem.error().message.text());
     ProgressLog progress(problem.value(), observe);
     MethodSolution solution = method(problem.value(), options, progress);
     return {std::move(solution), progress.history()};

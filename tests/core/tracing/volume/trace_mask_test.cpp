@@ -37,7 +37,7 @@ std::vector<Tube> yShape()
 TracedVessels tracedMask(const std::vector<Tube>& tubes, const core::VesselTracingOptions& options = {})
 {
     auto traced = traceMask(test::drawnMask(smallGrid(), tubes), options);
-    EXPECT_TRUE(traced) << (traced ? "" : traced.error().message);
+    EXPECT_TRUE(traced) << (traced ? "" : traced.error().message.text());
     return traced ? std::move(traced).value() : TracedVessels{};
 }
 
