@@ -3,8 +3,8 @@
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/wide_blur.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -88,11 +88,11 @@ Eigen::Vector2d shiftStep(const std::vector<Sample>& samples)
         normal += weight * slope * slope.transpose();
         right -= weight * slope * static_cast<double>(sample.residual);   // moving right takes the mask's left value
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(normal);
-    if (eigen.eigenvalues()[0] <= 1e-6 * eigen.eigenvalues()[1] || eigen.eigenvalues()[1] <= 0.0) {
+    const Axes<2> axes = axesOf(normal);
+    if (axes.values[0] <= 1e-6 * axes.values[1] || axes.values[1] <= 0.0) {
         return Eigen::Vector2d::Zero();
     }
-    return normal.ldlt().solve(right);
+    return axes.directions * (axes.directions.transpose() * right).cwiseQuotient(axes.values);
 }
 
 Eigen::Vector2d refinedShift(const ImageF& mask, const ImageF& frame, Eigen::Vector2d shift)

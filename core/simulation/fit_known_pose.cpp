@@ -1,6 +1,7 @@
 #include "core/simulation/fit_known_pose.h"
 
-#include <Eigen/Cholesky>
+#include "core/support/symmetric.h"
+
 #include <cassert>
 
 namespace angiopose::core {
@@ -32,7 +33,7 @@ RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
             hessian += jacobian.transpose() * jacobian;
             gradient += jacobian.transpose() * (*pixel - pixels[i]);
         }
-        const Vector6d step = -hessian.ldlt().solve(gradient);
+        const Vector6d step = -solveSymmetric(hessian, gradient);
         const Eigen::Matrix3d rotation = expSo3(step.head<3>()) * pose.rotation;
         pose = {rotation, centre + step.tail<3>() - rotation * centroid};
         if (step.norm() < 1e-12) {

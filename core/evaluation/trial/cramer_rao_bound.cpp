@@ -1,8 +1,8 @@
 #include "core/evaluation/trial/cramer_rao_bound.h"
 
 #include "core/registration/judging/branch_information.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/LU>
 #include <cmath>
 
 namespace angiopose::core {
@@ -41,7 +41,7 @@ Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const
             information += pieceInformation(camera, from, to, centre);
         }
     }
-    return effectiveVariancePx2(noise) * information.inverse();
+    return effectiveVariancePx2(noise) * inverseOf(information);
 }
 
 double rmsProjectionPx(const VesselTree& tree, const ProjectionCamera& camera, const RigidTransform& cameraFromPatient,

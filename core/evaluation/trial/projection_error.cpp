@@ -2,8 +2,8 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/support/quantile.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
@@ -127,7 +127,7 @@ PoseError poseError(const Eigen::Vector3d& centroidInPatient, const PosePair& po
 
 double normalizedErrorSquared(const Vector6d& error, const Matrix6d& covariance)
 {
-    return error.dot(covariance.ldlt().solve(error));
+    return error.dot(solveSymmetric(covariance, error));
 }
 
 }   // namespace angiopose::core

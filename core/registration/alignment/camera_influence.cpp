@@ -1,8 +1,8 @@
 #include "core/registration/alignment/camera_influence.h"
 
 #include "core/messages/says.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <string>
 
@@ -35,16 +35,15 @@ CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen:
     }
     const Eigen::MatrixXd H = equations.hessian.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd crossed = H.topRightCorner(poseCount, count);
-    const Eigen::LDLT<Eigen::MatrixXd> ofPose(free.transpose() * H.topLeftCorner(poseCount, poseCount) * free);
-    shift_ = -free * ofPose.solve(free.transpose() * crossed);
+    const Eigen::MatrixXd ofPose = free.transpose() * H.topLeftCorner(poseCount, poseCount) * free;
+    shift_ = -free * solveSymmetric(ofPose, free.transpose() * crossed);
     // The pose follows every error: what is left of the images' information about the cameras.
     const Eigen::VectorXd pull =
         -(equations.gradient.tail(count) + shift_.transpose() * equations.gradient.head(poseCount));
     Eigen::MatrixXd information = H.bottomRightCorner(count, count) + crossed.transpose() * shift_;
     information.diagonal() += std.cwiseAbs2().cwiseInverse();
-    const Eigen::LDLT<Eigen::MatrixXd> ofCameras(information);
-    error_ = ofCameras.solve(pull);
-    left_ = ofCameras.solve(Eigen::MatrixXd::Identity(count, count));
+    error_ = solveSymmetric(information, pull);
+    left_ = solveSymmetric(information, Eigen::MatrixXd::Identity(count, count));
     gain_ = pull.dot(error_);
 }
 

@@ -2,8 +2,8 @@
 
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/shape_tolerance.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 namespace angiopose::core {
@@ -220,7 +220,7 @@ JointKnowledge JointSolve::knowledge(const JointPose& joint) const
     const Eigen::MatrixXd towards = all.hessian.block(6, 0, others, 6);
     JointKnowledge knowledge;
     knowledge.information = all.hessian.topLeftCorner<6, 6>() -
-                            towards.transpose() * all.hessian.block(6, 6, others, others).ldlt().solve(towards);
+                            towards.transpose() * solveSymmetric(all.hessian.block(6, 6, others, others), towards);
     std::vector<CameraSpread> spreads;
     for (const auto& view : views_) {
         spreads.push_back(view->problem.cameraSpread);

@@ -1,6 +1,7 @@
 #include "core/registration/alignment/motion_model.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/support/symmetric.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -29,9 +30,9 @@ Vector6d MotionModel::alongBreathing(const Vector6d& step) const
     for (const Vector6d& past : steps_) {
         scatter += past * past.transpose() / static_cast<double>(steps_.size());
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(scatter);
-    const Vector6d axis = axes.eigenvectors().col(5);
-    const bool isClear = axes.eigenvalues()[5] > leastAxisMm * leastAxisMm;
+    const Axes<6> axes = axesOf(scatter);
+    const Vector6d axis = axes.directions.col(5);
+    const bool isClear = axes.values[5] > leastAxisMm * leastAxisMm;
     return isClear ? Vector6d(axis.dot(step) * axis) : Vector6d::Zero();
 }
 

@@ -1,7 +1,8 @@
 #include "core/registration/judging/branch_information.h"
 
+#include "core/support/symmetric.h"
+
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,7 +37,7 @@ Matrix6d priorInformation(const Vector6d& priorStd)
 
 Vector6d stdOf(const Matrix6d& information)
 {
-    return information.inverse().diagonal().cwiseSqrt();
+    return inverseOf(information).diagonal().cwiseSqrt();
 }
 
 Matrix6d sumOf(const std::vector<BranchInformation>& branches)

@@ -3,9 +3,8 @@
 #include "core/registration/alignment/alignment.h"
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/shape_tolerance.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,9 +22,8 @@ Alignment tellingAlignment(const RegistrationProblem& problem, const TargetLines
 /// Inverse among the free steps, zero across them.
 Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
 {
-    using Reduced = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-    const Reduced reduced = free.transpose() * information * free;
-    return free * reduced.inverse() * free.transpose();
+    const UpToSix reduced = free.transpose() * information * free;
+    return free * inverseOf(reduced) * free.transpose();
 }
 
 /// Carries steps about one place of the body to steps about another, `armInCamera` away.
@@ -81,17 +79,16 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix
 
     Vector6d inMm = Vector6d::Ones();
     inMm.head<3>().setConstant(problem.tree.spreadMm);
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(inMm.asDiagonal() * uncertainty.imageCovariance *
-                                                       inMm.asDiagonal());
-    uncertainty.weakestDirection = axes.eigenvectors().col(5);
+    const Matrix6d covarianceInMm = inMm.asDiagonal() * uncertainty.imageCovariance * inMm.asDiagonal();
+    uncertainty.weakestDirection = axesOf(covarianceInMm).directions.col(5);
     return uncertainty;
 }
 
 PoseSigmas sigmasOf(const Matrix6d& covariance)
 {
     const Vector6d std = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> lateral(covariance.block<2, 2>(3, 3));
-    return {std.head<3>() * 180.0 / std::numbers::pi, std::sqrt(std::max(0.0, lateral.eigenvalues()[1])), std[5]};
+    const Axes<2> lateral = axesOf(Eigen::Matrix2d(covariance.block<2, 2>(3, 3)));
+    return {std.head<3>() * 180.0 / std::numbers::pi, std::sqrt(std::max(0.0, lateral.values[1])), std[5]};
 }
 
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,

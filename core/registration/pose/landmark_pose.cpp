@@ -6,9 +6,9 @@
 #include "core/registration/pose/damped_descent.h"
 #include "core/registration/pose/sqpnp.h"
 #include "core/registration/pose/start_prior.h"
+#include "core/support/symmetric.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -127,14 +127,17 @@ Fit refined(LandmarkSquares& squares, const CentroidPose& start)
     return {descent.place(), descent.look().cost};
 }
 
-/// How far points lie from their common line (second singular value), or from their centre (first), rms.
-template <class Points>
-double rmsSpread(const Points& points, Eigen::Index singularValue)
+/// Standard deviation of points, one per column, along the axis of their largest spread (`rank` 0) or of a smaller one.
+template <int Size>
+double rmsSpread(const Eigen::Matrix<double, Size, Eigen::Dynamic>& points, int rank)
 {
-    Eigen::MatrixXd centred = points;
-    centred.colwise() -= points.rowwise().mean().eval();
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(centred).singularValues();
-    return singularValue < values.size() ? values[singularValue] / std::sqrt(static_cast<double>(points.cols())) : 0.0;
+    Eigen::Matrix<double, Size, Size> scatter = Eigen::Matrix<double, Size, Size>::Zero();
+    const Eigen::Vector<double, Size> mean = points.rowwise().mean();
+    for (Eigen::Index i = 0; i < points.cols(); ++i) {
+        const Eigen::Vector<double, Size> offset = points.col(i) - mean;
+        scatter += offset * offset.transpose() / static_cast<double>(points.cols());
+    }
+    return std::sqrt(std::max(0.0, axesOf(scatter).values[Size - 1 - rank]));
 }
 
 std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
@@ -146,8 +149,8 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
     if (!isEnough && !hasBefore) {
         return says::landmarksTooFew(landmarks.size());
     }
-    Eigen::MatrixXd points(3, static_cast<Eigen::Index>(landmarks.size()));
-    Eigen::MatrixXd pixels(2, static_cast<Eigen::Index>(landmarks.size()));
+    Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(landmarks.size()));
+    Eigen::Matrix2Xd pixels(2, static_cast<Eigen::Index>(landmarks.size()));
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
         points.col(static_cast<Eigen::Index>(i)) = landmarks[i].pointInPatient;
         pixels.col(static_cast<Eigen::Index>(i)) = landmarks[i].pixel;
@@ -155,10 +158,10 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
     if (!points.allFinite() || !pixels.allFinite()) {
         return says::landmarksNotFinite();
     }
-    if (landmarks.size() > 1 && (rmsSpread(points, 0) < leastSpreadMm || rmsSpread(pixels, 0) < leastSpreadPx)) {
+    if (landmarks.size() > 1 && (rmsSpread<3>(points, 0) < leastSpreadMm || rmsSpread<2>(pixels, 0) < leastSpreadPx)) {
         return says::landmarksInOnePlace();
     }
-    if (isEnough && rmsSpread(points, 1) < leastSpreadMm) {
+    if (isEnough && rmsSpread<3>(points, 1) < leastSpreadMm) {
         return says::landmarksOnOneLine();
     }
     return {};
@@ -193,7 +196,7 @@ LandmarkPose judged(const LandmarkSquares& squares, const Fit& fit, std::span<co
     LandmarkLook look;
     squares.look(fit.pose, look);
     const Matrix6d full = look.equations.hessian.selfadjointView<Eigen::Lower>();
-    const Matrix6d covariance = full.ldlt().solve(Matrix6d::Identity());
+    const Matrix6d covariance = inverseOf(full);
     result.depthStdMm = std::sqrt(std::max(0.0, covariance(5, 5)));
     result.rotationStdDeg = degreesPerRadian * std::sqrt(std::max(0.0, covariance.diagonal().head<3>().maxCoeff()));
     return result;

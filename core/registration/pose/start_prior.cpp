@@ -1,6 +1,7 @@
 #include "core/registration/pose/start_prior.h"
 
-#include <Eigen/LU>
+#include "core/support/symmetric.h"
+
 #include <numbers>
 
 namespace angiopose::core {
@@ -18,7 +19,7 @@ Matrix6d growthOf(const Vector6d& step)
 
 Vector6d StartPrior::std() const
 {
-    return information.inverse().diagonal().cwiseSqrt();
+    return inverseOf(information).diagonal().cwiseSqrt();
 }
 
 double StartPrior::cost(const CentroidPose& pose) const

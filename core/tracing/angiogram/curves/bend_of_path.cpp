@@ -1,5 +1,7 @@
 #include "core/tracing/angiogram/curves/bend_of_path.h"
 
+#include "core/support/symmetric.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,7 @@ double deviationFromLine(const std::vector<Eigen::Vector2d>& pointsPx)
 {
     const Eigen::MatrixX2d points = centred(pointsPx);
     const Eigen::Matrix2d spread = points.transpose() * points / static_cast<double>(points.rows());
-    return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues()[0]));
+    return std::sqrt(std::max(0.0, axesOf(spread).values[0]));
 }
 
 double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx)

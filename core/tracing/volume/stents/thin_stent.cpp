@@ -1,6 +1,7 @@
 #include "core/tracing/volume/stents/thin_stent.h"
 
-#include <Eigen/Eigenvalues>
+#include "core/support/symmetric.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -64,10 +65,10 @@ public:
         for (const Eigen::Vector3d& point : pointsMm_) {
             spread += (point - middleMm_) * (point - middleMm_).transpose() / static_cast<double>(piece.size());
         }
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);   // ascending
-        axis_ = axes.eigenvectors().col(2);
-        acrossMm_ = std::sqrt(std::max(axes.eigenvalues()[1], 0.0));
-        alongMm_ = std::sqrt(std::max(axes.eigenvalues()[2], 0.0));
+        const Axes<3> axes = axesOf(spread);
+        axis_ = axes.directions.col(2);
+        acrossMm_ = std::sqrt(std::max(axes.values[1], 0.0));
+        alongMm_ = std::sqrt(std::max(axes.values[2], 0.0));
     }
 
     bool isContinuedByBlood() const

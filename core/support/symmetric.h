@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace angiopose::core {
+
+/// What Eigen's decompositions say of small symmetric matrices, compiled once: each costs every source that names it
+/// seconds. Both triangles of the matrices are filled.
+template <int Size>
+struct Axes {
+    Eigen::Vector<double, Size> values;   ///< eigenvalues, ascending
+    Eigen::Matrix<double, Size, Size> directions;   ///< a unit eigenvector per column, in the same order
+};
+
+Axes<2> axesOf(const Eigen::Matrix<double, 2, 2>& matrix);
+Axes<3> axesOf(const Eigen::Matrix<double, 3, 3>& matrix);
+Axes<6> axesOf(const Eigen::Matrix<double, 6, 6>& matrix);
+
+/// At most six rows and columns, on the stack.
+using UpToSix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+
+/// Inverse of a regular matrix, symmetric or not, by LU.
+UpToSix inverseOf(const UpToSix& matrix);
+Eigen::Matrix<double, 6, 6> inverseOf(const Eigen::Matrix<double, 6, 6>& matrix);
+
+/// A x = b by LDLᵀ; where A is not regular, finite all the same.
+Eigen::Vector<double, 6> solveSymmetric(const Eigen::Matrix<double, 6, 6>& A, const Eigen::Vector<double, 6>& b);
+Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
+
+}   // namespace angiopose::core
