@@ -82,6 +82,34 @@ void addProject(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
 }
 
+void addAngles(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("angles", "Which C-arm angles show a branch long and free of other vessels");
+    auto arguments = std::make_shared<AnglesArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose: its pose and angles count")->required();
+    command->add_option("--branch", arguments->branchId, "Branch to look at, by its number")->required();
+    command->add_flag("--take-off", arguments->isTakeOff, "Where it leaves the other branches, 10 mm around");
+    const auto addRange = [&](const char* name, core::AngleRange& range, const char* help) {
+        command
+            ->add_option_function<std::vector<double>>(
+                name,
+                [&range](const std::vector<double>& given) {
+                    range = {given[0], given[1]};
+                },
+                help)
+            ->expected(2);
+    };
+    addRange("--primary", arguments->map.primary, "RAO (-) to LAO (+) that the gantry reaches (default: -90 90)");
+    addRange("--secondary", arguments->map.secondary, "CAU (-) to CRA (+) that the gantry reaches (default: -40 40)");
+    command->add_option("--step", arguments->map.stepDeg, "Degrees between the angles of the table (default: 2.5)");
+    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->add_option("--output", arguments->outputPath, "Table of all angles to write, .csv");
+    command->add_flag_callback(
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the angles as JSON and nothing else");
+    command->footer("Example: angiopose-cli angles case.angiopose --branch 3 --take-off");
+    command->callback([arguments, &exitCode] { exitCode = runAngles(*arguments); });
+}
+
 void addBatch(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand("batch", "Register many cases; one that fails never stops the others");

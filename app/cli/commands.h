@@ -2,6 +2,7 @@
 
 #include "app/cli/console.h"
 #include "core/tracing/volume/trace_vessels.h"
+#include "core/viewing/angle_map.h"
 
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,17 @@ struct ProjectArguments {
     bool startBeside = false;   ///< before and after
 };
 int runProject(const ProjectArguments& arguments);
+
+struct AnglesArguments {
+    std::string casePath;
+    std::optional<int> frame;
+    int branchId = 0;
+    bool isTakeOff = false;   ///< where the branch leaves, not the whole branch
+    core::AngleMapOptions map;
+    std::string outputPath;   ///< table of all angles; empty: none
+    OutputFormat format = OutputFormat::Text;
+};
+int runAngles(const AnglesArguments& arguments);
 
 struct SimulateArguments {
     std::uint64_t seed = 1;

@@ -29,6 +29,7 @@ int parseAndRun(int argc, char** argv)
     addRegister(app, exitCode);
     addTrack(app, exitCode);
     addProject(app, exitCode);
+    addAngles(app, exitCode);
     addSimulate(app, exitCode);
     addTraceAngiogram(app, exitCode);
     addEvaluate(app, exitCode);

@@ -93,4 +93,28 @@ TEST(Cli, FollowsTheVesselsThroughTheFramesOfARun)
     EXPECT_EQ(runCli({"track", path, "--keep-pose"}).exitCode, 2);   // no --output
 }
 
+TEST(Cli, TellsWhichAnglesShowABranch)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runCli({"simulate", "--seed", "3", "--output", folder.file("demo")}).exitCode, 0);
+    const std::string path = folder.file("demo/case.angiopose");
+    const auto outcome = runCli(
+        {"angles", path, "--branch", "2", "--primary", "-30", "45", "--output", folder.file("angles.csv"), "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
+    const auto answer = nlohmann::json::parse(outcome.output);
+    const auto costOf = [](const nlohmann::json& each) {
+        return each["foreshortening"].get<double>() + each["overlap"].get<double>();
+    };
+    ASSERT_FALSE(answer["best"].empty());
+    EXPECT_LE(costOf(answer["best"][0]), costOf(answer["now"]));
+    EXPECT_GE(answer["best"][0]["primaryAngleDeg"], -30.0);
+    EXPECT_LE(answer["best"][0]["primaryAngleDeg"], 45.0);
+    EXPECT_EQ(std::ranges::count(test::readText(folder.file("angles.csv")), '\n'), 1 + 31 * 33);
+
+    EXPECT_NE(runCli({"angles", path, "--branch", "2"}).output.find("best"), std::string::npos);
+    EXPECT_EQ(runCli({"angles", path, "--branch", "99"}).exitCode, 3);
+    EXPECT_EQ(runCli({"angles", path, "--branch", "2", "--primary", "40", "-40"}).exitCode, 3);
+    EXPECT_EQ(runCli({"angles", path}).exitCode, 2);
+}
+
 }   // namespace

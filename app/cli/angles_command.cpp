@@ -1,0 +1,101 @@
+#include "app/cli/case_input.h"
+#include "app/cli/commands.h"
+#include "app/texts/number_text.h"
+#include "core/messages/says.h"
+#include "core/viewing/turned_gantry.h"
+#include "io/angle_map_table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace angiopose::app {
+namespace {
+
+core::Result<core::PartSight> sightFor(const core::VesselTree& tree, const AnglesArguments& arguments)
+{
+    std::vector<core::VesselPiece> all = core::piecesOf(tree);
+    if (arguments.isTakeOff) {
+        auto part = core::piecesOfTakeOff(tree, arguments.branchId);
+        return part ? core::Result<core::PartSight>(core::PartSight(std::move(part).value(), std::move(all)))
+                    : part.error();
+    }
+    std::vector<core::VesselPiece> part = core::piecesOfBranch(all, arguments.branchId);
+    if (part.empty()) {
+        return core::Error(core::says::noSuchBranch(arguments.branchId));
+    }
+    return core::PartSight(std::move(part), std::move(all));
+}
+
+std::string percent(double share)
+{
+    return fixedText(100.0 * share, 0) + " %";
+}
+
+void printLine(const char* title, const core::AngleSuggestion& each)
+{
+    std::printf("%-8s%-10s %-9s  foreshortened %5s, covered %5s\n", title,
+                primaryAngleText(each.angles.primaryDeg).c_str(), secondaryAngleText(each.angles.secondaryDeg).c_str(),
+                percent(each.quality.foreshortening).c_str(), percent(each.quality.overlap).c_str());
+}
+
+nlohmann::ordered_json suggestionJson(const core::AngleSuggestion& each)
+{
+    return {{"primaryAngleDeg", each.angles.primaryDeg},
+            {"secondaryAngleDeg", each.angles.secondaryDeg},
+            {"foreshortening", each.quality.foreshortening},
+            {"overlap", each.quality.overlap}};
+}
+
+void printAll(const core::AngleSuggestion& now, const core::AngleMap& map, OutputFormat format)
+{
+    if (format == OutputFormat::Json) {
+        nlohmann::ordered_json best = nlohmann::json::array();
+        for (const core::AngleSuggestion& each : map.best) {
+            best.push_back(suggestionJson(each));
+        }
+        std::printf("%s\n", nlohmann::ordered_json{{"now", suggestionJson(now)}, {"best", best}}.dump(2).c_str());
+        return;
+    }
+    printLine("now", now);
+    for (const core::AngleSuggestion& each : map.best) {
+        printLine("best", each);
+    }
+}
+
+}   // namespace
+
+int runAngles(const AnglesArguments& arguments)
+{
+    const auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
+    if (!loaded) {
+        return failInput(loaded.error(), arguments.format);
+    }
+    const core::Case& theCase = loaded.value();
+    const auto sight = sightFor(*theCase.vessels.tree, arguments);
+    const auto poseAt = core::turningGantry(theCase.shown());
+    if (!sight || !poseAt) {
+        return failInput((sight ? poseAt.error() : sight.error()).about(arguments.casePath), arguments.format);
+    }
+    ProgressLine progress("looking");
+    const auto map = core::mapAngles(sight.value(), poseAt.value(), arguments.map, [&](double done) {
+        progress.show(done, "");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+    if (!map) {
+        return failInput(map.error(), arguments.format);
+    }
+    if (!map.value()) {
+        return exitStopped;
+    }
+    const core::GantryAngles now = *core::anglesOf(theCase.shown());
+    printAll({now, sight.value().from(poseAt.value()(now))}, *map.value(), arguments.format);
+    if (!arguments.outputPath.empty()) {
+        if (const auto status = io::writeAngleMap(*map.value(), arguments.outputPath); !status) {
+            return failInput(status.error(), arguments.format);
+        }
+    }
+    return exitDone;
+}
+
+}   // namespace angiopose::app

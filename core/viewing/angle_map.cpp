@@ -1,0 +1,165 @@
+#include "core/viewing/angle_map.h"
+
+#include "core/geometry/angle_units.h"
+#include "core/geometry/c_arm.h"
+#include "core/messages/says.h"
+#include "core/support/parallel_for.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double finestStepDeg = 0.5;
+constexpr double foundToDeg = 0.1;
+constexpr double leastApartDeg = 20.0;
+constexpr std::size_t mostSuggestions = 3;
+constexpr double worthFollowing = 0.1;   // cost above the best of the grid from which no better place is expected
+
+std::optional<Message> findProblem(const AngleMapOptions& options)
+{
+    const auto isRange = [](const AngleRange& range, double limitDeg) {
+        return range.fromDeg <= range.toDeg && std::abs(range.fromDeg) <= limitDeg && std::abs(range.toDeg) <= limitDeg;
+    };
+    if (!isRange(options.primary, 180.0)) {
+        return says::angleRangeOdd("LAO/RAO", 180);
+    }
+    if (!isRange(options.secondary, 90.0)) {
+        return says::angleRangeOdd("CRA/CAU", 90);
+    }
+    if (!(options.stepDeg >= finestStepDeg)) {
+        return says::angleStepFine(Quantity{finestStepDeg, 1, "°"});
+    }
+    return {};
+}
+
+/// From end to end in equal steps of at most `stepDeg`.
+std::vector<double> gridOf(const AngleRange& range, double stepDeg)
+{
+    const auto steps = static_cast<int>(std::ceil((range.toDeg - range.fromDeg) / stepDeg - 1e-9));
+    std::vector<double> grid{range.fromDeg};
+    for (int i = 1; i <= steps; ++i) {
+        grid.push_back(range.fromDeg + (range.toDeg - range.fromDeg) * i / steps);
+    }
+    return grid;
+}
+
+/// No neighbour of the grid is better.
+bool isLowest(const AngleMap& map, std::size_t column, std::size_t row)
+{
+    const double cost = map.at(column, row).cost();
+    for (std::size_t y = row - std::min<std::size_t>(row, 1); y <= std::min(row + 1, map.secondaryDeg.size() - 1);
+         ++y) {
+        for (std::size_t x = column - std::min<std::size_t>(column, 1);
+             x <= std::min(column + 1, map.primaryDeg.size() - 1); ++x) {
+            if (map.at(x, y).cost() < cost) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+class AngleSearch {
+public:
+    AngleSearch(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options)
+        : sight_(sight), poseAt_(poseAt), options_(options)
+    {
+    }
+
+    AngleSuggestion at(const GantryAngles& angles) const { return {angles, sight_.from(poseAt_(angles))}; }
+
+    /// Walks downhill in steps that are halved, eight ways, within what the gantry reaches.
+    AngleSuggestion refined(AngleSuggestion best) const
+    {
+        for (double step = 0.5 * options_.stepDeg; step > 0.5 * foundToDeg;) {
+            const AngleSuggestion next = bestAround(best, step);
+            const bool isBetter = next.quality.cost() < best.quality.cost();
+            best = isBetter ? next : best;
+            step *= isBetter ? 1.0 : 0.5;
+        }
+        return best;
+    }
+
+private:
+    AngleSuggestion bestAround(const AngleSuggestion& middle, double stepDeg) const
+    {
+        AngleSuggestion best = middle;
+        for (int y = -1; y <= 1; ++y) {
+            for (int x = -1; x <= 1; ++x) {
+                const AngleSuggestion tried =
+                    at({within(options_.primary, middle.angles.primaryDeg + x * stepDeg),
+                        within(options_.secondary, middle.angles.secondaryDeg + y * stepDeg)});
+                best = tried.quality.cost() < best.quality.cost() ? tried : best;
+            }
+        }
+        return best;
+    }
+
+    static double within(const AngleRange& range, double deg) { return std::clamp(deg, range.fromDeg, range.toDeg); }
+
+    const PartSight& sight_;
+    const PoseAtAngles& poseAt_;
+    const AngleMapOptions& options_;
+};
+
+/// Degrees between the rays of two positions.
+double apartDeg(const GantryAngles& a, const GantryAngles& b)
+{
+    const double cosine =
+        detectorDirection(a.primaryDeg, a.secondaryDeg).dot(detectorDirection(b.primaryDeg, b.secondaryDeg));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * degreesPerRadian;
+}
+
+std::vector<AngleSuggestion> suggestions(const AngleMap& map, const AngleSearch& search)
+{
+    std::vector<AngleSuggestion> lows;
+    double least = std::numeric_limits<double>::infinity();
+    for (const SightQuality& quality : map.qualities) {
+        least = std::min(least, quality.cost());
+    }
+    for (std::size_t row = 0; row < map.secondaryDeg.size(); ++row) {
+        for (std::size_t column = 0; column < map.primaryDeg.size(); ++column) {
+            if (map.at(column, row).cost() <= least + worthFollowing && isLowest(map, column, row)) {
+                lows.push_back(search.refined({{map.primaryDeg[column], map.secondaryDeg[row]}, map.at(column, row)}));
+            }
+        }
+    }
+    std::ranges::stable_sort(lows, {}, [](const AngleSuggestion& each) { return each.quality.cost(); });
+    std::vector<AngleSuggestion> apart;
+    for (const AngleSuggestion& low : lows) {
+        const bool isNew = std::ranges::none_of(
+            apart, [&](const AngleSuggestion& better) { return apartDeg(better.angles, low.angles) < leastApartDeg; });
+        if (isNew && apart.size() < mostSuggestions) {
+            apart.push_back(low);
+        }
+    }
+    return apart;
+}
+
+}   // namespace
+
+Result<std::optional<AngleMap>> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt,
+                                          const AngleMapOptions& options, const std::function<Verdict(double)>& observe)
+{
+    if (const auto problem = findProblem(options)) {
+        return Error(*problem);
+    }
+    const AngleSearch search(sight, poseAt, options);
+    AngleMap map{gridOf(options.primary, options.stepDeg), gridOf(options.secondary, options.stepDeg), {}, {}};
+    const std::size_t columns = map.primaryDeg.size();
+    map.qualities.resize(columns * map.secondaryDeg.size());
+    const auto lookAt = [&](std::size_t i) {
+        map.qualities[i] = search.at({map.primaryDeg[i % columns], map.secondaryDeg[i / columns]}).quality;
+    };
+    const auto goesOn = [&](double done) { return !observe || observe(done) == Verdict::Continue; };
+    if (!parallelFor(map.qualities.size(), threadCount(options.threads), lookAt, goesOn)) {
+        return std::optional<AngleMap>();
+    }
+    map.best = suggestions(map, search);
+    return std::optional<AngleMap>(std::move(map));
+}
+
+}   // namespace angiopose::core

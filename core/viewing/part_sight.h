@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/geometry/rigid_transform.h"
+#include "core/viewing/vessel_pieces.h"
+
+#include <vector>
+
+namespace angiopose::core {
+
+/// How well a part of the vessels is seen from somewhere (ALGORITHMS §5.9).
+struct SightQuality {
+    double foreshortening = 0.0;   ///< 0: seen in full length, 1: end on
+    double overlap = 0.0;   ///< share of its area that other vessels, or itself, lie over, 0…1
+
+    double cost() const { return foreshortening + overlap; }
+};
+
+/// A part among the vessels, looked at from many places.
+class PartSight {
+public:
+    /// `part`: some pieces of `all`, at least one. What touches a piece of the part in space does not cover it.
+    PartSight(std::vector<VesselPiece> part, std::vector<VesselPiece> all);
+
+    /// Pieces at or behind the source count as end on and covered.
+    SightQuality from(const RigidTransform& cameraFromPatient) const;
+
+private:
+    struct Seen;
+    Seen seenFrom(const RigidTransform& cameraFromPatient, const VesselPiece& piece) const;
+    std::vector<double> coveredShares(const RigidTransform& cameraFromPatient, const std::vector<Seen>& part) const;
+
+    std::vector<VesselPiece> part_, all_;
+    double partLengthMm_ = 0.0;
+};
+
+}   // namespace angiopose::core

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "core/viewing/angle_map.h"
+
+#include <string>
+
+namespace angiopose::io {
+
+/// CSV of a map of gantry angles, a row per angle: primary_deg, secondary_deg, foreshortening, overlap (0…1). Written
+/// atomically.
+core::Status writeAngleMap(const core::AngleMap& map, const std::string& path);
+
+}   // namespace angiopose::io
