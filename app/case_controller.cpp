@@ -57,6 +57,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
                   {window.actions(), window.views(), window.sideBySide()}),
       crosshair_(document_, preview_,
                  {window.actions(), window.views(), window.sideBySide(), window.treeView(), window.slices()}),
+      angles_(document_, branches_, window.actions(), window),
       follow_({document_, review_, judgement_, sync_, preview_, session_.exporting(), notices_, window.actions(),
                window.result(), window.strip()}),
       radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),

@@ -34,6 +34,7 @@
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 #include "app/step_controller.h"
+#include "app/views/angle_controller.h"
 #include "app/views/linked_crosshair.h"
 #include "app/views/side_by_side_controller.h"
 #include "app/views/view_controller.h"
@@ -112,6 +113,7 @@ private:
     ViewController views_;
     SideBySideController sideBySide_;
     LinkedCrosshair crosshair_;
+    AngleController angles_;
     FollowController follow_;
     RadiographController radiograph_;
     Habits habits_;

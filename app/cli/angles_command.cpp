@@ -85,13 +85,13 @@ int runAngles(const AnglesArguments& arguments)
     if (!map) {
         return failInput(map.error(), arguments.format);
     }
-    if (!map.value()) {
-        return exitStopped;
+    if (theCase.vessels.tree->find(arguments.branchId)->radiusMm.empty()) {
+        printWarnings({core::says::radiiAssumed()});
     }
-    const core::GantryAngles now = *core::anglesOf(theCase.shown());
-    printAll({now, sight.value().from(poseAt.value()(now))}, *map.value(), arguments.format);
+    const core::GantryAngles now = *core::gantryAnglesOf(theCase.shown());
+    printAll({now, sight.value().from(poseAt.value()(now))}, map.value(), arguments.format);
     if (!arguments.outputPath.empty()) {
-        if (const auto status = io::writeAngleMap(*map.value(), arguments.outputPath); !status) {
+        if (const auto status = io::writeAngleMap(map.value(), arguments.outputPath); !status) {
             return failInput(status.error(), arguments.format);
         }
     }

@@ -207,6 +207,7 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
     menu->addAction(ui_.actions[Command::ToggleExcluded]);
     menu->addAction(tr("Turn the vessels about this place"), this,
                     [this, pointInPatient] { emit pivotWanted(pointInPatient); });
+    menu->addAction(ui_.actions[Command::GantryAngles]);
     menu->addSeparator();
     for (const Command command : branchCommands) {
         menu->addAction(ui_.actions[command]);

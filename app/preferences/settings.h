@@ -37,6 +37,10 @@ inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
 inline const Setting<bool> sideBySide{"view/sideBySide", false};
+inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< what the gantry reaches, degrees
+inline const Setting<double> gantryLao{"angles/lao", 90.0};
+inline const Setting<double> gantryCaudal{"angles/caudal", -40.0};
+inline const Setting<double> gantryCranial{"angles/cranial", 40.0};
 inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between views side by side
 inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
 inline const Setting<QString> observer{"user/observer", {}};   ///< of the last blind trial

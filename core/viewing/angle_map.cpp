@@ -141,8 +141,8 @@ std::vector<AngleSuggestion> suggestions(const AngleMap& map, const AngleSearch&
 
 }   // namespace
 
-Result<std::optional<AngleMap>> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt,
-                                          const AngleMapOptions& options, const std::function<Verdict(double)>& observe)
+Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options,
+                           const std::function<Verdict(double)>& observe)
 {
     if (const auto problem = findProblem(options)) {
         return Error(*problem);
@@ -156,10 +156,10 @@ Result<std::optional<AngleMap>> mapAngles(const PartSight& sight, const PoseAtAn
     };
     const auto goesOn = [&](double done) { return !observe || observe(done) == Verdict::Continue; };
     if (!parallelFor(map.qualities.size(), threadCount(options.threads), lookAt, goesOn)) {
-        return std::optional<AngleMap>();
+        return Stopped{says::anglesStopped()};
     }
     map.best = suggestions(map, search);
-    return std::optional<AngleMap>(std::move(map));
+    return map;
 }
 
 }   // namespace angiopose::core

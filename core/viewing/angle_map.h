@@ -5,7 +5,6 @@
 #include "core/viewing/part_sight.h"
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace angiopose::core {
@@ -52,11 +51,10 @@ struct AngleMap {
 /// The pose of the vessels with the gantry at other angles.
 using PoseAtAngles = std::function<RigidTransform(const GantryAngles&)>;
 
-/// Looks at the part from a grid of angles, then finds the best angles to a tenth of a degree. Hears of progress, 0…1;
-/// nothing when stopped. Fails for ranges that are empty, not finite or beyond ±180° and ±90°, and for steps below half
-/// a degree.
-Result<std::optional<AngleMap>> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt,
-                                          const AngleMapOptions& options = {},
-                                          const std::function<Verdict(double)>& observe = {});
+/// Looks at the part from a grid of angles, then finds the best angles to a tenth of a degree. `observe` hears of
+/// progress, 0…1, and may stop it. Fails for ranges that are empty, not finite or beyond ±180° and ±90°, and for steps
+/// below half a degree.
+Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options = {},
+                           const std::function<Verdict(double)>& observe = {});
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@ const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // before and af
 
 }   // namespace
 
-std::optional<GantryAngles> anglesOf(const View& view)
+std::optional<GantryAngles> gantryAnglesOf(const View& view)
 {
     const CArm cArm = cArmOfFrame(view);
     if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {

@@ -101,6 +101,7 @@ enum class Command {
     Flicker,
     Replay,
     Swing,
+    GantryAngles,
     HideIdentity,
     ResetTreeView,
     NextCornerView,

@@ -111,6 +111,7 @@ void Gallery::showDialogs(ui::MainWindow& window)
                              std::pair{PanelHelp, "help"},
                              std::pair{GoodFit, "good_fit"},
                              std::pair{AuxiliaryAdvice, "auxiliary"},
+                             std::pair{GantryAngles, "angles"},
                              std::pair{ComparePoses, "poses"},
                              std::pair{PruneTree, "prune"},
                              std::pair{Opacification, "opacification"},

@@ -32,7 +32,7 @@ PartSight sightOfBranch(const VesselTree& tree, int branchId)
 
 AngleMap mapOf(const VesselTree& tree, int branchId, const View& view, const AngleMapOptions& options = {})
 {
-    return *mapAngles(sightOfBranch(tree, branchId), turningGantry(view).value(), options).value();
+    return mapAngles(sightOfBranch(tree, branchId), turningGantry(view).value(), options).value();
 }
 
 TEST(AngleMap, LooksFromTheSideAtAVesselThatRunsForwards)
@@ -109,7 +109,7 @@ TEST(AngleMap, StopsAndRefuses)
     const View view = viewAt(tree, 0.0, 0.0);
     const PoseAtAngles poseAt = turningGantry(view).value();
     const PartSight sight = sightOfBranch(tree, 1);
-    EXPECT_FALSE(mapAngles(sight, poseAt, {}, [](double) { return Verdict::Stop; }).value());
+    EXPECT_TRUE(mapAngles(sight, poseAt, {}, [](double) { return Verdict::Stop; }).error().isStop());
     EXPECT_EQ(mapAngles(sight, poseAt, {{10, -10}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
     EXPECT_EQ(mapAngles(sight, poseAt, {{-90, 90}, {-95, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
     EXPECT_EQ(mapAngles(sight, poseAt, {{-90, NAN}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
@@ -120,14 +120,14 @@ TEST(TurnedGantry, StandsWhereItStoodAndNeedsAngles)
 {
     const VesselTree tree = growTree(1, {}).tree;
     View view = viewAt(tree, 20.0, -10.0);
-    const GantryAngles now = anglesOf(view).value();
+    const GantryAngles now = gantryAnglesOf(view).value();
     EXPECT_TRUE(turningGantry(view).value()(now).rotation.isApprox(view.cameraFromPatient.rotation, 1e-12));
     EXPECT_TRUE(turningGantry(view).value()(now).translation.isApprox(view.cameraFromPatient.translation, 1e-9));
     const RigidTransform elsewhere = turningGantry(view).value()({-30.0, 5.0});
     EXPECT_TRUE(elsewhere.rotation.isApprox(viewAt(tree, -30.0, 5.0).cameraFromPatient.rotation, 1e-12));
     EXPECT_TRUE(elsewhere.translation.isApprox(viewAt(tree, -30.0, 5.0).cameraFromPatient.translation, 1e-9));
     view.geometry.cArm.primaryAngleDeg = {};
-    EXPECT_FALSE(anglesOf(view));
+    EXPECT_FALSE(gantryAnglesOf(view));
     EXPECT_EQ(turningGantry(view).error().message.id(), "geometry.angles-missing");
 }
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/editing/branch_controller.h"
+#include "app/jobs/job.h"
+#include "core/viewing/turned_gantry.h"
+#include "ui/dialogs/angle_dialog.h"
+
+#include <QObject>
+#include <QPointer>
+
+#include <optional>
+
+class QWidget;
+
+namespace angiopose::ui {
+class WindowActions;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// Which C-arm angles show the selected branch, for the pose of the shown view: worked out anew whenever branch, pose
+/// or geometry change.
+class AngleController : public QObject {
+    Q_OBJECT
+public:
+    AngleController(CaseDocument& document, BranchController& branches, ui::WindowActions& actions,
+                    QWidget& dialogParent, QObject* parent = nullptr);
+
+    bool isRunning() const { return job_.isRunning(); }
+    void open();
+    ui::AngleDialog* dialog() const { return dialog_; }   ///< null while it is closed
+
+private:
+    /// A branch, the way it is looked at, and where the vessels are then.
+    struct Question {
+        int branchId = 0;
+        core::PartSight sight;
+        core::PoseAtAngles poseAt;
+        core::GantryAngles now;
+        core::ProjectionCamera camera;
+    };
+    core::Result<Question> question() const;
+    void ask();
+    void show(const core::AngleMap& map);
+    void pick(const core::GantryAngles& angles);
+    void showNothing(const QString& why);
+
+    CaseDocument& document_;
+    BranchController& branches_;
+    QWidget& dialogParent_;
+    QPointer<ui::AngleDialog> dialog_;
+    std::optional<Question> asked_;
+    Job<core::AngleMap> job_;
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,159 @@
+#include "ui/dialogs/angle_dialog.h"
+
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
+#include "ui/plots/angle_map_plot.h"
+#include "ui/plots/simulated_view.h"
+#include "ui/words/number.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include <cmath>
+
+namespace angiopose::ui {
+namespace {
+
+/// "LAO 30° · CRA 10°"
+QString angleWords(const core::GantryAngles& angles)
+{
+    const auto words = [](double deg, const char* negative, const char* positive) {
+        return QStringLiteral("%1 %2°").arg(QLatin1String(deg < 0.0 ? negative : positive),
+                                            numberText(std::abs(deg), 0));
+    };
+    return words(angles.primaryDeg, "RAO", "LAO") + QStringLiteral(" · ") + words(angles.secondaryDeg, "CAU", "CRA");
+}
+
+QPushButton* anglesButton()
+{
+    auto* button = new QPushButton;
+    button->setAutoDefault(false);
+    return button;
+}
+
+}   // namespace
+
+AngleDialog::AngleDialog(const GantryReach& reach, QWidget* parent)
+    : QDialog(parent),
+      title_(roleLabel("heading")),
+      hint_(roleLabel("hint")),
+      takeOff_(new QCheckBox(tr("Only where it takes off, 10 mm around"))),
+      plot_(new AngleMapPlot),
+      view_(new SimulatedView),
+      picked_(roleLabel("body")),
+      now_(anglesButton())
+{
+    setObjectName(QStringLiteral("angleDialog"));
+    setWindowTitle(tr("C-arm angles"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    hint_->setWordWrap(true);
+    picked_->setMinimumHeight(picked_->sizeHint().height());
+    auto* pictures = new QHBoxLayout;
+    pictures->setSpacing(14);
+    pictures->addWidget(plot_, 3);
+    pictures->addWidget(view_, 2);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 16, 20, 14);
+    layout->setSpacing(12);
+    layout->addWidget(title_);
+    layout->addWidget(hint_);
+    layout->addWidget(takeOff_);
+    layout->addLayout(pictures, 1);
+    layout->addWidget(picked_);
+    layout->addLayout(makeBest());
+    layout->addLayout(makeReach(reach));
+    resize(760, 1);
+    connect(takeOff_, &QCheckBox::toggled, this, &AngleDialog::questionChanged);
+    connect(plot_, &AngleMapPlot::picked, this, &AngleDialog::picked);
+    showMap({}, {});
+}
+
+QLayout* AngleDialog::makeBest()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(now_);
+    now_->setToolTip(tr("Where the gantry stood for this image."));
+    connect(now_, &QPushButton::clicked, this, [this] { emit picked(nowAt_->angles); });
+    for (std::size_t i = 0; i < best_.size(); ++i) {
+        best_[i] = anglesButton();
+        row->addWidget(best_[i]);
+        connect(best_[i], &QPushButton::clicked, this, [this, i] { emit picked(map_->best[i].angles); });
+    }
+    row->addStretch(1);
+    return row;
+}
+
+QLayout* AngleDialog::makeReach(const GantryReach& reach)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(roleLabel("label", tr("The gantry reaches")));
+    const std::array names{"RAO", "LAO", "CAU", "CRA"};
+    const std::array values{-reach.primary.fromDeg, reach.primary.toDeg, -reach.secondary.fromDeg,
+                            reach.secondary.toDeg};
+    for (std::size_t i = 0; i < reach_.size(); ++i) {
+        reach_[i] = new NumberField({0.0, i < 2 ? 180.0 : 90.0, 0, QStringLiteral("°"), 5.0});
+        reach_[i]->setAccessibleName(tr("The gantry reaches") + QLatin1Char(' ') + QLatin1String(names[i]));
+        reach_[i]->showValue(values[i]);
+        row->addWidget(roleLabel("label", QLatin1String(names[i])));
+        row->addWidget(reach_[i]);
+        connect(reach_[i], &NumberField::edited, this, &AngleDialog::questionChanged);
+    }
+    row->addStretch(1);
+    return row;
+}
+
+void AngleDialog::showBranch(const QString& title, const QString& hint)
+{
+    title_->setText(title);
+    hint_->setText(hint);
+    hint_->setVisible(!hint.isEmpty());
+}
+
+void AngleDialog::showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& now)
+{
+    map_ = map;
+    nowAt_ = now;
+    plot_->showMap(map);
+    plot_->showNow(now ? std::optional(now->angles) : std::nullopt);
+    now_->setVisible(now.has_value());
+    now_->setText(now ? tr("Now: %1").arg(angleWords(now->angles)) : QString());
+    for (std::size_t i = 0; i < best_.size(); ++i) {
+        const bool isThere = map && i < map->best.size();
+        best_[i]->setVisible(isThere);
+        best_[i]->setText(isThere ? QStringLiteral("%1   %2").arg(i + 1).arg(angleWords(map->best[i].angles))
+                                  : QString());
+    }
+    if (!map) {
+        picked_->clear();
+    }
+}
+
+void AngleDialog::showPicked(const core::AngleSuggestion& picked)
+{
+    plot_->showPicked(picked.angles);
+    picked_->setText(tr("%1: foreshortened by %2 %, covered by other vessels %3 %")
+                         .arg(angleWords(picked.angles), numberText(100.0 * picked.quality.foreshortening, 0),
+                              numberText(100.0 * picked.quality.overlap, 0)));
+}
+
+void AngleDialog::showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
+                              const std::optional<core::Sight>& sight)
+{
+    view_->showVessels(std::move(tree), branchId, sight);
+}
+
+bool AngleDialog::isTakeOff() const
+{
+    return takeOff_->isChecked();
+}
+
+GantryReach AngleDialog::reach() const
+{
+    const auto deg = [this](std::size_t i) { return reach_[i]->value().value_or(0.0); };
+    return {{-deg(0), deg(1)}, {-deg(2), deg(3)}};
+}
+
+}   // namespace angiopose::ui
