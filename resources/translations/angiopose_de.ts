@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>angiopose::app::AngleController</name>
-    <message>
-        <source>Angles that show %1</source>
-        <translation>Winkel, aus denen %1 zu sehen ist</translation>
-    </message>
-    <message>
-        <source>No branch</source>
-        <translation>Kein Ast</translation>
-    </message>
-</context>
-<context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
         <source>Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide what they can tell, the others hold the rest.</source>
@@ -588,6 +577,48 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
+    <name>angiopose::ui::PatientBar</name>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PatientController</name>
+    <message>
+        <source>Not the same patient in all inputs</source>
+        <translation>Nicht in allen Eingaben derselbe Patient</translation>
+    </message>
+    <message>
+        <source>The inputs do not belong together</source>
+        <translation>Die Eingaben gehören nicht zusammen</translation>
+    </message>
+    <message>
+        <source>Identity hidden (Shift+P shows it)</source>
+        <translation>Identität verborgen (Umschalt+P zeigt sie)</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>Projektion %1</translation>
+    </message>
+    <message>
+        <source>angiogram</source>
+        <translation>Angiogramm</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geb. %1</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
@@ -931,41 +962,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>One unit of the file is %1 mm, as you chose.</source>
         <translation>Eine Einheit der Datei ist %1 mm, wie gewählt.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::app::PatientController</name>
-    <message>
-        <source>Not the same patient in all inputs</source>
-        <translation>Nicht in allen Eingaben derselbe Patient</translation>
-    </message>
-    <message>
-        <source>The inputs do not belong together</source>
-        <translation>Die Eingaben gehören nicht zusammen</translation>
-    </message>
-    <message>
-        <source>Identity hidden (Shift+P shows it)</source>
-        <translation>Identität verborgen (Umschalt+P zeigt sie)</translation>
-    </message>
-    <message>
-        <source>scan</source>
-        <translation>Aufnahme</translation>
-    </message>
-    <message>
-        <source>view %1</source>
-        <translation>Projektion %1</translation>
-    </message>
-    <message>
-        <source>angiogram</source>
-        <translation>Angiogramm</translation>
-    </message>
-    <message>
-        <source>ID %1</source>
-        <translation>ID %1</translation>
-    </message>
-    <message>
-        <source>born %1</source>
-        <translation>geb. %1</translation>
     </message>
 </context>
 <context>
@@ -1971,3554 +1967,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>angiopose::ui::AngiogramAnnotations</name>
-    <message>
-        <source>%1 mm at vessel</source>
-        <translation>%1 mm am Gefäß</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngiogramPanel</name>
-    <message>
-        <source>%1 frames before each</source>
-        <translation>%1 Bilder vor jedem</translation>
-    </message>
-    <message>
-        <source>none found: mark them below</source>
-        <translation>keine gefunden: unten markieren</translation>
-    </message>
-    <message>
-        <source>%1 (automatic)</source>
-        <translation>%1 (automatisch)</translation>
-    </message>
-    <message>
-        <source>Angiogram</source>
-        <translation>Angiogramm</translation>
-    </message>
-    <message>
-        <source>Whole run in one picture</source>
-        <translation>Ganze Serie in einem Bild</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Choose the frames before the contrast medium arrives</source>
-        <translation>Die Bilder vor Ankunft des Kontrastmittels wählen</translation>
-    </message>
-    <message>
-        <source>Find the shift of each frame</source>
-        <translation>Die Verschiebung jedes Bildes finden</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>Defaults</source>
-        <translation>Vorgaben</translation>
-    </message>
-    <message>
-        <source>Trace as the program would by itself</source>
-        <translation>Erfassen, wie das Programm es von selbst täte</translation>
-    </message>
-    <message>
-        <source>Subtract mask</source>
-        <translation>Maske abziehen</translation>
-    </message>
-    <message>
-        <source>Show native frames</source>
-        <translation>Native Bilder zeigen</translation>
-    </message>
-    <message>
-        <source>One frame at a time</source>
-        <translation>Ein Bild nach dem anderen</translation>
-    </message>
-    <message>
-        <source>Choose mask frames automatically</source>
-        <translation>Maskenbilder automatisch wählen</translation>
-    </message>
-    <message>
-        <source>Find the mask&apos;s shift</source>
-        <translation>Verschiebung der Maske finden</translation>
-    </message>
-    <message>
-        <source>Mask shift to the right</source>
-        <translation>Maskenverschiebung nach rechts</translation>
-    </message>
-    <message>
-        <source>Mask shift down</source>
-        <translation>Maskenverschiebung nach unten</translation>
-    </message>
-    <message>
-        <source>How far the mask moves to the right, px</source>
-        <translation>Wie weit die Maske nach rechts rückt, px</translation>
-    </message>
-    <message>
-        <source>How far the mask moves down, px</source>
-        <translation>Wie weit die Maske nach unten rückt, px</translation>
-    </message>
-    <message>
-        <source>mask frames</source>
-        <translation>Maskenbilder</translation>
-    </message>
-    <message>
-        <source>shift →  ↓</source>
-        <translation>Versatz →  ↓</translation>
-    </message>
-    <message>
-        <source>Move the mask</source>
-        <translation>Maske verschieben</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>linear</translation>
-    </message>
-    <message>
-        <source>logarithmic</source>
-        <translation>logarithmisch</translation>
-    </message>
-    <message>
-        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
-        <translation>Wie gespeicherte Werte zur Röntgenintensität stehen (0028,1040)</translation>
-    </message>
-    <message>
-        <source>Pixel values</source>
-        <translation>Pixelwerte</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>dunkel</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>hell</translation>
-    </message>
-    <message>
-        <source>Whether contrast medium is darker or brighter than the background</source>
-        <translation>Ob Kontrastmittel dunkler oder heller als der Hintergrund ist</translation>
-    </message>
-    <message>
-        <source>Vessels</source>
-        <translation>Gefäße</translation>
-    </message>
-    <message>
-        <source>Change the meaning of pixel values</source>
-        <translation>Bedeutung der Pixelwerte ändern</translation>
-    </message>
-    <message>
-        <source>Vessels are dark</source>
-        <translation>Gefäße sind dunkel</translation>
-    </message>
-    <message>
-        <source>Vessels are bright</source>
-        <translation>Gefäße sind hell</translation>
-    </message>
-    <message>
-        <source>pixel values</source>
-        <translation>Pixelwerte</translation>
-    </message>
-    <message>
-        <source>vessels</source>
-        <translation>Gefäße</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>shortest vessel</source>
-        <translation>kürzestes Gefäß</translation>
-    </message>
-    <message>
-        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
-        <translation>Kürzere Einzelstücke entfallen; Sporne unter einem Drittel davon auch</translation>
-    </message>
-    <message>
-        <source>sensitivity</source>
-        <translation>Empfindlichkeit</translation>
-    </message>
-    <message>
-        <source>Above 1: fainter vessels are traced as well</source>
-        <translation>Über 1: auch schwächere Gefäße werden erfasst</translation>
-    </message>
-    <message>
-        <source>widest radius</source>
-        <translation>größter Radius</translation>
-    </message>
-    <message>
-        <source>Radius of the widest vessel looked for</source>
-        <translation>Radius des weitesten gesuchten Gefäßes</translation>
-    </message>
-    <message>
-        <source>Default tracing</source>
-        <translation>Vorgabe der Erkennung</translation>
-    </message>
-    <message>
-        <source>Tracing</source>
-        <translation>Erkennung</translation>
-    </message>
-    <message>
-        <source>subtracting …</source>
-        <translation>subtrahiert …</translation>
-    </message>
-    <message>
-        <source>subtracted</source>
-        <translation>subtrahiert</translation>
-    </message>
-    <message>
-        <source>composite</source>
-        <translation>Gesamtbild</translation>
-    </message>
-    <message>
-        <source>native</source>
-        <translation>nativ</translation>
-    </message>
-    <message>
-        <source>Move the mask with arrows or the mouse</source>
-        <translation>Maske mit Pfeilen oder Maus verschieben</translation>
-    </message>
-    <message>
-        <source>Take away what the mask frames show as well: bones and organs</source>
-        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe</translation>
-    </message>
-    <message>
-        <source>Every frame shows the darkest value of each pixel over the run</source>
-        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie</translation>
-    </message>
-    <message>
-        <source>Edit vessels</source>
-        <translation>Gefäße bearbeiten</translation>
-    </message>
-    <message>
-        <source>Leave out, erase, draw and cut traced curves</source>
-        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Window W: how many grey values lie between black and white</source>
-        <translation>Fenster W: wie viele Grauwerte zwischen Schwarz und Weiß liegen</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>Zentrum</translation>
-    </message>
-    <message>
-        <source>Level L: the grey value in the middle of them</source>
-        <translation>Zentrum L: der Grauwert in der Mitte davon</translation>
-    </message>
-    <message>
-        <source>window, level</source>
-        <translation>Fenster, Zentrum</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngiogramView</name>
-    <message>
-        <source>Angiogram with the projected vessel tree</source>
-        <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
-    </message>
-    <message>
-        <source>frame %1 (0–%2)</source>
-        <translation>Bild %1 (0–%2)</translation>
-    </message>
-    <message>
-        <source>Mirrored image, mirrored back by the view</source>
-        <translation>Gespiegeltes Bild, von der Ansicht zurückgespiegelt</translation>
-    </message>
-    <message>
-        <source>Seen from the source: the view is mirrored</source>
-        <translation>Vom Fokus gesehen: die Ansicht ist gespiegelt</translation>
-    </message>
-    <message>
-        <source>Mirrored image: as seen from the source</source>
-        <translation>Gespiegeltes Bild: wie vom Fokus gesehen</translation>
-    </message>
-    <message>
-        <source>flicker %1 · swipe %2 · hide H · outline %3</source>
-        <translation>Blinken %1 · Wischen %2 · Verbergen H · Umriss %3</translation>
-    </message>
-    <message>
-        <source>No angiogram yet: drop one here, or open it (%1).</source>
-        <translation>Noch kein Angiogramm: hier eines ablegen oder öffnen (%1).</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngleDialog</name>
-    <message>
-        <source>Only where it takes off, 10 mm around</source>
-        <translation>Nur wo er abgeht, 10 mm ringsum</translation>
-    </message>
-    <message>
-        <source>C-arm angles</source>
-        <translation>C-Bogen-Winkel</translation>
-    </message>
-    <message>
-        <source>Where the gantry stood for this image.</source>
-        <translation>Wo der C-Bogen bei diesem Bild stand.</translation>
-    </message>
-    <message>
-        <source>The gantry reaches</source>
-        <translation>Der C-Bogen erreicht</translation>
-    </message>
-    <message>
-        <source>Now: %1</source>
-        <translation>Jetzt: %1</translation>
-    </message>
-    <message>
-        <source>%1: foreshortened by %2 %, covered by other vessels %3 %</source>
-        <translation>%1: um %2 % verkürzt, zu %3 % von anderen Gefäßen verdeckt</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngleMapPlot</name>
-    <message>
-        <source>Map of the gantry&apos;s angles</source>
-        <translation>Karte der C-Bogen-Winkel</translation>
-    </message>
-    <message>
-        <source>no map yet</source>
-        <translation>noch keine Karte</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AuxiliaryDialog</name>
-    <message>
-        <source>Use %1 instead</source>
-        <translation>Stattdessen %1</translation>
-    </message>
-    <message>
-        <source>Its search alternates between the chosen branches and the whole tree.</source>
-        <translation>Die Suche wechselt zwischen den gewählten Ästen und dem ganzen Baum.</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Up to generation</source>
-        <translation>Bis Generation</translation>
-    </message>
-    <message>
-        <source>Generation 0 begins at the root of the tree.</source>
-        <translation>Generation 0 beginnt an der Wurzel.</translation>
-    </message>
-    <message>
-        <source>At least this wide</source>
-        <translation>Mindestens so weit</translation>
-    </message>
-    <message>
-        <source>By the median radius of a branch.</source>
-        <translation>Nach dem mittleren Radius des Astes (Median).</translation>
-    </message>
-    <message>
-        <source>Choose these</source>
-        <translation>Diese wählen</translation>
-    </message>
-    <message>
-        <source>Makes the suggested branches the auxiliary ones.</source>
-        <translation>Macht die vorgeschlagenen Äste zu Hilfsästen.</translation>
-    </message>
-    <message>
-        <source>Auxiliary branches</source>
-        <translation>Hilfsäste</translation>
-    </message>
-    <message>
-        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
-        <translation>Wechselnde Methoden lösen zuerst für diese Äste: wählen, was gefüllt, ruhig und gut unterscheidbar ist. Ein Bild bestimmt einen Ast nur quer zu seinem Verlauf: welche Äste welchen Freiheitsgrad festlegen, ist hier für die jetzige Lage berechnet.</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>Schritt</translation>
-    </message>
-    <message>
-        <source>all branches</source>
-        <translation>alle Äste</translation>
-    </message>
-    <message>
-        <source>the chosen</source>
-        <translation>die gewählten</translation>
-    </message>
-    <message>
-        <source>pinned best by</source>
-        <translation>am besten durch</translation>
-    </message>
-    <message>
-        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
-        <translation>± ist eine Standardabweichung, wie bei üblichem Rauschen zu erwarten.</translation>
-    </message>
-    <message>
-        <source>Last generation</source>
-        <translation>Letzte Generation</translation>
-    </message>
-    <message>
-        <source>Smallest radius</source>
-        <translation>Kleinster Radius</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Without chosen branches the nodes of the tree are used.</source>
-        <translation>Ohne gewählte Äste gelten die Knoten des Gefäßbaums.</translation>
-    </message>
-    <message>
-        <source>Vessels, camera and pose are needed for a suggestion.</source>
-        <translation>Für einen Vorschlag sind Gefäße, Kamera und Lage nötig.</translation>
-    </message>
-    <message>
-        <source>Suggested: %1. They tell nearly as much as all together.</source>
-        <translation>Vorschlag: %1. Sie verraten fast so viel wie alle zusammen.</translation>
-    </message>
-    <message>
-        <source>This tree knows no generations.</source>
-        <translation>Dieser Gefäßbaum kennt keine Generationen.</translation>
-    </message>
-    <message>
-        <source>This tree knows no radii.</source>
-        <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
-    </message>
-    <message>
-        <source>Lasso</source>
-        <translation>Lasso</translation>
-    </message>
-    <message>
-        <source>Draw around the branches on the image.</source>
-        <translation>Die Äste im Bild umfahren.</translation>
-    </message>
-    <message>
-        <source>In view</source>
-        <translation>Im Blick</translation>
-    </message>
-    <message>
-        <source>The branches that lie wholly in the view.</source>
-        <translation>Die Äste, die ganz im Blickfeld liegen.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BlindTrialDialog</name>
-    <message>
-        <source>Seed</source>
-        <translation>Startwert</translation>
-    </message>
-    <message>
-        <source>Start shifted by up to</source>
-        <translation>Start verschoben bis</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Start turned by up to</source>
-        <translation>Start gedreht bis</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Start trial</source>
-        <translation>Versuch beginnen</translation>
-    </message>
-    <message>
-        <source>Blind observer trial</source>
-        <translation>Blinder Beobachterversuch</translation>
-    </message>
-    <message>
-        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
-        <translation>Die Gefäße beginnen zufällig um die jetzige Lage. Bis „Fertig“ sind alle Zahlen, Abweichungsfarben und früheren Lagen verborgen; Zeit und Endlage kommen ins Protokoll, der Fall bleibt, wie er ist.</translation>
-    </message>
-    <message>
-        <source>Observer</source>
-        <translation>Beobachter</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Choose …</source>
-        <translation>Wählen …</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Log of the trials</source>
-        <translation>Protokoll der Versuche</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Observer and log are needed.</source>
-        <translation>Beobachter und Protokoll sind nötig.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BottomStrip</name>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Stop the running task</source>
-        <translation>Laufende Aufgabe anhalten</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>Bereit</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BranchDelegate</name>
-    <message>
-        <source>aux</source>
-        <translation>Hilfs</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>out</source>
-        <translation>aus</translation>
-    </message>
-    <message>
-        <source>g%1</source>
-        <translation>G%1</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>verborgen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BranchModel</name>
-    <message>
-        <source>%1, %2 mm long</source>
-        <translation>%1, %2 mm lang</translation>
-    </message>
-    <message>
-        <source>in the auxiliary set</source>
-        <translation>in der Hilfsmenge</translation>
-    </message>
-    <message>
-        <source>excluded</source>
-        <translation>ausgeschlossen</translation>
-    </message>
-    <message>
-        <source>median residual %1 mm</source>
-        <translation>mittlere Abweichung %1 mm</translation>
-    </message>
-    <message>
-        <source>radius %1 mm</source>
-        <translation>Radius %1 mm</translation>
-    </message>
-    <message>
-        <source>generation %1</source>
-        <translation>Generation %1</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>verborgen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BranchPanel</name>
-    <message>
-        <source>Branches</source>
-        <translation>Äste</translation>
-    </message>
-    <message>
-        <source>Only these auxiliary</source>
-        <translation>Nur diese als Hilfsäste</translation>
-    </message>
-    <message>
-        <source>No auxiliary branches (use the nodes)</source>
-        <translation>Keine Hilfsäste (Knoten verwenden)</translation>
-    </message>
-    <message>
-        <source>as in the tree</source>
-        <translation>wie im Gefäßbaum</translation>
-    </message>
-    <message>
-        <source>by name</source>
-        <translation>nach Name</translation>
-    </message>
-    <message>
-        <source>by length</source>
-        <translation>nach Länge</translation>
-    </message>
-    <message>
-        <source>by radius</source>
-        <translation>nach Radius</translation>
-    </message>
-    <message>
-        <source>by generation</source>
-        <translation>nach Generation</translation>
-    </message>
-    <message>
-        <source>by residual</source>
-        <translation>nach Abweichung</translation>
-    </message>
-    <message>
-        <source>Find a branch</source>
-        <translation>Ast suchen</translation>
-    </message>
-    <message>
-        <source>Order of the branches</source>
-        <translation>Reihenfolge der Äste</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Selects both branches and moves the cross-hair to the gap.</source>
-        <translation>Wählt beide Äste und setzt das Fadenkreuz an die Lücke.</translation>
-    </message>
-    <message>
-        <source>Generation</source>
-        <translation>Generation</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
-        <translation>Noch keine Gefäße. Ein CT, eine Gefäßmaske oder eine Mittellinie öffnen.</translation>
-    </message>
-    <message>
-        <source>Closes the gap; undo opens it again.</source>
-        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder.</translation>
-    </message>
-    <message>
-        <source>%1 auxiliary · %2 exclude</source>
-        <translation>%1 Hilfsast · %2 ausschließen</translation>
-    </message>
-    <message>
-        <source>Auxiliary on or off</source>
-        <translation>Hilfsast an oder aus</translation>
-    </message>
-    <message>
-        <source>Exclude or include</source>
-        <translation>Ausschließen oder einbeziehen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::CommandTable</name>
-    <message>
-        <source>Views side by side</source>
-        <translation>Ansichten nebeneinander</translation>
-    </message>
-    <message>
-        <source>Cross-hair through views side by side</source>
-        <translation>Fadenkreuz durch Ansichten nebeneinander</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>Close case</source>
-        <translation>Fall schließen</translation>
-    </message>
-    <message>
-        <source>New window</source>
-        <translation>Neues Fenster</translation>
-    </message>
-    <message>
-        <source>Open …</source>
-        <translation>Öffnen …</translation>
-    </message>
-    <message>
-        <source>Open DICOM folder …</source>
-        <translation>DICOM-Ordner öffnen …</translation>
-    </message>
-    <message>
-        <source>Open sample case</source>
-        <translation>Beispielfall öffnen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>Save as …</source>
-        <translation>Speichern unter …</translation>
-    </message>
-    <message>
-        <source>Export overlay …</source>
-        <translation>Überlagerung exportieren …</translation>
-    </message>
-    <message>
-        <source>Export result …</source>
-        <translation>Ergebnis exportieren …</translation>
-    </message>
-    <message>
-        <source>Export pose …</source>
-        <translation>Lage exportieren …</translation>
-    </message>
-    <message>
-        <source>Export traced vessels …</source>
-        <translation>Erkannte Gefäße exportieren …</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederholen</translation>
-    </message>
-    <message>
-        <source>Nudge mode</source>
-        <translation>Justiermodus</translation>
-    </message>
-    <message>
-        <source>Back to start pose</source>
-        <translation>Zurück zur Startlage</translation>
-    </message>
-    <message>
-        <source>Copy pose as matrix</source>
-        <translation>Lage als Matrix kopieren</translation>
-    </message>
-    <message>
-        <source>Selected branches auxiliary on or off</source>
-        <translation>Gewählte Äste als Hilfsäste an oder aus</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the branches in view</source>
-        <translation>Hilfsäste: die im Blickfeld</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the wider half</source>
-        <translation>Hilfsäste: die weitere Hälfte</translation>
-    </message>
-    <message>
-        <source>Exclude or include selected branches</source>
-        <translation>Gewählte Äste aus- oder einschließen</translation>
-    </message>
-    <message>
-        <source>Select all branches</source>
-        <translation>Alle Äste wählen</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Registrieren</translation>
-    </message>
-    <message>
-        <source>Stop and keep the best pose</source>
-        <translation>Anhalten und beste Lage behalten</translation>
-    </message>
-    <message>
-        <source>Fit the image to the window</source>
-        <translation>Bild in das Fenster einpassen</translation>
-    </message>
-    <message>
-        <source>Automatic brightness</source>
-        <translation>Automatische Fensterung</translation>
-    </message>
-    <message>
-        <source>Invert grey values</source>
-        <translation>Grauwerte umkehren</translation>
-    </message>
-    <message>
-        <source>Brightness: every grey value</source>
-        <translation>Fensterung: alle Grauwerte</translation>
-    </message>
-    <message>
-        <source>More contrast</source>
-        <translation>Mehr Kontrast</translation>
-    </message>
-    <message>
-        <source>Less contrast</source>
-        <translation>Weniger Kontrast</translation>
-    </message>
-    <message>
-        <source>Near vessels bright, far ones dim</source>
-        <translation>Nahe Gefäße hell, ferne dunkel</translation>
-    </message>
-    <message>
-        <source>Swipe, lens, off</source>
-        <translation>Wischen, Lupe, aus</translation>
-    </message>
-    <message>
-        <source>Zoom to the worst branch, the next</source>
-        <translation>Zum schlechtesten Ast zoomen, zum nächsten</translation>
-    </message>
-    <message>
-        <source>Show traced vessels</source>
-        <translation>Erkannte Gefäße zeigen</translation>
-    </message>
-    <message>
-        <source>Flicker start pose and pose</source>
-        <translation>Startlage und Lage im Wechsel</translation>
-    </message>
-    <message>
-        <source>Replay the last run</source>
-        <translation>Letzten Lauf wiedergeben</translation>
-    </message>
-    <message>
-        <source>Swing along what the image cannot tell</source>
-        <translation>Schwingen, wo das Bild nichts verrät</translation>
-    </message>
-    <message>
-        <source>Show the run&apos;s other solutions</source>
-        <translation>Andere Lösungen des Laufs zeigen</translation>
-    </message>
-    <message>
-        <source>Take the solution shown</source>
-        <translation>Gezeigte Lösung übernehmen</translation>
-    </message>
-    <message>
-        <source>Overlay fainter</source>
-        <translation>Überlagerung schwächer</translation>
-    </message>
-    <message>
-        <source>Overlay stronger</source>
-        <translation>Überlagerung stärker</translation>
-    </message>
-    <message>
-        <source>Play frames</source>
-        <translation>Bilder abspielen</translation>
-    </message>
-    <message>
-        <source>Hide patient identity</source>
-        <translation>Patientendaten verbergen</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>Vollbild</translation>
-    </message>
-    <message>
-        <source>Reduce motion</source>
-        <translation>Bewegung verringern</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>Wie der Desktop</translation>
-    </message>
-    <message>
-        <source>About AngioPose</source>
-        <translation>Über AngioPose</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Registration</source>
-        <translation>&amp;Registrierung</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>Farbschema</translation>
-    </message>
-    <message>
-        <source>Language of the desktop</source>
-        <translation>Sprache des Desktops</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Sprache</translation>
-    </message>
-    <message>
-        <source>Save picture of the window …</source>
-        <translation>Bild des Fensters speichern …</translation>
-    </message>
-    <message>
-        <source>Copy picture of the window</source>
-        <translation>Bild des Fensters kopieren</translation>
-    </message>
-    <message>
-        <source>Radiology: left drag windows</source>
-        <translation>Radiologie: links ziehen fenstert</translation>
-    </message>
-    <message>
-        <source>3D Slicer: left only picks</source>
-        <translation>3D Slicer: links wählt nur</translation>
-    </message>
-    <message>
-        <source>Scroll: left drag runs the frames</source>
-        <translation>Blättern: links ziehen wechselt Bilder</translation>
-    </message>
-    <message>
-        <source>Help on what the mouse points at</source>
-        <translation>Hilfe zu dem, worauf die Maus zeigt</translation>
-    </message>
-    <message>
-        <source>Short tour</source>
-        <translation>Kurzer Rundgang</translation>
-    </message>
-    <message>
-        <source>What a good fit looks like</source>
-        <translation>Wie eine gute Einpassung aussieht</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
-        <source>Edit traced vessels</source>
-        <translation>Erkannte Gefäße bearbeiten</translation>
-    </message>
-    <message>
-        <source>Trace this frame again</source>
-        <translation>Dieses Bild neu erfassen</translation>
-    </message>
-    <message>
-        <source>Subtract mask, native</source>
-        <translation>Maske abziehen, nativ</translation>
-    </message>
-    <message>
-        <source>Move the mask by hand</source>
-        <translation>Maske von Hand verschieben</translation>
-    </message>
-    <message>
-        <source>This frame is the mask</source>
-        <translation>Dieses Bild ist die Maske</translation>
-    </message>
-    <message>
-        <source>Whole run in one picture</source>
-        <translation>Ganze Serie in einem Bild</translation>
-    </message>
-    <message>
-        <source>Click pairs of landmarks</source>
-        <translation>Landmarkenpaare klicken</translation>
-    </message>
-    <message>
-        <source>Place vessels by landmarks</source>
-        <translation>Gefäße nach Landmarken legen</translation>
-    </message>
-    <message>
-        <source>Auxiliary: draw a lasso</source>
-        <translation>Hilfsäste: Lasso ziehen</translation>
-    </message>
-    <message>
-        <source>Auxiliary: which branches …</source>
-        <translation>Hilfsäste: welche Äste …</translation>
-    </message>
-    <message>
-        <source>C-arm angles for the branch …</source>
-        <translation>C-Bogen-Winkel für den Ast …</translation>
-    </message>
-    <message>
-        <source>Trace the scan again</source>
-        <translation>CT neu erfassen</translation>
-    </message>
-    <message>
-        <source>Find a branch</source>
-        <translation>Ast suchen</translation>
-    </message>
-    <message>
-        <source>Rename branch</source>
-        <translation>Ast umbenennen</translation>
-    </message>
-    <message>
-        <source>Cut branch at the cross-hair</source>
-        <translation>Ast am Fadenkreuz trennen</translation>
-    </message>
-    <message>
-        <source>Join two branches</source>
-        <translation>Zwei Äste verbinden</translation>
-    </message>
-    <message>
-        <source>Smooth branches</source>
-        <translation>Äste glätten</translation>
-    </message>
-    <message>
-        <source>Root at the branch&apos;s end near the cross-hair</source>
-        <translation>Wurzel am Astende beim Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Hide or show branches</source>
-        <translation>Äste verbergen oder zeigen</translation>
-    </message>
-    <message>
-        <source>Show all branches</source>
-        <translation>Alle Äste zeigen</translation>
-    </message>
-    <message>
-        <source>Delete branches</source>
-        <translation>Äste löschen</translation>
-    </message>
-    <message>
-        <source>Delete branches and what leaves them</source>
-        <translation>Äste und ihre Abgänge löschen</translation>
-    </message>
-    <message>
-        <source>Prune short or thin branches …</source>
-        <translation>Kurze oder dünne Äste ausdünnen …</translation>
-    </message>
-    <message>
-        <source>Join the pieces at the next gap</source>
-        <translation>Stücke an der nächsten Lücke verbinden</translation>
-    </message>
-    <message>
-        <source>Keep this pose</source>
-        <translation>Diese Lage behalten</translation>
-    </message>
-    <message>
-        <source>Switch between poses A and B</source>
-        <translation>Zwischen Lage A und B wechseln</translation>
-    </message>
-    <message>
-        <source>Compare poses and methods …</source>
-        <translation>Lagen und Methoden vergleichen …</translation>
-    </message>
-    <message>
-        <source>Blind observer trial …</source>
-        <translation>Blinder Beobachterversuch …</translation>
-    </message>
-    <message>
-        <source>Trial done</source>
-        <translation>Versuch fertig</translation>
-    </message>
-    <message>
-        <source>Seen from the source (mirrored)</source>
-        <translation>Vom Fokus gesehen (gespiegelt)</translation>
-    </message>
-    <message>
-        <source>Opacification over time</source>
-        <translation>Kontrastfüllung über die Zeit</translation>
-    </message>
-    <message>
-        <source>3-D, axial, coronal, sagittal below the branches</source>
-        <translation>3-D, axial, koronar, sagittal unter den Ästen</translation>
-    </message>
-    <message>
-        <source>Slices instead of the angiogram</source>
-        <translation>Schichten statt Angiogramm</translation>
-    </message>
-    <message>
-        <source>Image alone, without the columns</source>
-        <translation>Bild allein, ohne die Spalten</translation>
-    </message>
-    <message>
-        <source>Ve&amp;ssels</source>
-        <translation>&amp;Gefäße</translation>
-    </message>
-    <message>
-        <source>Start pose from the angles</source>
-        <translation>Startlage aus den Winkeln</translation>
-    </message>
-    <message>
-        <source>This pose is the start pose</source>
-        <translation>Diese Lage ist die Startlage</translation>
-    </message>
-    <message>
-        <source>&amp;Angiogram</source>
-        <translation>A&amp;ngiogramm</translation>
-    </message>
-    <message>
-        <source>&amp;Pose</source>
-        <translation>&amp;Lage</translation>
-    </message>
-    <message>
-        <source>3-D and slices alone</source>
-        <translation>3-D und Schichten allein</translation>
-    </message>
-    <message>
-        <source>Angiogram in a window of its own</source>
-        <translation>Angiogramm in eigenem Fenster</translation>
-    </message>
-    <message>
-        <source>3-D and slices in a window of their own</source>
-        <translation>3-D und Schichten in eigenem Fenster</translation>
-    </message>
-    <message>
-        <source>All slices in a window of their own</source>
-        <translation>Alle Schichten in eigenem Fenster</translation>
-    </message>
-    <message>
-        <source>Views alone and in windows</source>
-        <translation>Ansichten allein und in Fenstern</translation>
-    </message>
-    <message>
-        <source>Export followed poses …</source>
-        <translation>Verfolgte Lagen exportieren …</translation>
-    </message>
-    <message>
-        <source>Add a view …</source>
-        <translation>Ansicht hinzufügen …</translation>
-    </message>
-    <message>
-        <source>Show the next view</source>
-        <translation>Nächste Ansicht zeigen</translation>
-    </message>
-    <message>
-        <source>Follow the vessels through the run</source>
-        <translation>Gefäße durch die Serie verfolgen</translation>
-    </message>
-    <message>
-        <source>Vessels: centreline, outline, tube, radiograph</source>
-        <translation>Gefäße: Mittellinie, Umriss, Röhre, Röntgenbild</translation>
-    </message>
-    <message>
-        <source>Brightness: the vessels alone</source>
-        <translation>Helligkeit: nur die Gefäße</translation>
-    </message>
-    <message>
-        <source>Brightness: soft, with bone and catheter</source>
-        <translation>Helligkeit: weich, mit Knochen und Katheter</translation>
-    </message>
-    <message>
-        <source>Blue to amber</source>
-        <translation>Blau bis Bernstein</translation>
-    </message>
-    <message>
-        <source>Blue, white, red</source>
-        <translation>Blau, weiß, rot</translation>
-    </message>
-    <message>
-        <source>Brightness alone</source>
-        <translation>Nur Helligkeit</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>Helligkeit</translation>
-    </message>
-    <message>
-        <source>Colours of vessels and residuals</source>
-        <translation>Farben von Gefäßen und Abständen</translation>
-    </message>
-    <message>
-        <source>Choose the labels that are vessels</source>
-        <translation>Labels wählen, die Gefäße sind</translation>
-    </message>
-    <message>
-        <source>Pick the point to turn about</source>
-        <translation>Drehpunkt wählen</translation>
-    </message>
-    <message>
-        <source>Turn about the centroid again</source>
-        <translation>Wieder um den Schwerpunkt drehen</translation>
-    </message>
-    <message>
-        <source>3-D view: everything, the vessels alone</source>
-        <translation>3-D-Ansicht: alles, nur die Gefäße</translation>
-    </message>
-    <message>
-        <source>Export vessel tree …</source>
-        <translation>Gefäßbaum exportieren …</translation>
-    </message>
-    <message>
-        <source>Export report …</source>
-        <translation>Bericht exportieren …</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ConvergencePlot</name>
-    <message>
-        <source>Convergence</source>
-        <translation>Konvergenz</translation>
-    </message>
-    <message>
-        <source>shown after a run</source>
-        <translation>nach einem Lauf zu sehen</translation>
-    </message>
-    <message>
-        <source>step %1</source>
-        <translation>Schritt %1</translation>
-    </message>
-    <message>
-        <source>median distance</source>
-        <translation>medianer Abstand</translation>
-    </message>
-    <message>
-        <source>shift of the vessels in one step</source>
-        <translation>Verschiebung der Gefäße je Schritt</translation>
-    </message>
-    <message>
-        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
-Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
-        <translation>Oben: die Hälfte der Gefäßpunkte liegt näher als dies an den erfassten Gefäßen.
-Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über alle Punkte; die unterste Linie heißt keine Verschiebung.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::CornerViews</name>
-    <message>
-        <source>3-D</source>
-        <translation>3-D</translation>
-    </message>
-    <message>
-        <source>All slices, large</source>
-        <translation>Alle Schichten, groß</translation>
-    </message>
-    <message>
-        <source>Only this view in the window, and back</source>
-        <translation>Nur diese Ansicht im Fenster, und zurück</translation>
-    </message>
-    <message>
-        <source>In a window of its own, and back</source>
-        <translation>In eigenem Fenster, und zurück</translation>
-    </message>
-    <message>
-        <source>Double click: only this view in the window, and back</source>
-        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::CurveEditBar</name>
-    <message>
-        <source>1 curve</source>
-        <translation>1 Kurve</translation>
-    </message>
-    <message>
-        <source>Not a vessel</source>
-        <translation>Kein Gefäß</translation>
-    </message>
-    <message>
-        <source>Click a curve to leave it out</source>
-        <translation>Kurve anklicken, um sie wegzulassen</translation>
-    </message>
-    <message>
-        <source>Erase</source>
-        <translation>Radieren</translation>
-    </message>
-    <message>
-        <source>Brush over parts of curves</source>
-        <translation>Über Kurventeile streichen</translation>
-    </message>
-    <message>
-        <source>Draw</source>
-        <translation>Zeichnen</translation>
-    </message>
-    <message>
-        <source>Click along a vessel: the line follows it</source>
-        <translation>Am Gefäß entlang klicken: die Linie folgt ihm</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Trennen</translation>
-    </message>
-    <message>
-        <source>Click where a curve is to fall in two</source>
-        <translation>Klicken, wo eine Kurve geteilt werden soll</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Rechteck</translation>
-    </message>
-    <message>
-        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
-        <translation>Weglassen, was im Rahmen liegt; Strg: nur das behalten</translation>
-    </message>
-    <message>
-        <source>Lasso</source>
-        <translation>Lasso</translation>
-    </message>
-    <message>
-        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
-        <translation>Weglassen, was im Lasso liegt; Strg: nur das behalten</translation>
-    </message>
-    <message>
-        <source>Trace again</source>
-        <translation>Neu erfassen</translation>
-    </message>
-    <message>
-        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
-        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; Rückgängig bringt sie zurück</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>%1 curves</source>
-        <translation>%1 Kurven</translation>
-    </message>
-    <message>
-        <source>%1 curves, %2 suspect (S)</source>
-        <translation>%1 Kurven, %2 verdächtig (S)</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::EditCurvesTool</name>
-    <message>
-        <source>Mark as not a vessel</source>
-        <translation>Als Nicht-Gefäß markieren</translation>
-    </message>
-    <message>
-        <source>Edit vessels: tracing this frame …</source>
-        <translation>Gefäße bearbeiten: Bild wird erfasst …</translation>
-    </message>
-    <message>
-        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
-        <translation>Radieren: über Kurven streichen, [ ] Pinselgröße, Esc beendet</translation>
-    </message>
-    <message>
-        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>Zeichnen: am Gefäß entlang klicken, Eingabe beendet, Rücktaste nimmt einen Punkt zurück, Umschalt gerade</translation>
-    </message>
-    <message>
-        <source>Cut: click where a curve is to fall in two, Esc ends</source>
-        <translation>Trennen: klicken, wo eine Kurve geteilt werden soll, Esc beendet</translation>
-    </message>
-    <message>
-        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
-        <translation>Kein Gefäß: Kurve anklicken, um sie wegzulassen, Esc beendet</translation>
-    </message>
-    <message>
-        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
-        <translation>Rahmen: um das ziehen, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
-    </message>
-    <message>
-        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
-        <translation>Lasso: umfahren, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
-    </message>
-    <message>
-        <source>Erase curves</source>
-        <translation>Kurven radieren</translation>
-    </message>
-    <message>
-        <source>Restrict to a region</source>
-        <translation>Auf einen Bereich beschränken</translation>
-    </message>
-    <message>
-        <source>Leave out a region</source>
-        <translation>Bereich weglassen</translation>
-    </message>
-    <message>
-        <source>Cut a curve</source>
-        <translation>Kurve trennen</translation>
-    </message>
-    <message>
-        <source>Draw a curve</source>
-        <translation>Kurve zeichnen</translation>
-    </message>
-    <message>
-        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
-        <translation>Vielleicht ein Katheter: A behält, Entf lässt weg, S zeigt den nächsten</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ExportDialog</name>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Residual colours with their scale</source>
-        <translation>Abweichungsfarben mit Skala</translation>
-    </message>
-    <message>
-        <source>Patient identity in the picture</source>
-        <translation>Patientendaten im Bild</translation>
-    </message>
-    <message>
-        <source>Export overlay</source>
-        <translation>Überlagerung exportieren</translation>
-    </message>
-    <message>
-        <source>As in the window</source>
-        <translation>Wie im Fenster</translation>
-    </message>
-    <message>
-        <source>1024 px wide</source>
-        <translation>1024 px breit</translation>
-    </message>
-    <message>
-        <source>2048 px wide</source>
-        <translation>2048 px breit</translation>
-    </message>
-    <message>
-        <source>Other width</source>
-        <translation>Andere Breite</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>Das Bild trägt immer „Nicht für den klinischen Einsatz“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Export …</source>
-        <translation>Exportieren …</translation>
-    </message>
-    <message>
-        <source>%1 × %2 px</source>
-        <translation>%1 × %2 px</translation>
-    </message>
-    <message>
-        <source>Texts in English</source>
-        <translation>Texte auf Englisch</translation>
-    </message>
-    <message>
-        <source>Swipe or lens as in the window</source>
-        <translation>Wischen oder Lupe wie im Fenster</translation>
-    </message>
-    <message>
-        <source>Start pose beside it: before and after</source>
-        <translation>Startlage daneben: vorher und nachher</translation>
-    </message>
-    <message>
-        <source>twice %1</source>
-        <translation>zweimal %1</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::FrameBars</name>
-    <message>
-        <source>Frames by opacification</source>
-        <translation>Bilder nach Kontrastfüllung</translation>
-    </message>
-    <message>
-        <source>Frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>the fullest</source>
-        <translation>das vollste</translation>
-    </message>
-    <message>
-        <source>mask</source>
-        <translation>Maske</translation>
-    </message>
-    <message>
-        <source>Shift+drag marks mask frames, double click shows the curve</source>
-        <translation>Umschalt+Ziehen markiert Maskenbilder, Doppelklick zeigt die Kurve</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::GeometryPanel</name>
-    <message>
-        <source>type it</source>
-        <translation>eintippen</translation>
-    </message>
-    <message>
-        <source>SID</source>
-        <translation>SID</translation>
-    </message>
-    <message>
-        <source>Source to detector distance</source>
-        <translation>Abstand Fokus–Detektor</translation>
-    </message>
-    <message>
-        <source>SOD</source>
-        <translation>SOD</translation>
-    </message>
-    <message>
-        <source>Source to isocentre distance</source>
-        <translation>Abstand Fokus–Isozentrum</translation>
-    </message>
-    <message>
-        <source>pixel</source>
-        <translation>Pixel</translation>
-    </message>
-    <message>
-        <source>LAO / RAO</source>
-        <translation>LAO / RAO</translation>
-    </message>
-    <message>
-        <source>Primary angle: LAO positive, RAO negative</source>
-        <translation>Primärwinkel: LAO positiv, RAO negativ</translation>
-    </message>
-    <message>
-        <source>CRA / CAU</source>
-        <translation>CRA / CAU</translation>
-    </message>
-    <message>
-        <source>Secondary angle: CRA positive, CAU negative</source>
-        <translation>Sekundärwinkel: kranial positiv, kaudal negativ</translation>
-    </message>
-    <message>
-        <source>header</source>
-        <translation>Header</translation>
-    </message>
-    <message>
-        <source>derived</source>
-        <translation>abgeleitet</translation>
-    </message>
-    <message>
-        <source>typed</source>
-        <translation>eingegeben</translation>
-    </message>
-    <message>
-        <source>assumed</source>
-        <translation>angenommen</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>Geometry</source>
-        <translation>Geometrie</translation>
-    </message>
-    <message>
-        <source>Assume usual values</source>
-        <translation>Übliche Werte annehmen</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing instead</source>
-        <translation>Stattdessen Abstände und Pixelgröße</translation>
-    </message>
-    <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
-        <translation>SID 1000 mm, SOD 750 mm, Pixel 0,3 mm, Winkel 0°: nur für das, was fehlt.</translation>
-    </message>
-    <message>
-        <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
-        <translation>Kamera aus der Falldatei: f %1 px, Mitte %2, %3 px, %4.</translation>
-    </message>
-    <message>
-        <source>seen from the detector</source>
-        <translation>vom Detektor gesehen</translation>
-    </message>
-    <message>
-        <source>mirrored</source>
-        <translation>gespiegelt</translation>
-    </message>
-    <message>
-        <source>incomplete</source>
-        <translation>unvollständig</translation>
-    </message>
-    <message>
-        <source>SID %1</source>
-        <translation>SID %1</translation>
-    </message>
-    <message>
-        <source>%1 mm/px</source>
-        <translation>%1 mm/px</translation>
-    </message>
-    <message>
-        <source>missing values</source>
-        <translation>fehlende Werte</translation>
-    </message>
-    <message>
-        <source>Roll, centre, isocentre</source>
-        <translation>Rollen, Mitte, Isozentrum</translation>
-    </message>
-    <message>
-        <source>What the header says</source>
-        <translation>Was der Header sagt</translation>
-    </message>
-    <message>
-        <source>as from the detector</source>
-        <translation>wie vom Detektor</translation>
-    </message>
-    <message>
-        <source>Side that the image is shown from</source>
-        <translation>Seite, von der das Bild gezeigt ist</translation>
-    </message>
-    <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
-        <translation>Angiogramme zeigt man vom Detektor gesehen. Ein gespiegelter Export vertauscht links und rechts: die Projektion wird mitgespiegelt, die Gefäße nie.</translation>
-    </message>
-    <message>
-        <source>side of the image</source>
-        <translation>Bildseite</translation>
-    </message>
-    <message>
-        <source>image</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>%1 tags</source>
-        <translation>%1 Tags</translation>
-    </message>
-    <message>
-        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
-        <translation>Der Header nennt keine Pixelgröße; diese ist abgeleitet. Mit Eingabe im Feld bestätigen oder eintragen.</translation>
-    </message>
-    <message>
-        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
-        <translation>Das Bild gilt als gespiegelt (%1): prüfen, ob links und rechts stimmen.</translation>
-    </message>
-    <message>
-        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
-        <translation>Der C-Bogen dreht sich in dieser Serie: bei diesem Bild um %1° LAO/RAO und %2° CRA/CAU seit dem ersten.</translation>
-    </message>
-    <message>
-        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
-        <translation>Pixelabstand auf dem Detektor. Eingabe bestätigt einen abgeleiteten.</translation>
-    </message>
-    <message>
-        <source>field width</source>
-        <translation>Bildbreite</translation>
-    </message>
-    <message>
-        <source>Width of the image on the detector: gives the pixel pitch</source>
-        <translation>Breite des Bildes auf dem Detektor: ergibt den Pixelabstand</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>Rollen</translation>
-    </message>
-    <message>
-        <source>The image is turned clockwise by this</source>
-        <translation>Um so viel ist das Bild im Uhrzeigersinn gedreht</translation>
-    </message>
-    <message>
-        <source>centre right</source>
-        <translation>Mitte rechts</translation>
-    </message>
-    <message>
-        <source>Column that the beam axis meets; 0 is the middle of the first</source>
-        <translation>Spalte, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
-    </message>
-    <message>
-        <source>centre down</source>
-        <translation>Mitte unten</translation>
-    </message>
-    <message>
-        <source>Row that the beam axis meets; 0 is the middle of the first</source>
-        <translation>Zeile, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
-    </message>
-    <message>
-        <source>isocentre L</source>
-        <translation>Isozentrum L</translation>
-    </message>
-    <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
-        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: links</translation>
-    </message>
-    <message>
-        <source>isocentre P</source>
-        <translation>Isozentrum P</translation>
-    </message>
-    <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
-        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: hinten</translation>
-    </message>
-    <message>
-        <source>isocentre H</source>
-        <translation>Isozentrum H</translation>
-    </message>
-    <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
-        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: Kopf</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::GoodFit</name>
-    <message>
-        <source>Good: vessels have moved</source>
-        <translation>Gut: Gefäße haben sich bewegt</translation>
-    </message>
-    <message>
-        <source>Bad: shifted</source>
-        <translation>Schlecht: verschoben</translation>
-    </message>
-    <message>
-        <source>Bad: turned</source>
-        <translation>Schlecht: verdreht</translation>
-    </message>
-    <message>
-        <source>Bad: wrong view angle</source>
-        <translation>Schlecht: falscher Winkel</translation>
-    </message>
-    <message>
-        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
-        <translation>Die Linien laufen mitten in ihren Gefäßen, durchgehend blau, auch in die Seitenäste.</translation>
-    </message>
-    <message>
-        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
-        <translation>Gelb nur, wo dieses Bild kein Kontrastmittel zeigt; jedes gefüllte Gefäß ist blau.</translation>
-    </message>
-    <message>
-        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
-        <translation>Kleine Abweichungen nach beiden Seiten: Herzschlag und Atmung. Keine starre Lage ist besser.</translation>
-    </message>
-    <message>
-        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
-        <translation>Alle Linien liegen zur selben Seite daneben. Neu registrieren oder mit den Pfeilen schieben.</translation>
-    </message>
-    <message>
-        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
-        <translation>Passt in der Mitte und nach außen immer weniger: in der Bildebene verdreht.</translation>
-    </message>
-    <message>
-        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
-        <translation>Der Stamm passt, Seitenäste zeigen woandershin: LAO/RAO oder CRA/CAU stimmen nicht.</translation>
-    </message>
-    <message>
-        <source>What a good fit looks like</source>
-        <translation>Wie eine gute Einpassung aussieht</translation>
-    </message>
-    <message>
-        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
-        <translation>Simulierte Gefäße. Blau liegt auf einem Gefäß, gelb 2 mm daneben oder mehr.</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>drawing …</source>
-        <translation>wird gezeichnet …</translation>
-    </message>
-    <message>
-        <source>Good: everything fits</source>
-        <translation>Gut: alles passt</translation>
-    </message>
-    <message>
-        <source>Good: branches unfilled</source>
-        <translation>Gut: Äste ungefüllt</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::HeaderBar</name>
-    <message>
-        <source>Not for clinical use</source>
-        <translation>Nicht für den klinischen Einsatz</translation>
-    </message>
-    <message>
-        <source>AngioPose is a research program, not a medical device.</source>
-        <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.</translation>
-    </message>
-    <message>
-        <source>More menus</source>
-        <translation>Weitere Menüs</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::HelpPage</name>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::HistogramPlot</name>
-    <message>
-        <source>Histogram of residuals</source>
-        <translation>Histogramm der Abweichungen</translation>
-    </message>
-    <message>
-        <source>no residuals yet</source>
-        <translation>noch keine Abweichungen</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>über %1</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::KeyNotes</name>
-    <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0,1 mm)</translation>
-    </message>
-    <message>
-        <source>PgUp PgDn</source>
-        <translation>Bild↑ Bild↓</translation>
-    </message>
-    <message>
-        <source>move away from or to the source</source>
-        <translation>vom Fokus weg oder zu ihm hin</translation>
-    </message>
-    <message>
-        <source>, .</source>
-        <translation>, .</translation>
-    </message>
-    <message>
-        <source>roll by 1°</source>
-        <translation>rollen um 1°</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+Pfeile</translation>
-    </message>
-    <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
-        <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>ziehen</translation>
-    </message>
-    <message>
-        <source>left drag</source>
-        <translation>links ziehen</translation>
-    </message>
-    <message>
-        <source>window and level</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>Mitte ziehen</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>verschieben</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>zoomen</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, Home, End</source>
-        <translation>Rad, ↑ ↓, Pos1, Ende</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>H (hold)</source>
-        <translation>H (halten)</translation>
-    </message>
-    <message>
-        <source>hide the overlay</source>
-        <translation>Überlagerung verbergen</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>klicken</translation>
-    </message>
-    <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>Ast wählen (Strg fügt hinzu)</translation>
-    </message>
-    <message>
-        <source>In nudge mode</source>
-        <translation>Im Justiermodus</translation>
-    </message>
-    <message>
-        <source>On the angiogram</source>
-        <translation>Auf dem Angiogramm</translation>
-    </message>
-    <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
-    </message>
-    <message>
-        <source>Ctrl+wheel</source>
-        <translation>Strg+Rad</translation>
-    </message>
-    <message>
-        <source>right click</source>
-        <translation>Rechtsklick</translation>
-    </message>
-    <message>
-        <source>menu of what can be done here</source>
-        <translation>Menü mit dem, was hier möglich ist</translation>
-    </message>
-    <message>
-        <source>left drag, arrows</source>
-        <translation>links ziehen, Pfeile</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>right drag, wheel, + −</source>
-        <translation>rechts ziehen, Rad, + −</translation>
-    </message>
-    <message>
-        <source>double click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
-    </message>
-    <message>
-        <source>Shift+left drag</source>
-        <translation>Umschalt+links ziehen</translation>
-    </message>
-    <message>
-        <source>Ctrl+left drag</source>
-        <translation>Strg+links ziehen</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>rechts ziehen</translation>
-    </message>
-    <message>
-        <source>On the 3-D view</source>
-        <translation>Auf der 3-D-Ansicht</translation>
-    </message>
-    <message>
-        <source>in 3-D or a slice, then in the image: one pair</source>
-        <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
-    </message>
-    <message>
-        <source>a node of the vessels to its place, or a cross elsewhere</source>
-        <translation>ein Gefäßknoten an seinen Ort, oder ein Kreuz anderswohin</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>place the vessels by the pairs</source>
-        <translation>die Gefäße nach den Paaren legen</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Entf</translation>
-    </message>
-    <message>
-        <source>remove the last pair</source>
-        <translation>das letzte Paar entfernen</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>click curves that are no vessels</source>
-        <translation>Kurven anklicken, die keine Gefäße sind</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
-        <source>erase with a brush; [ ] its size</source>
-        <translation>mit dem Pinsel radieren; [ ] Größe</translation>
-    </message>
-    <message>
-        <source>D</source>
-        <translation>D</translation>
-    </message>
-    <message>
-        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>zeichnen: Eingabe beendet, Rücktaste nimmt zurück, Umschalt gerade</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>cut a curve</source>
-        <translation>Kurve trennen</translation>
-    </message>
-    <message>
-        <source>B L</source>
-        <translation>B L</translation>
-    </message>
-    <message>
-        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
-        <translation>Rahmen oder Lasso um das, was kein Gefäß ist; Strg: nur das Innere behalten</translation>
-    </message>
-    <message>
-        <source>✓ ✗</source>
-        <translation>✓ ✗</translation>
-    </message>
-    <message>
-        <source>dashed curves may be a catheter: keep or leave out</source>
-        <translation>gestrichelte Kurven sind vielleicht ein Katheter: behalten oder weglassen</translation>
-    </message>
-    <message>
-        <source>click, left drag, Ctrl+arrows</source>
-        <translation>klicken, links ziehen, Strg+Pfeile</translation>
-    </message>
-    <message>
-        <source>cross-hair, linked with all views</source>
-        <translation>Fadenkreuz, mit allen Ansichten verbunden</translation>
-    </message>
-    <message>
-        <source>picks the point at the cross-hair, as a click does</source>
-        <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, PgUp PgDn</source>
-        <translation>Rad, ↑ ↓, Bild↑ Bild↓</translation>
-    </message>
-    <message>
-        <source>slices (Shift 10)</source>
-        <translation>Schichten (Umschalt 10)</translation>
-    </message>
-    <message>
-        <source>window and level; a right click opens the menu</source>
-        <translation>Fensterung; ein Rechtsklick öffnet das Menü</translation>
-    </message>
-    <message>
-        <source>middle drag, Ctrl+wheel</source>
-        <translation>Mitte ziehen, Strg+Rad</translation>
-    </message>
-    <message>
-        <source>pan and zoom</source>
-        <translation>verschieben und zoomen</translation>
-    </message>
-    <message>
-        <source>all slices large, and back</source>
-        <translation>alle Schichten groß, und zurück</translation>
-    </message>
-    <message>
-        <source>While clicking landmarks</source>
-        <translation>Beim Klicken von Landmarken</translation>
-    </message>
-    <message>
-        <source>While editing vessels</source>
-        <translation>Beim Bearbeiten der Gefäße</translation>
-    </message>
-    <message>
-        <source>On a slice</source>
-        <translation>In einer Schicht</translation>
-    </message>
-    <message>
-        <source>this view alone, and back</source>
-        <translation>nur diese Ansicht, und zurück</translation>
-    </message>
-    <message>
-        <source>S, then A or Del</source>
-        <translation>S, dann A oder Entf</translation>
-    </message>
-    <message>
-        <source>the next of the dashed curves: keep or leave out</source>
-        <translation>die nächste der gestrichelten Kurven: behalten oder weglassen</translation>
-    </message>
-    <message>
-        <source>While picking the pivot</source>
-        <translation>Beim Wählen des Drehpunkts</translation>
-    </message>
-    <message>
-        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
-        <translation>eine Stelle auf den Gefäßen, im Bild, in 3-D oder in einer Schicht</translation>
-    </message>
-    <message>
-        <source>← →</source>
-        <translation>← →</translation>
-    </message>
-    <message>
-        <source>the next bifurcation or end</source>
-        <translation>die nächste Verzweigung oder das nächste Ende</translation>
-    </message>
-    <message>
-        <source>takes the place shown</source>
-        <translation>nimmt die gezeigte Stelle</translation>
-    </message>
-    <message>
-        <source>back to the centroid</source>
-        <translation>zurück zum Schwerpunkt</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::KeySheet</name>
-    <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>Search keys and what they do</source>
-        <translation>Tasten und Wirkungen suchen</translation>
-    </message>
-    <message>
-        <source>Search keys</source>
-        <translation>Tasten suchen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>No key for “%1”.</source>
-        <translation>Keine Taste für „%1“.</translation>
-    </message>
-    <message>
-        <source>Keys and what they do</source>
-        <translation>Tasten und ihre Wirkung</translation>
-    </message>
-    <message>
-        <source>Reset all keys</source>
-        <translation>Alle Tasten zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Enter or double-click on a line takes a new key for it.</source>
-        <translation>Eingabetaste oder Doppelklick auf eine Zeile nimmt eine neue Taste an.</translation>
-    </message>
-    <message>
-        <source>This key is fixed.</source>
-        <translation>Diese Taste ist fest.</translation>
-    </message>
-    <message>
-        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
-        <translation>Neue Taste für „%1“ drücken. Esc behält die alte, Entf lässt keine.</translation>
-    </message>
-    <message>
-        <source>The old key stays.</source>
-        <translation>Die alte Taste bleibt.</translation>
-    </message>
-    <message>
-        <source>“%1” is needed elsewhere. Press another key.</source>
-        <translation>„%1“ wird anderswo gebraucht. Eine andere Taste drücken.</translation>
-    </message>
-    <message>
-        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
-        <translation>„%1“ gehört zu „%2“. Nochmals drücken nimmt sie von dort, oder eine andere drücken.</translation>
-    </message>
-    <message>
-        <source>No key any more.</source>
-        <translation>Keine Taste mehr.</translation>
-    </message>
-    <message>
-        <source>The key is “%1” now.</source>
-        <translation>Die Taste ist jetzt „%1“.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LabelChoice</name>
-    <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
-        <source>Label %1</source>
-        <translation>Label %1</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Alle</translation>
-    </message>
-    <message>
-        <source>Ticks every label of the list</source>
-        <translation>Kreuzt jedes Label der Liste an</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Unticks every label of the list</source>
-        <translation>Nimmt das Kreuz von jedem Label der Liste</translation>
-    </message>
-    <message>
-        <source>Vessels</source>
-        <translation>Gefäße</translation>
-    </message>
-    <message>
-        <source>Ticks those that are vessels by their names</source>
-        <translation>Kreuzt die an, die dem Namen nach Gefäße sind</translation>
-    </message>
-    <message>
-        <source>Find a label</source>
-        <translation>Label suchen</translation>
-    </message>
-    <message>
-        <source>Labels that are vessels</source>
-        <translation>Labels, die Gefäße sind</translation>
-    </message>
-    <message>
-        <source>Labels</source>
-        <translation>Labels</translation>
-    </message>
-    <message>
-        <source>Reading the labels …</source>
-        <translation>Die Labels werden gelesen …</translation>
-    </message>
-    <message>
-        <source>%1 of %2 ticked, %3</source>
-        <translation>%1 von %2 angekreuzt, %3</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LandmarkPanel</name>
-    <message>
-        <source>Landmarks</source>
-        <translation>Landmarken</translation>
-    </message>
-    <message>
-        <source>Place vessels</source>
-        <translation>Gefäße legen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Landmarks and how far each is off</source>
-        <translation>Landmarken und ihre Abweichung</translation>
-    </message>
-    <message>
-        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
-        <translation>Startlage aus den Paaren finden: Eingabe beim Klicken. Rückgängig bringt die alte zurück.</translation>
-    </message>
-    <message>
-        <source>Remove the chosen pairs: Delete</source>
-        <translation>Gewählte Paare entfernen: Entf</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>not in view</source>
-        <translation>nicht im Bild</translation>
-    </message>
-    <message>
-        <source>%1 pairs</source>
-        <translation>%1 Paare</translation>
-    </message>
-    <message>
-        <source>Click pairs</source>
-        <translation>Paare klicken</translation>
-    </message>
-    <message>
-        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
-        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild.</translation>
-    </message>
-    <message>
-        <source>%1: click pairs, then place</source>
-        <translation>%1: Paare klicken, dann einpassen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LandmarkTool</name>
-    <message>
-        <source>Landmarks: now click the same place in the image</source>
-        <translation>Landmarken: jetzt dieselbe Stelle im Bild anklicken</translation>
-    </message>
-    <message>
-        <source>Landmarks: now click the same place on the vessels in 3-D</source>
-        <translation>Landmarken: jetzt dieselbe Stelle an den Gefäßen in 3-D anklicken</translation>
-    </message>
-    <message>
-        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
-        <translation>Landmarken: in 3-D und hier klicken, oder Knoten ziehen · Eingabe legt</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LassoTool</name>
-    <message>
-        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
-        <translation>Lasso: Hilfsäste umfahren, Umschalt fügt hinzu, Strg entfernt, Esc beendet</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MainWindow</name>
-    <message>
-        <source>AngioPose: angiogram</source>
-        <translation>AngioPose: Angiogramm</translation>
-    </message>
-    <message>
-        <source>AngioPose: 3-D and slices</source>
-        <translation>AngioPose: 3-D und Schichten</translation>
-    </message>
-    <message>
-        <source>AngioPose: slices</source>
-        <translation>AngioPose: Schichten</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MaskShiftTool</name>
-    <message>
-        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
-        <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MessageDialog</name>
-    <message>
-        <source>Details</source>
-        <translation>Einzelheiten</translation>
-    </message>
-    <message>
-        <source>Copy details</source>
-        <translation>Einzelheiten kopieren</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MessageHistory</name>
-    <message>
-        <source>Messages</source>
-        <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>Nothing has been told yet.</source>
-        <translation>Noch keine Meldungen.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MissingInputs</name>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Where are the inputs?</source>
-        <translation>Wo sind die Eingaben?</translation>
-    </message>
-    <message>
-        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
-        <translation>„%1“ verweist auf Dateien, die nicht mehr am Ort sind; die Suche daneben und bei den letzten Fällen fand sie nicht. Der Fall selbst ist unversehrt.</translation>
-    </message>
-    <message>
-        <source>was in %1</source>
-        <translation>war in %1</translation>
-    </message>
-    <message>
-        <source>Locate …</source>
-        <translation>Suchen …</translation>
-    </message>
-    <message>
-        <source>Locate %1</source>
-        <translation>%1 suchen</translation>
-    </message>
-    <message>
-        <source>Search a folder …</source>
-        <translation>Ordner durchsuchen …</translation>
-    </message>
-    <message>
-        <source>Looks in the folder and all below it, by name and by content.</source>
-        <translation>Sucht im Ordner und allen darunter, nach Name und Inhalt.</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>now %1</source>
-        <translation>jetzt %1</translation>
-    </message>
-    <message>
-        <source>Search a folder</source>
-        <translation>Ordner durchsuchen</translation>
-    </message>
-    <message>
-        <source>Open without</source>
-        <translation>Ohne öffnen</translation>
-    </message>
-    <message>
-        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
-        <translation>Es fehlt ein Scan neben den Gefäßen oder eine weitere Ansicht: der Rest öffnet sich.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MotionPlot</name>
-    <message>
-        <source>Motion of the vessels by frame</source>
-        <translation>Bewegung der Gefäße je Bild</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
-        <translation>Bild %1: %2 mm quer, %3 mm in der Tiefe, %4°</translation>
-    </message>
-    <message>
-        <source>%1 (not explained by the vessels)</source>
-        <translation>%1 (durch die Gefäße nicht erklärt)</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::NudgeTool</name>
-    <message>
-        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
-        <translation>Justieren: Ziehen schiebt, Ring rollt, Bögen drehen, Pfeil links Tiefe, Strg fein, Esc zurück</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::OpacificationPlot</name>
-    <message>
-        <source>Opacification over the frames</source>
-        <translation>Kontrastfüllung über die Bilder</translation>
-    </message>
-    <message>
-        <source>%1 · %2 s</source>
-        <translation>%1 · %2 s</translation>
-    </message>
-    <message>
-        <source>Only runs of several frames have a curve</source>
-        <translation>Nur Serien mit mehreren Bildern haben eine Kurve</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PatientBar</name>
-    <message>
-        <source>Patient</source>
-        <translation>Patient</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PivotMark</name>
-    <message>
-        <source>pivot</source>
-        <translation>Drehpunkt</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PivotTool</name>
-    <message>
-        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
-        <translation>Drehpunkt: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PoseAxis</name>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>along ray</source>
-        <translation>im Strahl</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>Rollen</translation>
-    </message>
-    <message>
-        <source>LAO / RAO</source>
-        <translation>LAO / RAO</translation>
-    </message>
-    <message>
-        <source>CRA / CAU</source>
-        <translation>CRA / CAU</translation>
-    </message>
-    <message>
-        <source>To the right on screen, in mm at the vessels. Nudge: ← →</source>
-        <translation>Nach rechts am Bildschirm, in mm an den Gefäßen. Justieren: ← →</translation>
-    </message>
-    <message>
-        <source>Up on screen, in mm at the vessels. Nudge: ↑ ↓</source>
-        <translation>Nach oben am Bildschirm, in mm an den Gefäßen. Justieren: ↑ ↓</translation>
-    </message>
-    <message>
-        <source>Away from the X-ray source, in mm. Nudge: PgUp PgDn</source>
-        <translation>Weg vom Röntgenfokus, in mm. Justieren: Bild↑ Bild↓</translation>
-    </message>
-    <message>
-        <source>Clockwise on screen. Nudge: , .</source>
-        <translation>Im Uhrzeigersinn am Bildschirm. Justieren: , .</translation>
-    </message>
-    <message>
-        <source>As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
-        <translation>Als führe der C-Bogen nach LAO (+) oder RAO (−). Justieren: Alt+← Alt+→</translation>
-    </message>
-    <message>
-        <source>As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓</source>
-        <translation>Als führe der C-Bogen nach kranial (+) oder kaudal (−). Justieren: Alt+↑ Alt+↓</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PosePanel</name>
-    <message>
-        <source>%1 ±%2</source>
-        <translation>%1 ±%2</translation>
-    </message>
-    <message>
-        <source>Pose</source>
-        <translation>Lage</translation>
-    </message>
-    <message>
-        <source>Back to start pose</source>
-        <translation>Zurück zur Startlage</translation>
-    </message>
-    <message>
-        <source>Pose %1</source>
-        <translation>Lage %1</translation>
-    </message>
-    <message>
-        <source>Lock %1</source>
-        <translation>%1 sperren</translation>
-    </message>
-    <message>
-        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
-        <translation>Diesen Wert halten: Justieren, Ziehen, Tippen und Registrieren lassen ihn.</translation>
-    </message>
-    <message>
-        <source>Undo brings the pose back.</source>
-        <translation>Rückgängig bringt die Lage zurück.</translation>
-    </message>
-    <message>
-        <source>nudging · arrows · %1 ends</source>
-        <translation>justieren · Pfeile · %1 beendet</translation>
-    </message>
-    <message>
-        <source>nudge %1 · fine Ctrl · coarse Shift</source>
-        <translation>justieren %1 · fein Strg · grob Umschalt</translation>
-    </message>
-    <message>
-        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
-        <translation>Dreht um den gewählten Drehpunkt, und die Verschiebungen sind seine. %1 führt zum Schwerpunkt zurück.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PoseTable</name>
-    <message>
-        <source>Run</source>
-        <translation>Starten</translation>
-    </message>
-    <message>
-        <source>Runs the ticked methods one after the other from the pose as it is.</source>
-        <translation>Startet die angehakten Methoden nacheinander von der jetzigen Lage aus.</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Stops the running method and skips the rest; what is finished stays.</source>
-        <translation>Hält die laufende Methode an und überspringt den Rest; Fertiges bleibt.</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Moves the vessels there; undo takes it back.</source>
-        <translation>Bringt die Gefäße dorthin; Rückgängig nimmt es zurück.</translation>
-    </message>
-    <message>
-        <source>Use as reference</source>
-        <translation>Als Bezug</translation>
-    </message>
-    <message>
-        <source>Differences are told from this pose.</source>
-        <translation>Unterschiede gelten gegen diese Lage.</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Removes the snapshots; undo brings them back.</source>
-        <translation>Entfernt die Lagen; Rückgängig bringt sie zurück.</translation>
-    </message>
-    <message>
-        <source>Compare poses</source>
-        <translation>Lagen vergleichen</translation>
-    </message>
-    <message>
-        <source>Poses side by side</source>
-        <translation>Lagen nebeneinander</translation>
-    </message>
-    <message>
-        <source>Pose</source>
-        <translation>Lage</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Methode</translation>
-    </message>
-    <message>
-        <source>median mm</source>
-        <translation>Median mm</translation>
-    </message>
-    <message>
-        <source>95 % mm</source>
-        <translation>95 % mm</translation>
-    </message>
-    <message>
-        <source>covered %</source>
-        <translation>abgedeckt %</translation>
-    </message>
-    <message>
-        <source>Δ in plane mm</source>
-        <translation>Δ Bildebene mm</translation>
-    </message>
-    <message>
-        <source>Δ depth mm</source>
-        <translation>Δ Tiefe mm</translation>
-    </message>
-    <message>
-        <source>Δ turn °</source>
-        <translation>Δ Drehung °</translation>
-    </message>
-    <message>
-        <source>run ms</source>
-        <translation>Lauf ms</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>Autor</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>Wann</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>Export CSV …</source>
-        <translation>CSV exportieren …</translation>
-    </message>
-    <message>
-        <source>Writes the table with poses as matrices.</source>
-        <translation>Schreibt die Tabelle mit Lagen als Matrizen.</translation>
-    </message>
-    <message>
-        <source>Run several methods</source>
-        <translation>Mehrere Methoden laufen lassen</translation>
-    </message>
-    <message>
-        <source>each leaves its pose in the table; the case keeps its own</source>
-        <translation>jede hinterlässt ihre Lage in der Tabelle; der Fall behält seine</translation>
-    </message>
-    <message>
-        <source>The pose as it is</source>
-        <translation>Die jetzige Lage</translation>
-    </message>
-    <message>
-        <source>This fit was not trustworthy.</source>
-        <translation>Diese Einpassung war nicht vertrauenswürdig.</translation>
-    </message>
-    <message>
-        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
-        <translation>Unterschiede gegen „%1“, um die Mitte des Gefäßbaums. Gelb: nicht vertrauenswürdig.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PruneDialog</name>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Prune</source>
-        <translation>Ausdünnen</translation>
-    </message>
-    <message>
-        <source>Remove end branches that are</source>
-        <translation>Endäste entfernen, die</translation>
-    </message>
-    <message>
-        <source>shorter than</source>
-        <translation>kürzer sind als</translation>
-    </message>
-    <message>
-        <source>on average thinner than (radius)</source>
-        <translation>im Mittel dünner sind als (Radius)</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Nothing would be left. Lower the limits.</source>
-        <translation>Nichts bliebe übrig. Grenzen senken.</translation>
-    </message>
-    <message>
-        <source>No branch goes.</source>
-        <translation>Kein Ast entfällt.</translation>
-    </message>
-    <message>
-        <source>1 branch goes.</source>
-        <translation>1 Ast entfällt.</translation>
-    </message>
-    <message>
-        <source>%1 branches go.</source>
-        <translation>%1 Äste entfallen.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::RecoveryDialog</name>
-    <message>
-        <source>Recover</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Recover unsaved work?</source>
-        <translation>Nicht Gespeichertes wiederherstellen?</translation>
-    </message>
-    <message>
-        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
-        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen; Wiederherstellen öffnet die Kopie und lässt den gespeicherten Fall, wie er ist.</translation>
-    </message>
-    <message>
-        <source>Decide later</source>
-        <translation>Später entscheiden</translation>
-    </message>
-    <message>
-        <source>Copies of unsaved work</source>
-        <translation>Kopien ungespeicherter Arbeit</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>Fall</translation>
-    </message>
-    <message>
-        <source>Last copy</source>
-        <translation>Letzte Kopie</translation>
-    </message>
-    <message>
-        <source>Saved in</source>
-        <translation>Gespeichert in</translation>
-    </message>
-    <message>
-        <source>never saved</source>
-        <translation>nie gespeichert</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::RegistrationPanel</name>
-    <message>
-        <source>Registration</source>
-        <translation>Registrierung</translation>
-    </message>
-    <message>
-        <source>Method and options</source>
-        <translation>Methode und Optionen</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Registrieren</translation>
-    </message>
-    <message>
-        <source>Ends the run and keeps the best pose so far.</source>
-        <translation>Beendet den Lauf und behält die bisher beste Lage.</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Methode</translation>
-    </message>
-    <message>
-        <source>About this method</source>
-        <translation>Über diese Methode</translation>
-    </message>
-    <message>
-        <source>What this method minimises, when it fails, and its source.</source>
-        <translation>Was diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
-    </message>
-    <message>
-        <source>1 auxiliary branch</source>
-        <translation>1 Hilfsast</translation>
-    </message>
-    <message>
-        <source>%1 auxiliary branches</source>
-        <translation>%1 Hilfsäste</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>method</source>
-        <translation>Methode</translation>
-    </message>
-    <message>
-        <source>Registering …</source>
-        <translation>Registriert …</translation>
-    </message>
-    <message>
-        <source>Register keeps the locked degree of freedom.</source>
-        <translation>Registrieren hält den gesperrten Freiheitsgrad.</translation>
-    </message>
-    <message>
-        <source>Register keeps the %1 locked degrees of freedom.</source>
-        <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
-    </message>
-    <message>
-        <source>All %1 views together</source>
-        <translation>Alle %1 Ansichten zusammen</translation>
-    </message>
-    <message>
-        <source>Finds the pose that lays the vessels onto the angiogram.</source>
-        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt.</translation>
-    </message>
-    <message>
-        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
-        <translation>Eine Lage für alle Ansichten: Von Hand verschoben bewegen sich die Gefäße in allen, und Registrieren passt alle mit AngioPoses eigener Methode ein; die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken ist nur die gezeigte Ansicht gemeint.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ResultPanel</name>
-    <message>
-        <source>%1 · of an earlier run</source>
-        <translation>%1 · aus einem früheren Lauf</translation>
-    </message>
-    <message>
-        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
-        <translation>Woran diese Lage angepasst wurde, hat sich seit dem Lauf geändert. R registriert neu.</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 · moved by hand</source>
-        <translation>%1 · von Hand verschoben</translation>
-    </message>
-    <message>
-        <source>%1 · start pose</source>
-        <translation>%1 · Startlage</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Residuals</source>
-        <translation>Abweichungen</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>Konvergenz</translation>
-    </message>
-    <message>
-        <source>median, mm</source>
-        <translation>Median, mm</translation>
-    </message>
-    <message>
-        <source>Half of the vessel points lie nearer than this.</source>
-        <translation>Die Hälfte der Gefäßpunkte liegt näher.</translation>
-    </message>
-    <message>
-        <source>95 %, mm</source>
-        <translation>95 %, mm</translation>
-    </message>
-    <message>
-        <source>95 of 100 vessel points lie nearer than this.</source>
-        <translation>95 von 100 Gefäßpunkten liegen näher.</translation>
-    </message>
-    <message>
-        <source>covered</source>
-        <translation>abgedeckt</translation>
-    </message>
-    <message>
-        <source>Share of the traced vessels that the tree explains within 3 px.</source>
-        <translation>Anteil der erkannten Gefäße, den der Gefäßbaum auf 3 px erklärt.</translation>
-    </message>
-    <message>
-        <source>± is one standard deviation.</source>
-        <translation>± ist eine Standardabweichung.</translation>
-    </message>
-    <message>
-        <source>mm, all points</source>
-        <translation>mm, alle Punkte</translation>
-    </message>
-    <message>
-        <source>nothing to judge yet</source>
-        <translation>noch nichts zu beurteilen</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>This is the start pose: nothing is fitted yet. R registers, N nudges.</source>
-        <translation>Das ist die Startlage: noch nichts eingepasst. R registriert, N justiert.</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>mm across, by frame</source>
-        <translation>mm quer, je Bild</translation>
-    </message>
-    <message>
-        <source>%1 · followed</source>
-        <translation>%1 · verfolgt</translation>
-    </message>
-    <message>
-        <source>%1 → %2 px · steps: %3</source>
-        <translation>%1 → %2 px · Schritte: %3</translation>
-    </message>
-    <message>
-        <source>step %1</source>
-        <translation>Schritt %1</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ResultSentences</name>
-    <message>
-        <source>%1 of %2 branches agree within %3 mm.</source>
-        <translation>%1 von %2 Ästen stimmen auf %3 mm überein.</translation>
-    </message>
-    <message>
-        <source>Depth ±%1 mm: one view cannot tell it.</source>
-        <translation>Tiefe ±%1 mm: eine Projektion allein verrät sie nicht.</translation>
-    </message>
-    <message>
-        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
-        <translation>Im Raum, nach der Genauigkeit der Geometrie: Tiefe ±%1 mm, seitlich ±%2 mm.</translation>
-    </message>
-    <message>
-        <source>Depth is the least certain: ±%1 mm.</source>
-        <translation>Am unsichersten ist die Tiefe: ±%1 mm.</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off: perhaps unfilled in this frame, or moved.</source>
-        <translation>%1 liegt %2 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
-    </message>
-    <message>
-        <source>%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.</source>
-        <translation>%1 Äste liegen bis %2 mm daneben: in diesem Bild nicht gefüllt, oder die Lage ist falsch.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.</source>
-        <translation>%1 und %2 liegen bis %3 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
-    </message>
-    <message>
-        <source>Look closely: this fit is not trustworthy.</source>
-        <translation>Genau ansehen: diese Einpassung ist nicht vertrauenswürdig.</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Ast %1</translation>
-    </message>
-    <message>
-        <source>In plane ±%1 mm, rotation ±%2°.</source>
-        <translation>In der Bildebene ±%1 mm, Drehung ±%2°.</translation>
-    </message>
-    <message>
-        <source>In plane ±%1 mm.</source>
-        <translation>In der Bildebene ±%1 mm.</translation>
-    </message>
-    <message>
-        <source>Rotation ±%1°.</source>
-        <translation>Drehung ±%1°.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::Section</name>
-    <message>
-        <source>Fold %1</source>
-        <translation>%1 ein- oder ausklappen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SeriesChooser</name>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Choose a series</source>
-        <translation>Serie wählen</translation>
-    </message>
-    <message>
-        <source>Which series?</source>
-        <translation>Welche Serie?</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 holds %n series.</source>
-        <translation>
-            <numerusform>%1 enthält %n Serien.</numerusform>
-            <numerusform>%1 enthält %n Serien.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Series of the folder</source>
-        <translation>Serien des Ordners</translation>
-    </message>
-    <message>
-        <source>Description</source>
-        <translation>Beschreibung</translation>
-    </message>
-    <message>
-        <source>Modality</source>
-        <translation>Modalität</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Spacing in mm</source>
-        <translation>Abstand in mm</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Datum</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SimulatedView</name>
-    <message>
-        <source>The vessels from these angles</source>
-        <translation>Die Gefäße aus diesen Winkeln</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SliceModel</name>
-    <message>
-        <source>Axial</source>
-        <translation>Axial</translation>
-    </message>
-    <message>
-        <source>Coronal</source>
-        <translation>Koronar</translation>
-    </message>
-    <message>
-        <source>Sagittal</source>
-        <translation>Sagittal</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SliceView</name>
-    <message>
-        <source>x %1  y %2  z %3 mm</source>
-        <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>No scan</source>
-        <translation>Kein CT</translation>
-    </message>
-    <message>
-        <source>%1 %2 / %3</source>
-        <translation>%1 %2 / %3</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außerhalb</translation>
-    </message>
-    <message>
-        <source>%1 HU</source>
-        <translation>%1 HE</translation>
-    </message>
-    <message>
-        <source>W %1 L %2</source>
-        <translation>W %1 L %2</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SnapshotPanel</name>
-    <message>
-        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
-        <translation>Median %1 mm, 95 % %2 mm, abgedeckt %3 %</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
-        <source>Poses</source>
-        <translation>Lagen</translation>
-    </message>
-    <message>
-        <source>Compare …</source>
-        <translation>Vergleichen …</translation>
-    </message>
-    <message>
-        <source>Kept poses</source>
-        <translation>Behaltene Lagen</translation>
-    </message>
-    <message>
-        <source>Runs (%1)</source>
-        <translation>Läufe (%1)</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Restore	Return</source>
-        <translation>Wiederherstellen	Eingabe</translation>
-    </message>
-    <message>
-        <source>Use as A</source>
-        <translation>Als A</translation>
-    </message>
-    <message>
-        <source>Use as B</source>
-        <translation>Als B</translation>
-    </message>
-    <message>
-        <source>Rename	F2</source>
-        <translation>Umbenennen	F2</translation>
-    </message>
-    <message>
-        <source>Delete	Del</source>
-        <translation>Löschen	Entf</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
-        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
-        <translation>%1 behält die Lage; %2 wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
-    </message>
-    <message>
-        <source>Keep pose</source>
-        <translation>Lage behalten</translation>
-    </message>
-    <message>
-        <source>Keeps this pose with its numbers under a name.</source>
-        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen.</translation>
-    </message>
-    <message>
-        <source>Poses and methods side by side, as a table.</source>
-        <translation>Lagen und Methoden nebeneinander als Tabelle.</translation>
-    </message>
-    <message>
-        <source>median mm · %1: A ⇄ B</source>
-        <translation>Median mm · %1: A ⇄ B</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SolutionStrip</name>
-    <message>
-        <source>Solutions</source>
-        <translation>Lösungen</translation>
-    </message>
-    <message>
-        <source>Solutions of the run</source>
-        <translation>Lösungen des Laufs</translation>
-    </message>
-    <message>
-        <source>%1 shows the next · %2 takes it</source>
-        <translation>%1 nächste · %2 nimmt sie</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::StepBar</name>
-    <message>
-        <source>Vessels</source>
-        <translation>Gefäße</translation>
-    </message>
-    <message>
-        <source>Angiogram</source>
-        <translation>Angiogramm</translation>
-    </message>
-    <message>
-        <source>Geometry</source>
-        <translation>Geometrie</translation>
-    </message>
-    <message>
-        <source>Start pose</source>
-        <translation>Startlage</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>Registrieren</translation>
-    </message>
-    <message>
-        <source>Review</source>
-        <translation>Prüfung</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::StepButton</name>
-    <message>
-        <source>done</source>
-        <translation>erledigt</translation>
-    </message>
-    <message>
-        <source>needs a look</source>
-        <translation>bitte ansehen</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <translation>%1: %2, %3</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::Tour</name>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Skip</source>
-        <translation>Überspringen</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::TracingPanel</name>
-    <message>
-        <source>%1  %2  %3  %4</source>
-        <translation>%1  %2  %3  %4</translation>
-    </message>
-    <message>
-        <source>Trace vessels</source>
-        <translation>Gefäße erfassen</translation>
-    </message>
-    <message>
-        <source>Automatic threshold</source>
-        <translation>Automatische Schwelle</translation>
-    </message>
-    <message>
-        <source>HU</source>
-        <translation>HE</translation>
-    </message>
-    <message>
-        <source>Show in the slices what is above</source>
-        <translation>In den Schichten zeigen, was darüber liegt</translation>
-    </message>
-    <message>
-        <source>Seeds</source>
-        <translation>Startpunkte</translation>
-    </message>
-    <message>
-        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
-        <translation>Dann Gefäße in einer Schicht anklicken: nur Verbundenes wird erfasst.</translation>
-    </message>
-    <message>
-        <source>Avoid</source>
-        <translation>Meiden</translation>
-    </message>
-    <message>
-        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
-        <translation>Dann Herz, Venen oder Knochen anklicken: was von dort auf weiteren Wegen erreicht wird, entfällt.</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Trace</source>
-        <translation>Erfassen</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>Schwelle</translation>
-    </message>
-    <message>
-        <source>The vessels begin at this value of the scan.</source>
-        <translation>Ab diesem Wert des CT beginnen die Gefäße.</translation>
-    </message>
-    <message>
-        <source>Seeds and places to avoid</source>
-        <translation>Startpunkte und zu meidende Stellen</translation>
-    </message>
-    <message>
-        <source>Shortest branch</source>
-        <translation>Kürzester Ast</translation>
-    </message>
-    <message>
-        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
-        <translation>Äste, die weniger aus der Wand ihres Stammes ragen, entfallen.</translation>
-    </message>
-    <message>
-        <source>Thinnest branch</source>
-        <translation>Dünnster Ast</translation>
-    </message>
-    <message>
-        <source>Branches whose mean radius is smaller are removed.</source>
-        <translation>Äste mit kleinerem mittlerem Radius entfallen.</translation>
-    </message>
-    <message>
-        <source>Ends the tracing; the vessels stay as they were.</source>
-        <translation>Beendet das Erfassen; die Gefäße bleiben, wie sie waren.</translation>
-    </message>
-    <message>
-        <source>+ seed %1</source>
-        <translation>+ Startpunkt %1</translation>
-    </message>
-    <message>
-        <source>× avoid %1</source>
-        <translation>× meiden %1</translation>
-    </message>
-    <message>
-        <source>Tracing …</source>
-        <translation>Erfassung …</translation>
-    </message>
-    <message>
-        <source>Click in a slice to place a point; Esc ends.</source>
-        <translation>In eine Schicht klicken setzt einen Punkt; Esc beendet.</translation>
-    </message>
-    <message>
-        <source>The traced vessels replace the tree; undo brings it back.</source>
-        <translation>Die erfassten Gefäße ersetzen den Gefäßbaum; Rückgängig bringt ihn zurück.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::TreeView</name>
-    <message>
-        <source>3-D view of vessel tree, X-ray source and detector</source>
-        <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::TrialBar</name>
-    <message>
-        <source>Abandon</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Ends the trial; the log says that it was abandoned.</source>
-        <translation>Beendet den Versuch; das Protokoll nennt ihn abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
-        <translation>Blindversuch von %1: die Gefäße auf das Bild legen. Die Zahlen erscheinen danach wieder.</translation>
-    </message>
-    <message>
-        <source>Logs time and pose, and brings the numbers back.</source>
-        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ViewFrame</name>
-    <message>
-        <source>In a window of its own</source>
-        <translation>In einem eigenen Fenster</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>Zurückholen</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ViewPane</name>
-    <message>
-        <source>Frames of this view</source>
-        <translation>Bilder dieser Ansicht</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ViewStrip</name>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>All views beside each other, or the shown one alone</source>
-        <translation>Alle Ansichten nebeneinander oder die gezeigte allein</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
-        <translation>Was in einer Ansicht unter dem Zeiger liegt, ist in den anderen eine Linie, und ein Punkt auf den Gefäßen</translation>
-    </message>
-    <message>
-        <source>Views of the case</source>
-        <translation>Ansichten des Falls</translation>
-    </message>
-    <message>
-        <source>Add a view</source>
-        <translation>Ansicht hinzufügen</translation>
-    </message>
-    <message>
-        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
-        <translation>Ein weiteres Angiogramm derselben Gefäße (Strg+Umschalt+V)</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::VtkView</name>
-    <message>
-        <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
-        <translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet. Alles andere geht. LIBGL_ALWAYS_SOFTWARE=1 versuchen oder libgl1-mesa-dri installieren.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WelcomePage</name>
-    <message>
-        <source>Lay a vessel tree onto its angiogram</source>
-        <translation>Einen Gefäßbaum auf sein Angiogramm legen</translation>
-    </message>
-    <message>
-        <source>Open the sample case</source>
-        <translation>Beispielfall öffnen</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1 (fehlt)</translation>
-    </message>
-    <message>
-        <source>Drop a case here, or vessels together with an angiogram.</source>
-        <translation>Hier einen Fall ablegen, oder Gefäße mit einem Angiogramm.</translation>
-    </message>
-    <message>
-        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
-        <translation>Gefäße: CT als DICOM-Ordner, NIfTI, NRRD oder MetaImage, Masken, Mittellinien (VTP, VTK, CSV, SWC).  Angiogramme: DICOM XA, PNG, TIFF.</translation>
-    </message>
-    <message>
-        <source>Open …</source>
-        <translation>Öffnen …</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>Liste leeren</translation>
-    </message>
-    <message>
-        <source>Forgets these cases and removes their pictures; the case files stay.</source>
-        <translation>Vergisst diese Fälle und entfernt ihre Bilder; die Falldateien bleiben.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WindowActions</name>
-    <message>
-        <source>Open recent</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>In the whole window</source>
-        <translation>Im ganzen Fenster</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WindowBar</name>
-    <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>Eigenes Fenster</translation>
-    </message>
-    <message>
-        <source>Back to the angiogram</source>
-        <translation>Zurück zum Angiogramm</translation>
-    </message>
-    <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
-    </message>
-    <message>
-        <source>W %1 L %2 HU</source>
-        <translation>W %1 L %2 HE</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
-        <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WindowPreset</name>
-    <message>
-        <source>CTA</source>
-        <translation>CTA</translation>
-    </message>
-    <message>
-        <source>Bone</source>
-        <translation>Knochen</translation>
-    </message>
-    <message>
-        <source>Soft tissue</source>
-        <translation>Weichteile</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>Lunge</translation>
-    </message>
-</context>
-<context>
     <name>core</name>
     <message>
         <source>Adds the prior chosen above to the attraction.</source>
@@ -6194,22 +2642,59 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>main</name>
+    <name>angiopose::app::AngleController</name>
     <message>
-        <source>Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use.</source>
-        <translation>Findet die Lage eines 3-D-Gefäßbaums in einem 2-D-Angiogramm. Nicht für den klinischen Einsatz.</translation>
+        <source>Angles that show %1</source>
+        <translation>Winkel, aus denen %1 zu sehen ist</translation>
     </message>
     <message>
-        <source>A case, or a centreline and an angiogram.</source>
-        <translation>Ein Fall, oder eine Mittellinie und ein Angiogramm.</translation>
+        <source>No branch</source>
+        <translation>Kein Ast</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngleDialog</name>
+    <message>
+        <source>Only where it takes off, 10 mm around</source>
+        <translation>Nur wo er abgeht, 10 mm ringsum</translation>
     </message>
     <message>
-        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
-        <translation>Wer das Angiogramm zeichnet: vtk (OpenGL), painter (der Prozessor) oder auto: vtk, wo eine Grafikkarte OpenGL rechnet.</translation>
+        <source>C-arm angles</source>
+        <translation>C-Bogen-Winkel</translation>
     </message>
     <message>
-        <source>No renderer is called “%1”: auto, vtk or painter.</source>
-        <translation>Kein Renderer heißt „%1“: auto, vtk oder painter.</translation>
+        <source>Where the gantry stood for this image.</source>
+        <translation>Wo der C-Bogen bei diesem Bild stand.</translation>
+    </message>
+    <message>
+        <source>The gantry reaches</source>
+        <translation>Der C-Bogen erreicht</translation>
+    </message>
+    <message>
+        <source>Now: %1</source>
+        <translation>Jetzt: %1</translation>
+    </message>
+    <message>
+        <source>%1: foreshortened by %2 %, covered by other vessels %3 %</source>
+        <translation>%1: um %2 % verkürzt, zu %3 % von anderen Gefäßen verdeckt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngleMapPlot</name>
+    <message>
+        <source>Map of the gantry&apos;s angles</source>
+        <translation>Karte der C-Bogen-Winkel</translation>
+    </message>
+    <message>
+        <source>no map yet</source>
+        <translation>noch keine Karte</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SimulatedView</name>
+    <message>
+        <source>The vessels from these angles</source>
+        <translation>Die Gefäße aus diesen Winkeln</translation>
     </message>
 </context>
 <context>
@@ -8958,6 +5443,3521 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>The volume holds labels: its vessels are taken as they are marked.</source>
         <comment>labels.volume-holds-labels</comment>
         <translation>Das Volumen enthält Labels: die Gefäße gelten, wie sie markiert sind.</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use.</source>
+        <translation>Findet die Lage eines 3-D-Gefäßbaums in einem 2-D-Angiogramm. Nicht für den klinischen Einsatz.</translation>
+    </message>
+    <message>
+        <source>A case, or a centreline and an angiogram.</source>
+        <translation>Ein Fall, oder eine Mittellinie und ein Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
+        <translation>Wer das Angiogramm zeichnet: vtk (OpenGL), painter (der Prozessor) oder auto: vtk, wo eine Grafikkarte OpenGL rechnet.</translation>
+    </message>
+    <message>
+        <source>No renderer is called “%1”: auto, vtk or painter.</source>
+        <translation>Kein Renderer heißt „%1“: auto, vtk oder painter.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngiogramAnnotations</name>
+    <message>
+        <source>%1 mm at vessel</source>
+        <translation>%1 mm am Gefäß</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngiogramPanel</name>
+    <message>
+        <source>%1 frames before each</source>
+        <translation>%1 Bilder vor jedem</translation>
+    </message>
+    <message>
+        <source>none found: mark them below</source>
+        <translation>keine gefunden: unten markieren</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1 (automatisch)</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>Angiogramm</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>Ganze Serie in einem Bild</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Choose the frames before the contrast medium arrives</source>
+        <translation>Die Bilder vor Ankunft des Kontrastmittels wählen</translation>
+    </message>
+    <message>
+        <source>Find the shift of each frame</source>
+        <translation>Die Verschiebung jedes Bildes finden</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Trace as the program would by itself</source>
+        <translation>Erfassen, wie das Programm es von selbst täte</translation>
+    </message>
+    <message>
+        <source>Subtract mask</source>
+        <translation>Maske abziehen</translation>
+    </message>
+    <message>
+        <source>Show native frames</source>
+        <translation>Native Bilder zeigen</translation>
+    </message>
+    <message>
+        <source>One frame at a time</source>
+        <translation>Ein Bild nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Choose mask frames automatically</source>
+        <translation>Maskenbilder automatisch wählen</translation>
+    </message>
+    <message>
+        <source>Find the mask&apos;s shift</source>
+        <translation>Verschiebung der Maske finden</translation>
+    </message>
+    <message>
+        <source>Mask shift to the right</source>
+        <translation>Maskenverschiebung nach rechts</translation>
+    </message>
+    <message>
+        <source>Mask shift down</source>
+        <translation>Maskenverschiebung nach unten</translation>
+    </message>
+    <message>
+        <source>How far the mask moves to the right, px</source>
+        <translation>Wie weit die Maske nach rechts rückt, px</translation>
+    </message>
+    <message>
+        <source>How far the mask moves down, px</source>
+        <translation>Wie weit die Maske nach unten rückt, px</translation>
+    </message>
+    <message>
+        <source>mask frames</source>
+        <translation>Maskenbilder</translation>
+    </message>
+    <message>
+        <source>shift →  ↓</source>
+        <translation>Versatz →  ↓</translation>
+    </message>
+    <message>
+        <source>Move the mask</source>
+        <translation>Maske verschieben</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
+        <translation>Wie gespeicherte Werte zur Röntgenintensität stehen (0028,1040)</translation>
+    </message>
+    <message>
+        <source>Pixel values</source>
+        <translation>Pixelwerte</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>Whether contrast medium is darker or brighter than the background</source>
+        <translation>Ob Kontrastmittel dunkler oder heller als der Hintergrund ist</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Change the meaning of pixel values</source>
+        <translation>Bedeutung der Pixelwerte ändern</translation>
+    </message>
+    <message>
+        <source>Vessels are dark</source>
+        <translation>Gefäße sind dunkel</translation>
+    </message>
+    <message>
+        <source>Vessels are bright</source>
+        <translation>Gefäße sind hell</translation>
+    </message>
+    <message>
+        <source>pixel values</source>
+        <translation>Pixelwerte</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>shortest vessel</source>
+        <translation>kürzestes Gefäß</translation>
+    </message>
+    <message>
+        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
+        <translation>Kürzere Einzelstücke entfallen; Sporne unter einem Drittel davon auch</translation>
+    </message>
+    <message>
+        <source>sensitivity</source>
+        <translation>Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>Above 1: fainter vessels are traced as well</source>
+        <translation>Über 1: auch schwächere Gefäße werden erfasst</translation>
+    </message>
+    <message>
+        <source>widest radius</source>
+        <translation>größter Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the widest vessel looked for</source>
+        <translation>Radius des weitesten gesuchten Gefäßes</translation>
+    </message>
+    <message>
+        <source>Default tracing</source>
+        <translation>Vorgabe der Erkennung</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>Erkennung</translation>
+    </message>
+    <message>
+        <source>subtracting …</source>
+        <translation>subtrahiert …</translation>
+    </message>
+    <message>
+        <source>subtracted</source>
+        <translation>subtrahiert</translation>
+    </message>
+    <message>
+        <source>composite</source>
+        <translation>Gesamtbild</translation>
+    </message>
+    <message>
+        <source>native</source>
+        <translation>nativ</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse</source>
+        <translation>Maske mit Pfeilen oder Maus verschieben</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs</source>
+        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run</source>
+        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie</translation>
+    </message>
+    <message>
+        <source>Edit vessels</source>
+        <translation>Gefäße bearbeiten</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves</source>
+        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Window W: how many grey values lie between black and white</source>
+        <translation>Fenster W: wie viele Grauwerte zwischen Schwarz und Weiß liegen</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Zentrum</translation>
+    </message>
+    <message>
+        <source>Level L: the grey value in the middle of them</source>
+        <translation>Zentrum L: der Grauwert in der Mitte davon</translation>
+    </message>
+    <message>
+        <source>window, level</source>
+        <translation>Fenster, Zentrum</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngiogramView</name>
+    <message>
+        <source>Angiogram with the projected vessel tree</source>
+        <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>frame %1 (0–%2)</source>
+        <translation>Bild %1 (0–%2)</translation>
+    </message>
+    <message>
+        <source>Mirrored image, mirrored back by the view</source>
+        <translation>Gespiegeltes Bild, von der Ansicht zurückgespiegelt</translation>
+    </message>
+    <message>
+        <source>Seen from the source: the view is mirrored</source>
+        <translation>Vom Fokus gesehen: die Ansicht ist gespiegelt</translation>
+    </message>
+    <message>
+        <source>Mirrored image: as seen from the source</source>
+        <translation>Gespiegeltes Bild: wie vom Fokus gesehen</translation>
+    </message>
+    <message>
+        <source>flicker %1 · swipe %2 · hide H · outline %3</source>
+        <translation>Blinken %1 · Wischen %2 · Verbergen H · Umriss %3</translation>
+    </message>
+    <message>
+        <source>No angiogram yet: drop one here, or open it (%1).</source>
+        <translation>Noch kein Angiogramm: hier eines ablegen oder öffnen (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AuxiliaryDialog</name>
+    <message>
+        <source>Use %1 instead</source>
+        <translation>Stattdessen %1</translation>
+    </message>
+    <message>
+        <source>Its search alternates between the chosen branches and the whole tree.</source>
+        <translation>Die Suche wechselt zwischen den gewählten Ästen und dem ganzen Baum.</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Up to generation</source>
+        <translation>Bis Generation</translation>
+    </message>
+    <message>
+        <source>Generation 0 begins at the root of the tree.</source>
+        <translation>Generation 0 beginnt an der Wurzel.</translation>
+    </message>
+    <message>
+        <source>At least this wide</source>
+        <translation>Mindestens so weit</translation>
+    </message>
+    <message>
+        <source>By the median radius of a branch.</source>
+        <translation>Nach dem mittleren Radius des Astes (Median).</translation>
+    </message>
+    <message>
+        <source>Choose these</source>
+        <translation>Diese wählen</translation>
+    </message>
+    <message>
+        <source>Makes the suggested branches the auxiliary ones.</source>
+        <translation>Macht die vorgeschlagenen Äste zu Hilfsästen.</translation>
+    </message>
+    <message>
+        <source>Auxiliary branches</source>
+        <translation>Hilfsäste</translation>
+    </message>
+    <message>
+        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
+        <translation>Wechselnde Methoden lösen zuerst für diese Äste: wählen, was gefüllt, ruhig und gut unterscheidbar ist. Ein Bild bestimmt einen Ast nur quer zu seinem Verlauf: welche Äste welchen Freiheitsgrad festlegen, ist hier für die jetzige Lage berechnet.</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>all branches</source>
+        <translation>alle Äste</translation>
+    </message>
+    <message>
+        <source>the chosen</source>
+        <translation>die gewählten</translation>
+    </message>
+    <message>
+        <source>pinned best by</source>
+        <translation>am besten durch</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
+        <translation>± ist eine Standardabweichung, wie bei üblichem Rauschen zu erwarten.</translation>
+    </message>
+    <message>
+        <source>Last generation</source>
+        <translation>Letzte Generation</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>Kleinster Radius</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Without chosen branches the nodes of the tree are used.</source>
+        <translation>Ohne gewählte Äste gelten die Knoten des Gefäßbaums.</translation>
+    </message>
+    <message>
+        <source>Vessels, camera and pose are needed for a suggestion.</source>
+        <translation>Für einen Vorschlag sind Gefäße, Kamera und Lage nötig.</translation>
+    </message>
+    <message>
+        <source>Suggested: %1. They tell nearly as much as all together.</source>
+        <translation>Vorschlag: %1. Sie verraten fast so viel wie alle zusammen.</translation>
+    </message>
+    <message>
+        <source>This tree knows no generations.</source>
+        <translation>Dieser Gefäßbaum kennt keine Generationen.</translation>
+    </message>
+    <message>
+        <source>This tree knows no radii.</source>
+        <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image.</source>
+        <translation>Die Äste im Bild umfahren.</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>Im Blick</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view.</source>
+        <translation>Die Äste, die ganz im Blickfeld liegen.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BlindTrialDialog</name>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Start shifted by up to</source>
+        <translation>Start verschoben bis</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Start turned by up to</source>
+        <translation>Start gedreht bis</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Start trial</source>
+        <translation>Versuch beginnen</translation>
+    </message>
+    <message>
+        <source>Blind observer trial</source>
+        <translation>Blinder Beobachterversuch</translation>
+    </message>
+    <message>
+        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
+        <translation>Die Gefäße beginnen zufällig um die jetzige Lage. Bis „Fertig“ sind alle Zahlen, Abweichungsfarben und früheren Lagen verborgen; Zeit und Endlage kommen ins Protokoll, der Fall bleibt, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>Beobachter</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Log of the trials</source>
+        <translation>Protokoll der Versuche</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Observer and log are needed.</source>
+        <translation>Beobachter und Protokoll sind nötig.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BottomStrip</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop the running task</source>
+        <translation>Laufende Aufgabe anhalten</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BranchDelegate</name>
+    <message>
+        <source>aux</source>
+        <translation>Hilfs</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>g%1</source>
+        <translation>G%1</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BranchModel</name>
+    <message>
+        <source>%1, %2 mm long</source>
+        <translation>%1, %2 mm lang</translation>
+    </message>
+    <message>
+        <source>in the auxiliary set</source>
+        <translation>in der Hilfsmenge</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>median residual %1 mm</source>
+        <translation>mittlere Abweichung %1 mm</translation>
+    </message>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>Radius %1 mm</translation>
+    </message>
+    <message>
+        <source>generation %1</source>
+        <translation>Generation %1</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BranchPanel</name>
+    <message>
+        <source>Branches</source>
+        <translation>Äste</translation>
+    </message>
+    <message>
+        <source>Only these auxiliary</source>
+        <translation>Nur diese als Hilfsäste</translation>
+    </message>
+    <message>
+        <source>No auxiliary branches (use the nodes)</source>
+        <translation>Keine Hilfsäste (Knoten verwenden)</translation>
+    </message>
+    <message>
+        <source>as in the tree</source>
+        <translation>wie im Gefäßbaum</translation>
+    </message>
+    <message>
+        <source>by name</source>
+        <translation>nach Name</translation>
+    </message>
+    <message>
+        <source>by length</source>
+        <translation>nach Länge</translation>
+    </message>
+    <message>
+        <source>by radius</source>
+        <translation>nach Radius</translation>
+    </message>
+    <message>
+        <source>by generation</source>
+        <translation>nach Generation</translation>
+    </message>
+    <message>
+        <source>by residual</source>
+        <translation>nach Abweichung</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>Ast suchen</translation>
+    </message>
+    <message>
+        <source>Order of the branches</source>
+        <translation>Reihenfolge der Äste</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Selects both branches and moves the cross-hair to the gap.</source>
+        <translation>Wählt beide Äste und setzt das Fadenkreuz an die Lücke.</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>Generation</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
+        <translation>Noch keine Gefäße. Ein CT, eine Gefäßmaske oder eine Mittellinie öffnen.</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again.</source>
+        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder.</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary · %2 exclude</source>
+        <translation>%1 Hilfsast · %2 ausschließen</translation>
+    </message>
+    <message>
+        <source>Auxiliary on or off</source>
+        <translation>Hilfsast an oder aus</translation>
+    </message>
+    <message>
+        <source>Exclude or include</source>
+        <translation>Ausschließen oder einbeziehen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CommandTable</name>
+    <message>
+        <source>Views side by side</source>
+        <translation>Ansichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Cross-hair through views side by side</source>
+        <translation>Fadenkreuz durch Ansichten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>Fall schließen</translation>
+    </message>
+    <message>
+        <source>New window</source>
+        <translation>Neues Fenster</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder …</source>
+        <translation>DICOM-Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>Open sample case</source>
+        <translation>Beispielfall öffnen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Export overlay …</source>
+        <translation>Überlagerung exportieren …</translation>
+    </message>
+    <message>
+        <source>Export result …</source>
+        <translation>Ergebnis exportieren …</translation>
+    </message>
+    <message>
+        <source>Export pose …</source>
+        <translation>Lage exportieren …</translation>
+    </message>
+    <message>
+        <source>Export traced vessels …</source>
+        <translation>Erkannte Gefäße exportieren …</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Nudge mode</source>
+        <translation>Justiermodus</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>Zurück zur Startlage</translation>
+    </message>
+    <message>
+        <source>Copy pose as matrix</source>
+        <translation>Lage als Matrix kopieren</translation>
+    </message>
+    <message>
+        <source>Selected branches auxiliary on or off</source>
+        <translation>Gewählte Äste als Hilfsäste an oder aus</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the branches in view</source>
+        <translation>Hilfsäste: die im Blickfeld</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the wider half</source>
+        <translation>Hilfsäste: die weitere Hälfte</translation>
+    </message>
+    <message>
+        <source>Exclude or include selected branches</source>
+        <translation>Gewählte Äste aus- oder einschließen</translation>
+    </message>
+    <message>
+        <source>Select all branches</source>
+        <translation>Alle Äste wählen</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best pose</source>
+        <translation>Anhalten und beste Lage behalten</translation>
+    </message>
+    <message>
+        <source>Fit the image to the window</source>
+        <translation>Bild in das Fenster einpassen</translation>
+    </message>
+    <message>
+        <source>Automatic brightness</source>
+        <translation>Automatische Fensterung</translation>
+    </message>
+    <message>
+        <source>Invert grey values</source>
+        <translation>Grauwerte umkehren</translation>
+    </message>
+    <message>
+        <source>Brightness: every grey value</source>
+        <translation>Fensterung: alle Grauwerte</translation>
+    </message>
+    <message>
+        <source>More contrast</source>
+        <translation>Mehr Kontrast</translation>
+    </message>
+    <message>
+        <source>Less contrast</source>
+        <translation>Weniger Kontrast</translation>
+    </message>
+    <message>
+        <source>Near vessels bright, far ones dim</source>
+        <translation>Nahe Gefäße hell, ferne dunkel</translation>
+    </message>
+    <message>
+        <source>Swipe, lens, off</source>
+        <translation>Wischen, Lupe, aus</translation>
+    </message>
+    <message>
+        <source>Zoom to the worst branch, the next</source>
+        <translation>Zum schlechtesten Ast zoomen, zum nächsten</translation>
+    </message>
+    <message>
+        <source>Show traced vessels</source>
+        <translation>Erkannte Gefäße zeigen</translation>
+    </message>
+    <message>
+        <source>Flicker start pose and pose</source>
+        <translation>Startlage und Lage im Wechsel</translation>
+    </message>
+    <message>
+        <source>Replay the last run</source>
+        <translation>Letzten Lauf wiedergeben</translation>
+    </message>
+    <message>
+        <source>Swing along what the image cannot tell</source>
+        <translation>Schwingen, wo das Bild nichts verrät</translation>
+    </message>
+    <message>
+        <source>Show the run&apos;s other solutions</source>
+        <translation>Andere Lösungen des Laufs zeigen</translation>
+    </message>
+    <message>
+        <source>Take the solution shown</source>
+        <translation>Gezeigte Lösung übernehmen</translation>
+    </message>
+    <message>
+        <source>Overlay fainter</source>
+        <translation>Überlagerung schwächer</translation>
+    </message>
+    <message>
+        <source>Overlay stronger</source>
+        <translation>Überlagerung stärker</translation>
+    </message>
+    <message>
+        <source>Play frames</source>
+        <translation>Bilder abspielen</translation>
+    </message>
+    <message>
+        <source>Hide patient identity</source>
+        <translation>Patientendaten verbergen</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>Bewegung verringern</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>About AngioPose</source>
+        <translation>Über AngioPose</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>&amp;Registrierung</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Language of the desktop</source>
+        <translation>Sprache des Desktops</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation>Bild des Fensters speichern …</translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation>Bild des Fensters kopieren</translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation>Radiologie: links ziehen fenstert</translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation>3D Slicer: links wählt nur</translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation>Blättern: links ziehen wechselt Bilder</translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation>Hilfe zu dem, worauf die Maus zeigt</translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation>Kurzer Rundgang</translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation>Wie eine gute Einpassung aussieht</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Edit traced vessels</source>
+        <translation>Erkannte Gefäße bearbeiten</translation>
+    </message>
+    <message>
+        <source>Trace this frame again</source>
+        <translation>Dieses Bild neu erfassen</translation>
+    </message>
+    <message>
+        <source>Subtract mask, native</source>
+        <translation>Maske abziehen, nativ</translation>
+    </message>
+    <message>
+        <source>Move the mask by hand</source>
+        <translation>Maske von Hand verschieben</translation>
+    </message>
+    <message>
+        <source>This frame is the mask</source>
+        <translation>Dieses Bild ist die Maske</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>Ganze Serie in einem Bild</translation>
+    </message>
+    <message>
+        <source>Click pairs of landmarks</source>
+        <translation>Landmarkenpaare klicken</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>Gefäße nach Landmarken legen</translation>
+    </message>
+    <message>
+        <source>Auxiliary: draw a lasso</source>
+        <translation>Hilfsäste: Lasso ziehen</translation>
+    </message>
+    <message>
+        <source>Auxiliary: which branches …</source>
+        <translation>Hilfsäste: welche Äste …</translation>
+    </message>
+    <message>
+        <source>C-arm angles for the branch …</source>
+        <translation>C-Bogen-Winkel für den Ast …</translation>
+    </message>
+    <message>
+        <source>Trace the scan again</source>
+        <translation>CT neu erfassen</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>Ast suchen</translation>
+    </message>
+    <message>
+        <source>Rename branch</source>
+        <translation>Ast umbenennen</translation>
+    </message>
+    <message>
+        <source>Cut branch at the cross-hair</source>
+        <translation>Ast am Fadenkreuz trennen</translation>
+    </message>
+    <message>
+        <source>Join two branches</source>
+        <translation>Zwei Äste verbinden</translation>
+    </message>
+    <message>
+        <source>Smooth branches</source>
+        <translation>Äste glätten</translation>
+    </message>
+    <message>
+        <source>Root at the branch&apos;s end near the cross-hair</source>
+        <translation>Wurzel am Astende beim Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Hide or show branches</source>
+        <translation>Äste verbergen oder zeigen</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>Alle Äste zeigen</translation>
+    </message>
+    <message>
+        <source>Delete branches</source>
+        <translation>Äste löschen</translation>
+    </message>
+    <message>
+        <source>Delete branches and what leaves them</source>
+        <translation>Äste und ihre Abgänge löschen</translation>
+    </message>
+    <message>
+        <source>Prune short or thin branches …</source>
+        <translation>Kurze oder dünne Äste ausdünnen …</translation>
+    </message>
+    <message>
+        <source>Join the pieces at the next gap</source>
+        <translation>Stücke an der nächsten Lücke verbinden</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>Diese Lage behalten</translation>
+    </message>
+    <message>
+        <source>Switch between poses A and B</source>
+        <translation>Zwischen Lage A und B wechseln</translation>
+    </message>
+    <message>
+        <source>Compare poses and methods …</source>
+        <translation>Lagen und Methoden vergleichen …</translation>
+    </message>
+    <message>
+        <source>Blind observer trial …</source>
+        <translation>Blinder Beobachterversuch …</translation>
+    </message>
+    <message>
+        <source>Trial done</source>
+        <translation>Versuch fertig</translation>
+    </message>
+    <message>
+        <source>Seen from the source (mirrored)</source>
+        <translation>Vom Fokus gesehen (gespiegelt)</translation>
+    </message>
+    <message>
+        <source>Opacification over time</source>
+        <translation>Kontrastfüllung über die Zeit</translation>
+    </message>
+    <message>
+        <source>3-D, axial, coronal, sagittal below the branches</source>
+        <translation>3-D, axial, koronar, sagittal unter den Ästen</translation>
+    </message>
+    <message>
+        <source>Slices instead of the angiogram</source>
+        <translation>Schichten statt Angiogramm</translation>
+    </message>
+    <message>
+        <source>Image alone, without the columns</source>
+        <translation>Bild allein, ohne die Spalten</translation>
+    </message>
+    <message>
+        <source>Ve&amp;ssels</source>
+        <translation>&amp;Gefäße</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>Startlage aus den Winkeln</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>Diese Lage ist die Startlage</translation>
+    </message>
+    <message>
+        <source>&amp;Angiogram</source>
+        <translation>A&amp;ngiogramm</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>&amp;Lage</translation>
+    </message>
+    <message>
+        <source>3-D and slices alone</source>
+        <translation>3-D und Schichten allein</translation>
+    </message>
+    <message>
+        <source>Angiogram in a window of its own</source>
+        <translation>Angiogramm in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>3-D and slices in a window of their own</source>
+        <translation>3-D und Schichten in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>All slices in a window of their own</source>
+        <translation>Alle Schichten in eigenem Fenster</translation>
+    </message>
+    <message>
+        <source>Views alone and in windows</source>
+        <translation>Ansichten allein und in Fenstern</translation>
+    </message>
+    <message>
+        <source>Export followed poses …</source>
+        <translation>Verfolgte Lagen exportieren …</translation>
+    </message>
+    <message>
+        <source>Add a view …</source>
+        <translation>Ansicht hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Show the next view</source>
+        <translation>Nächste Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Follow the vessels through the run</source>
+        <translation>Gefäße durch die Serie verfolgen</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube, radiograph</source>
+        <translation>Gefäße: Mittellinie, Umriss, Röhre, Röntgenbild</translation>
+    </message>
+    <message>
+        <source>Brightness: the vessels alone</source>
+        <translation>Helligkeit: nur die Gefäße</translation>
+    </message>
+    <message>
+        <source>Brightness: soft, with bone and catheter</source>
+        <translation>Helligkeit: weich, mit Knochen und Katheter</translation>
+    </message>
+    <message>
+        <source>Blue to amber</source>
+        <translation>Blau bis Bernstein</translation>
+    </message>
+    <message>
+        <source>Blue, white, red</source>
+        <translation>Blau, weiß, rot</translation>
+    </message>
+    <message>
+        <source>Brightness alone</source>
+        <translation>Nur Helligkeit</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Colours of vessels and residuals</source>
+        <translation>Farben von Gefäßen und Abständen</translation>
+    </message>
+    <message>
+        <source>Choose the labels that are vessels</source>
+        <translation>Labels wählen, die Gefäße sind</translation>
+    </message>
+    <message>
+        <source>Pick the point to turn about</source>
+        <translation>Drehpunkt wählen</translation>
+    </message>
+    <message>
+        <source>Turn about the centroid again</source>
+        <translation>Wieder um den Schwerpunkt drehen</translation>
+    </message>
+    <message>
+        <source>3-D view: everything, the vessels alone</source>
+        <translation>3-D-Ansicht: alles, nur die Gefäße</translation>
+    </message>
+    <message>
+        <source>Export vessel tree …</source>
+        <translation>Gefäßbaum exportieren …</translation>
+    </message>
+    <message>
+        <source>Export report …</source>
+        <translation>Bericht exportieren …</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ConvergencePlot</name>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>shown after a run</source>
+        <translation>nach einem Lauf zu sehen</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>median distance</source>
+        <translation>medianer Abstand</translation>
+    </message>
+    <message>
+        <source>shift of the vessels in one step</source>
+        <translation>Verschiebung der Gefäße je Schritt</translation>
+    </message>
+    <message>
+        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
+Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
+        <translation>Oben: die Hälfte der Gefäßpunkte liegt näher als dies an den erfassten Gefäßen.
+Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über alle Punkte; die unterste Linie heißt keine Verschiebung.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CornerViews</name>
+    <message>
+        <source>3-D</source>
+        <translation>3-D</translation>
+    </message>
+    <message>
+        <source>All slices, large</source>
+        <translation>Alle Schichten, groß</translation>
+    </message>
+    <message>
+        <source>Only this view in the window, and back</source>
+        <translation>Nur diese Ansicht im Fenster, und zurück</translation>
+    </message>
+    <message>
+        <source>In a window of its own, and back</source>
+        <translation>In eigenem Fenster, und zurück</translation>
+    </message>
+    <message>
+        <source>Double click: only this view in the window, and back</source>
+        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CurveEditBar</name>
+    <message>
+        <source>1 curve</source>
+        <translation>1 Kurve</translation>
+    </message>
+    <message>
+        <source>Not a vessel</source>
+        <translation>Kein Gefäß</translation>
+    </message>
+    <message>
+        <source>Click a curve to leave it out</source>
+        <translation>Kurve anklicken, um sie wegzulassen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Brush over parts of curves</source>
+        <translation>Über Kurventeile streichen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Click along a vessel: the line follows it</source>
+        <translation>Am Gefäß entlang klicken: die Linie folgt ihm</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Click where a curve is to fall in two</source>
+        <translation>Klicken, wo eine Kurve geteilt werden soll</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
+        <translation>Weglassen, was im Rahmen liegt; Strg: nur das behalten</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
+        <translation>Weglassen, was im Lasso liegt; Strg: nur das behalten</translation>
+    </message>
+    <message>
+        <source>Trace again</source>
+        <translation>Neu erfassen</translation>
+    </message>
+    <message>
+        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
+        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; Rückgängig bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 Kurven</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect (S)</source>
+        <translation>%1 Kurven, %2 verdächtig (S)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::EditCurvesTool</name>
+    <message>
+        <source>Mark as not a vessel</source>
+        <translation>Als Nicht-Gefäß markieren</translation>
+    </message>
+    <message>
+        <source>Edit vessels: tracing this frame …</source>
+        <translation>Gefäße bearbeiten: Bild wird erfasst …</translation>
+    </message>
+    <message>
+        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
+        <translation>Radieren: über Kurven streichen, [ ] Pinselgröße, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>Zeichnen: am Gefäß entlang klicken, Eingabe beendet, Rücktaste nimmt einen Punkt zurück, Umschalt gerade</translation>
+    </message>
+    <message>
+        <source>Cut: click where a curve is to fall in two, Esc ends</source>
+        <translation>Trennen: klicken, wo eine Kurve geteilt werden soll, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
+        <translation>Kein Gefäß: Kurve anklicken, um sie wegzulassen, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>Rahmen: um das ziehen, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>Lasso: umfahren, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
+    </message>
+    <message>
+        <source>Erase curves</source>
+        <translation>Kurven radieren</translation>
+    </message>
+    <message>
+        <source>Restrict to a region</source>
+        <translation>Auf einen Bereich beschränken</translation>
+    </message>
+    <message>
+        <source>Leave out a region</source>
+        <translation>Bereich weglassen</translation>
+    </message>
+    <message>
+        <source>Cut a curve</source>
+        <translation>Kurve trennen</translation>
+    </message>
+    <message>
+        <source>Draw a curve</source>
+        <translation>Kurve zeichnen</translation>
+    </message>
+    <message>
+        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
+        <translation>Vielleicht ein Katheter: A behält, Entf lässt weg, S zeigt den nächsten</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ExportDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Residual colours with their scale</source>
+        <translation>Abweichungsfarben mit Skala</translation>
+    </message>
+    <message>
+        <source>Patient identity in the picture</source>
+        <translation>Patientendaten im Bild</translation>
+    </message>
+    <message>
+        <source>Export overlay</source>
+        <translation>Überlagerung exportieren</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>1024 px wide</source>
+        <translation>1024 px breit</translation>
+    </message>
+    <message>
+        <source>2048 px wide</source>
+        <translation>2048 px breit</translation>
+    </message>
+    <message>
+        <source>Other width</source>
+        <translation>Andere Breite</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
+        <translation>Das Bild trägt immer „Nicht für den klinischen Einsatz“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>Texte auf Englisch</translation>
+    </message>
+    <message>
+        <source>Swipe or lens as in the window</source>
+        <translation>Wischen oder Lupe wie im Fenster</translation>
+    </message>
+    <message>
+        <source>Start pose beside it: before and after</source>
+        <translation>Startlage daneben: vorher und nachher</translation>
+    </message>
+    <message>
+        <source>twice %1</source>
+        <translation>zweimal %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::FrameBars</name>
+    <message>
+        <source>Frames by opacification</source>
+        <translation>Bilder nach Kontrastfüllung</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the fullest</source>
+        <translation>das vollste</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Shift+drag marks mask frames, double click shows the curve</source>
+        <translation>Umschalt+Ziehen markiert Maskenbilder, Doppelklick zeigt die Kurve</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::GeometryPanel</name>
+    <message>
+        <source>type it</source>
+        <translation>eintippen</translation>
+    </message>
+    <message>
+        <source>SID</source>
+        <translation>SID</translation>
+    </message>
+    <message>
+        <source>Source to detector distance</source>
+        <translation>Abstand Fokus–Detektor</translation>
+    </message>
+    <message>
+        <source>SOD</source>
+        <translation>SOD</translation>
+    </message>
+    <message>
+        <source>Source to isocentre distance</source>
+        <translation>Abstand Fokus–Isozentrum</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>LAO / RAO</source>
+        <translation>LAO / RAO</translation>
+    </message>
+    <message>
+        <source>Primary angle: LAO positive, RAO negative</source>
+        <translation>Primärwinkel: LAO positiv, RAO negativ</translation>
+    </message>
+    <message>
+        <source>CRA / CAU</source>
+        <translation>CRA / CAU</translation>
+    </message>
+    <message>
+        <source>Secondary angle: CRA positive, CAU negative</source>
+        <translation>Sekundärwinkel: kranial positiv, kaudal negativ</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>Header</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>eingegeben</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Assume usual values</source>
+        <translation>Übliche Werte annehmen</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing instead</source>
+        <translation>Stattdessen Abstände und Pixelgröße</translation>
+    </message>
+    <message>
+        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
+        <translation>SID 1000 mm, SOD 750 mm, Pixel 0,3 mm, Winkel 0°: nur für das, was fehlt.</translation>
+    </message>
+    <message>
+        <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
+        <translation>Kamera aus der Falldatei: f %1 px, Mitte %2, %3 px, %4.</translation>
+    </message>
+    <message>
+        <source>seen from the detector</source>
+        <translation>vom Detektor gesehen</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>unvollständig</translation>
+    </message>
+    <message>
+        <source>SID %1</source>
+        <translation>SID %1</translation>
+    </message>
+    <message>
+        <source>%1 mm/px</source>
+        <translation>%1 mm/px</translation>
+    </message>
+    <message>
+        <source>missing values</source>
+        <translation>fehlende Werte</translation>
+    </message>
+    <message>
+        <source>Roll, centre, isocentre</source>
+        <translation>Rollen, Mitte, Isozentrum</translation>
+    </message>
+    <message>
+        <source>What the header says</source>
+        <translation>Was der Header sagt</translation>
+    </message>
+    <message>
+        <source>as from the detector</source>
+        <translation>wie vom Detektor</translation>
+    </message>
+    <message>
+        <source>Side that the image is shown from</source>
+        <translation>Seite, von der das Bild gezeigt ist</translation>
+    </message>
+    <message>
+        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
+        <translation>Angiogramme zeigt man vom Detektor gesehen. Ein gespiegelter Export vertauscht links und rechts: die Projektion wird mitgespiegelt, die Gefäße nie.</translation>
+    </message>
+    <message>
+        <source>side of the image</source>
+        <translation>Bildseite</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>%1 tags</source>
+        <translation>%1 Tags</translation>
+    </message>
+    <message>
+        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
+        <translation>Der Header nennt keine Pixelgröße; diese ist abgeleitet. Mit Eingabe im Feld bestätigen oder eintragen.</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
+        <translation>Das Bild gilt als gespiegelt (%1): prüfen, ob links und rechts stimmen.</translation>
+    </message>
+    <message>
+        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
+        <translation>Der C-Bogen dreht sich in dieser Serie: bei diesem Bild um %1° LAO/RAO und %2° CRA/CAU seit dem ersten.</translation>
+    </message>
+    <message>
+        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
+        <translation>Pixelabstand auf dem Detektor. Eingabe bestätigt einen abgeleiteten.</translation>
+    </message>
+    <message>
+        <source>field width</source>
+        <translation>Bildbreite</translation>
+    </message>
+    <message>
+        <source>Width of the image on the detector: gives the pixel pitch</source>
+        <translation>Breite des Bildes auf dem Detektor: ergibt den Pixelabstand</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>The image is turned clockwise by this</source>
+        <translation>Um so viel ist das Bild im Uhrzeigersinn gedreht</translation>
+    </message>
+    <message>
+        <source>centre right</source>
+        <translation>Mitte rechts</translation>
+    </message>
+    <message>
+        <source>Column that the beam axis meets; 0 is the middle of the first</source>
+        <translation>Spalte, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
+    </message>
+    <message>
+        <source>centre down</source>
+        <translation>Mitte unten</translation>
+    </message>
+    <message>
+        <source>Row that the beam axis meets; 0 is the middle of the first</source>
+        <translation>Zeile, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
+    </message>
+    <message>
+        <source>isocentre L</source>
+        <translation>Isozentrum L</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
+        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: links</translation>
+    </message>
+    <message>
+        <source>isocentre P</source>
+        <translation>Isozentrum P</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
+        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: hinten</translation>
+    </message>
+    <message>
+        <source>isocentre H</source>
+        <translation>Isozentrum H</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
+        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: Kopf</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::GoodFit</name>
+    <message>
+        <source>Good: vessels have moved</source>
+        <translation>Gut: Gefäße haben sich bewegt</translation>
+    </message>
+    <message>
+        <source>Bad: shifted</source>
+        <translation>Schlecht: verschoben</translation>
+    </message>
+    <message>
+        <source>Bad: turned</source>
+        <translation>Schlecht: verdreht</translation>
+    </message>
+    <message>
+        <source>Bad: wrong view angle</source>
+        <translation>Schlecht: falscher Winkel</translation>
+    </message>
+    <message>
+        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
+        <translation>Die Linien laufen mitten in ihren Gefäßen, durchgehend blau, auch in die Seitenäste.</translation>
+    </message>
+    <message>
+        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
+        <translation>Gelb nur, wo dieses Bild kein Kontrastmittel zeigt; jedes gefüllte Gefäß ist blau.</translation>
+    </message>
+    <message>
+        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
+        <translation>Kleine Abweichungen nach beiden Seiten: Herzschlag und Atmung. Keine starre Lage ist besser.</translation>
+    </message>
+    <message>
+        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
+        <translation>Alle Linien liegen zur selben Seite daneben. Neu registrieren oder mit den Pfeilen schieben.</translation>
+    </message>
+    <message>
+        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
+        <translation>Passt in der Mitte und nach außen immer weniger: in der Bildebene verdreht.</translation>
+    </message>
+    <message>
+        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
+        <translation>Der Stamm passt, Seitenäste zeigen woandershin: LAO/RAO oder CRA/CAU stimmen nicht.</translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation>Wie eine gute Einpassung aussieht</translation>
+    </message>
+    <message>
+        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
+        <translation>Simulierte Gefäße. Blau liegt auf einem Gefäß, gelb 2 mm daneben oder mehr.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>drawing …</source>
+        <translation>wird gezeichnet …</translation>
+    </message>
+    <message>
+        <source>Good: everything fits</source>
+        <translation>Gut: alles passt</translation>
+    </message>
+    <message>
+        <source>Good: branches unfilled</source>
+        <translation>Gut: Äste ungefüllt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::HeaderBar</name>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>Nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>AngioPose is a research program, not a medical device.</source>
+        <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.</translation>
+    </message>
+    <message>
+        <source>More menus</source>
+        <translation>Weitere Menüs</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::HelpPage</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::HistogramPlot</name>
+    <message>
+        <source>Histogram of residuals</source>
+        <translation>Histogramm der Abweichungen</translation>
+    </message>
+    <message>
+        <source>no residuals yet</source>
+        <translation>noch keine Abweichungen</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::KeyNotes</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>schieben um 1 mm (Umschalt 10 mm, Strg 0,1 mm)</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>vom Fokus weg oder zu ihm hin</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>rollen um 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+Pfeile</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>ziehen</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>links ziehen</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>Rad, ↑ ↓, Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H (halten)</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>Überlagerung verbergen</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>klicken</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>Ast wählen (Strg fügt hinzu)</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>Im Justiermodus</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>Auf dem Angiogramm</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Strg+Rad</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation>Menü mit dem, was hier möglich ist</translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation>links ziehen, Pfeile</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation>rechts ziehen, Rad, + −</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation>Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Strg+links ziehen</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>rechts ziehen</translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation>Auf der 3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>in 3-D or a slice, then in the image: one pair</source>
+        <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
+    </message>
+    <message>
+        <source>a node of the vessels to its place, or a cross elsewhere</source>
+        <translation>ein Gefäßknoten an seinen Ort, oder ein Kreuz anderswohin</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>place the vessels by the pairs</source>
+        <translation>die Gefäße nach den Paaren legen</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>remove the last pair</source>
+        <translation>das letzte Paar entfernen</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>click curves that are no vessels</source>
+        <translation>Kurven anklicken, die keine Gefäße sind</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>erase with a brush; [ ] its size</source>
+        <translation>mit dem Pinsel radieren; [ ] Größe</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>zeichnen: Eingabe beendet, Rücktaste nimmt zurück, Umschalt gerade</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>cut a curve</source>
+        <translation>Kurve trennen</translation>
+    </message>
+    <message>
+        <source>B L</source>
+        <translation>B L</translation>
+    </message>
+    <message>
+        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
+        <translation>Rahmen oder Lasso um das, was kein Gefäß ist; Strg: nur das Innere behalten</translation>
+    </message>
+    <message>
+        <source>✓ ✗</source>
+        <translation>✓ ✗</translation>
+    </message>
+    <message>
+        <source>dashed curves may be a catheter: keep or leave out</source>
+        <translation>gestrichelte Kurven sind vielleicht ein Katheter: behalten oder weglassen</translation>
+    </message>
+    <message>
+        <source>click, left drag, Ctrl+arrows</source>
+        <translation>klicken, links ziehen, Strg+Pfeile</translation>
+    </message>
+    <message>
+        <source>cross-hair, linked with all views</source>
+        <translation>Fadenkreuz, mit allen Ansichten verbunden</translation>
+    </message>
+    <message>
+        <source>picks the point at the cross-hair, as a click does</source>
+        <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, PgUp PgDn</source>
+        <translation>Rad, ↑ ↓, Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>slices (Shift 10)</source>
+        <translation>Schichten (Umschalt 10)</translation>
+    </message>
+    <message>
+        <source>window and level; a right click opens the menu</source>
+        <translation>Fensterung; ein Rechtsklick öffnet das Menü</translation>
+    </message>
+    <message>
+        <source>middle drag, Ctrl+wheel</source>
+        <translation>Mitte ziehen, Strg+Rad</translation>
+    </message>
+    <message>
+        <source>pan and zoom</source>
+        <translation>verschieben und zoomen</translation>
+    </message>
+    <message>
+        <source>all slices large, and back</source>
+        <translation>alle Schichten groß, und zurück</translation>
+    </message>
+    <message>
+        <source>While clicking landmarks</source>
+        <translation>Beim Klicken von Landmarken</translation>
+    </message>
+    <message>
+        <source>While editing vessels</source>
+        <translation>Beim Bearbeiten der Gefäße</translation>
+    </message>
+    <message>
+        <source>On a slice</source>
+        <translation>In einer Schicht</translation>
+    </message>
+    <message>
+        <source>this view alone, and back</source>
+        <translation>nur diese Ansicht, und zurück</translation>
+    </message>
+    <message>
+        <source>S, then A or Del</source>
+        <translation>S, dann A oder Entf</translation>
+    </message>
+    <message>
+        <source>the next of the dashed curves: keep or leave out</source>
+        <translation>die nächste der gestrichelten Kurven: behalten oder weglassen</translation>
+    </message>
+    <message>
+        <source>While picking the pivot</source>
+        <translation>Beim Wählen des Drehpunkts</translation>
+    </message>
+    <message>
+        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
+        <translation>eine Stelle auf den Gefäßen, im Bild, in 3-D oder in einer Schicht</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>the next bifurcation or end</source>
+        <translation>die nächste Verzweigung oder das nächste Ende</translation>
+    </message>
+    <message>
+        <source>takes the place shown</source>
+        <translation>nimmt die gezeigte Stelle</translation>
+    </message>
+    <message>
+        <source>back to the centroid</source>
+        <translation>zurück zum Schwerpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Search keys and what they do</source>
+        <translation>Tasten und Wirkungen suchen</translation>
+    </message>
+    <message>
+        <source>Search keys</source>
+        <translation>Tasten suchen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>No key for “%1”.</source>
+        <translation>Keine Taste für „%1“.</translation>
+    </message>
+    <message>
+        <source>Keys and what they do</source>
+        <translation>Tasten und ihre Wirkung</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>Alle Tasten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Enter or double-click on a line takes a new key for it.</source>
+        <translation>Eingabetaste oder Doppelklick auf eine Zeile nimmt eine neue Taste an.</translation>
+    </message>
+    <message>
+        <source>This key is fixed.</source>
+        <translation>Diese Taste ist fest.</translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
+        <translation>Neue Taste für „%1“ drücken. Esc behält die alte, Entf lässt keine.</translation>
+    </message>
+    <message>
+        <source>The old key stays.</source>
+        <translation>Die alte Taste bleibt.</translation>
+    </message>
+    <message>
+        <source>“%1” is needed elsewhere. Press another key.</source>
+        <translation>„%1“ wird anderswo gebraucht. Eine andere Taste drücken.</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
+        <translation>„%1“ gehört zu „%2“. Nochmals drücken nimmt sie von dort, oder eine andere drücken.</translation>
+    </message>
+    <message>
+        <source>No key any more.</source>
+        <translation>Keine Taste mehr.</translation>
+    </message>
+    <message>
+        <source>The key is “%1” now.</source>
+        <translation>Die Taste ist jetzt „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LabelChoice</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>Label %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Ticks every label of the list</source>
+        <translation>Kreuzt jedes Label der Liste an</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Unticks every label of the list</source>
+        <translation>Nimmt das Kreuz von jedem Label der Liste</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Ticks those that are vessels by their names</source>
+        <translation>Kreuzt die an, die dem Namen nach Gefäße sind</translation>
+    </message>
+    <message>
+        <source>Find a label</source>
+        <translation>Label suchen</translation>
+    </message>
+    <message>
+        <source>Labels that are vessels</source>
+        <translation>Labels, die Gefäße sind</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Reading the labels …</source>
+        <translation>Die Labels werden gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ticked, %3</source>
+        <translation>%1 von %2 angekreuzt, %3</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LandmarkPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>Landmarken</translation>
+    </message>
+    <message>
+        <source>Place vessels</source>
+        <translation>Gefäße legen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Landmarks and how far each is off</source>
+        <translation>Landmarken und ihre Abweichung</translation>
+    </message>
+    <message>
+        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
+        <translation>Startlage aus den Paaren finden: Eingabe beim Klicken. Rückgängig bringt die alte zurück.</translation>
+    </message>
+    <message>
+        <source>Remove the chosen pairs: Delete</source>
+        <translation>Gewählte Paare entfernen: Entf</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>not in view</source>
+        <translation>nicht im Bild</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 Paare</translation>
+    </message>
+    <message>
+        <source>Click pairs</source>
+        <translation>Paare klicken</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
+        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild.</translation>
+    </message>
+    <message>
+        <source>%1: click pairs, then place</source>
+        <translation>%1: Paare klicken, dann einpassen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LandmarkTool</name>
+    <message>
+        <source>Landmarks: now click the same place in the image</source>
+        <translation>Landmarken: jetzt dieselbe Stelle im Bild anklicken</translation>
+    </message>
+    <message>
+        <source>Landmarks: now click the same place on the vessels in 3-D</source>
+        <translation>Landmarken: jetzt dieselbe Stelle an den Gefäßen in 3-D anklicken</translation>
+    </message>
+    <message>
+        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
+        <translation>Landmarken: in 3-D und hier klicken, oder Knoten ziehen · Eingabe legt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LassoTool</name>
+    <message>
+        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
+        <translation>Lasso: Hilfsäste umfahren, Umschalt fügt hinzu, Strg entfernt, Esc beendet</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MainWindow</name>
+    <message>
+        <source>AngioPose: angiogram</source>
+        <translation>AngioPose: Angiogramm</translation>
+    </message>
+    <message>
+        <source>AngioPose: 3-D and slices</source>
+        <translation>AngioPose: 3-D und Schichten</translation>
+    </message>
+    <message>
+        <source>AngioPose: slices</source>
+        <translation>AngioPose: Schichten</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskShiftTool</name>
+    <message>
+        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
+        <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MessageDialog</name>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>Einzelheiten kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MissingInputs</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Where are the inputs?</source>
+        <translation>Wo sind die Eingaben?</translation>
+    </message>
+    <message>
+        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
+        <translation>„%1“ verweist auf Dateien, die nicht mehr am Ort sind; die Suche daneben und bei den letzten Fällen fand sie nicht. Der Fall selbst ist unversehrt.</translation>
+    </message>
+    <message>
+        <source>was in %1</source>
+        <translation>war in %1</translation>
+    </message>
+    <message>
+        <source>Locate …</source>
+        <translation>Suchen …</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>Search a folder …</source>
+        <translation>Ordner durchsuchen …</translation>
+    </message>
+    <message>
+        <source>Looks in the folder and all below it, by name and by content.</source>
+        <translation>Sucht im Ordner und allen darunter, nach Name und Inhalt.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>jetzt %1</translation>
+    </message>
+    <message>
+        <source>Search a folder</source>
+        <translation>Ordner durchsuchen</translation>
+    </message>
+    <message>
+        <source>Open without</source>
+        <translation>Ohne öffnen</translation>
+    </message>
+    <message>
+        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
+        <translation>Es fehlt ein Scan neben den Gefäßen oder eine weitere Ansicht: der Rest öffnet sich.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MotionPlot</name>
+    <message>
+        <source>Motion of the vessels by frame</source>
+        <translation>Bewegung der Gefäße je Bild</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
+        <translation>Bild %1: %2 mm quer, %3 mm in der Tiefe, %4°</translation>
+    </message>
+    <message>
+        <source>%1 (not explained by the vessels)</source>
+        <translation>%1 (durch die Gefäße nicht erklärt)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::NudgeTool</name>
+    <message>
+        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
+        <translation>Justieren: Ziehen schiebt, Ring rollt, Bögen drehen, Pfeil links Tiefe, Strg fein, Esc zurück</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::OpacificationPlot</name>
+    <message>
+        <source>Opacification over the frames</source>
+        <translation>Kontrastfüllung über die Bilder</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
+    </message>
+    <message>
+        <source>Only runs of several frames have a curve</source>
+        <translation>Nur Serien mit mehreren Bildern haben eine Kurve</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PivotMark</name>
+    <message>
+        <source>pivot</source>
+        <translation>Drehpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PivotTool</name>
+    <message>
+        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
+        <translation>Drehpunkt: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PoseAxis</name>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>along ray</source>
+        <translation>im Strahl</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>LAO / RAO</source>
+        <translation>LAO / RAO</translation>
+    </message>
+    <message>
+        <source>CRA / CAU</source>
+        <translation>CRA / CAU</translation>
+    </message>
+    <message>
+        <source>To the right on screen, in mm at the vessels. Nudge: ← →</source>
+        <translation>Nach rechts am Bildschirm, in mm an den Gefäßen. Justieren: ← →</translation>
+    </message>
+    <message>
+        <source>Up on screen, in mm at the vessels. Nudge: ↑ ↓</source>
+        <translation>Nach oben am Bildschirm, in mm an den Gefäßen. Justieren: ↑ ↓</translation>
+    </message>
+    <message>
+        <source>Away from the X-ray source, in mm. Nudge: PgUp PgDn</source>
+        <translation>Weg vom Röntgenfokus, in mm. Justieren: Bild↑ Bild↓</translation>
+    </message>
+    <message>
+        <source>Clockwise on screen. Nudge: , .</source>
+        <translation>Im Uhrzeigersinn am Bildschirm. Justieren: , .</translation>
+    </message>
+    <message>
+        <source>As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
+        <translation>Als führe der C-Bogen nach LAO (+) oder RAO (−). Justieren: Alt+← Alt+→</translation>
+    </message>
+    <message>
+        <source>As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓</source>
+        <translation>Als führe der C-Bogen nach kranial (+) oder kaudal (−). Justieren: Alt+↑ Alt+↓</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PosePanel</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>Zurück zur Startlage</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Lage %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>%1 sperren</translation>
+    </message>
+    <message>
+        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
+        <translation>Diesen Wert halten: Justieren, Ziehen, Tippen und Registrieren lassen ihn.</translation>
+    </message>
+    <message>
+        <source>Undo brings the pose back.</source>
+        <translation>Rückgängig bringt die Lage zurück.</translation>
+    </message>
+    <message>
+        <source>nudging · arrows · %1 ends</source>
+        <translation>justieren · Pfeile · %1 beendet</translation>
+    </message>
+    <message>
+        <source>nudge %1 · fine Ctrl · coarse Shift</source>
+        <translation>justieren %1 · fein Strg · grob Umschalt</translation>
+    </message>
+    <message>
+        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
+        <translation>Dreht um den gewählten Drehpunkt, und die Verschiebungen sind seine. %1 führt zum Schwerpunkt zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PoseTable</name>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Runs the ticked methods one after the other from the pose as it is.</source>
+        <translation>Startet die angehakten Methoden nacheinander von der jetzigen Lage aus.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Stops the running method and skips the rest; what is finished stays.</source>
+        <translation>Hält die laufende Methode an und überspringt den Rest; Fertiges bleibt.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Moves the vessels there; undo takes it back.</source>
+        <translation>Bringt die Gefäße dorthin; Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>Use as reference</source>
+        <translation>Als Bezug</translation>
+    </message>
+    <message>
+        <source>Differences are told from this pose.</source>
+        <translation>Unterschiede gelten gegen diese Lage.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the snapshots; undo brings them back.</source>
+        <translation>Entfernt die Lagen; Rückgängig bringt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Compare poses</source>
+        <translation>Lagen vergleichen</translation>
+    </message>
+    <message>
+        <source>Poses side by side</source>
+        <translation>Lagen nebeneinander</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>median mm</source>
+        <translation>Median mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>covered %</source>
+        <translation>abgedeckt %</translation>
+    </message>
+    <message>
+        <source>Δ in plane mm</source>
+        <translation>Δ Bildebene mm</translation>
+    </message>
+    <message>
+        <source>Δ depth mm</source>
+        <translation>Δ Tiefe mm</translation>
+    </message>
+    <message>
+        <source>Δ turn °</source>
+        <translation>Δ Drehung °</translation>
+    </message>
+    <message>
+        <source>run ms</source>
+        <translation>Lauf ms</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Autor</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Wann</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Export CSV …</source>
+        <translation>CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes the table with poses as matrices.</source>
+        <translation>Schreibt die Tabelle mit Lagen als Matrizen.</translation>
+    </message>
+    <message>
+        <source>Run several methods</source>
+        <translation>Mehrere Methoden laufen lassen</translation>
+    </message>
+    <message>
+        <source>each leaves its pose in the table; the case keeps its own</source>
+        <translation>jede hinterlässt ihre Lage in der Tabelle; der Fall behält seine</translation>
+    </message>
+    <message>
+        <source>The pose as it is</source>
+        <translation>Die jetzige Lage</translation>
+    </message>
+    <message>
+        <source>This fit was not trustworthy.</source>
+        <translation>Diese Einpassung war nicht vertrauenswürdig.</translation>
+    </message>
+    <message>
+        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
+        <translation>Unterschiede gegen „%1“, um die Mitte des Gefäßbaums. Gelb: nicht vertrauenswürdig.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PruneDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Ausdünnen</translation>
+    </message>
+    <message>
+        <source>Remove end branches that are</source>
+        <translation>Endäste entfernen, die</translation>
+    </message>
+    <message>
+        <source>shorter than</source>
+        <translation>kürzer sind als</translation>
+    </message>
+    <message>
+        <source>on average thinner than (radius)</source>
+        <translation>im Mittel dünner sind als (Radius)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Nothing would be left. Lower the limits.</source>
+        <translation>Nichts bliebe übrig. Grenzen senken.</translation>
+    </message>
+    <message>
+        <source>No branch goes.</source>
+        <translation>Kein Ast entfällt.</translation>
+    </message>
+    <message>
+        <source>1 branch goes.</source>
+        <translation>1 Ast entfällt.</translation>
+    </message>
+    <message>
+        <source>%1 branches go.</source>
+        <translation>%1 Äste entfallen.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::RecoveryDialog</name>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work?</source>
+        <translation>Nicht Gespeichertes wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
+        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen; Wiederherstellen öffnet die Kopie und lässt den gespeicherten Fall, wie er ist.</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>Später entscheiden</translation>
+    </message>
+    <message>
+        <source>Copies of unsaved work</source>
+        <translation>Kopien ungespeicherter Arbeit</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>Last copy</source>
+        <translation>Letzte Kopie</translation>
+    </message>
+    <message>
+        <source>Saved in</source>
+        <translation>Gespeichert in</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nie gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::RegistrationPanel</name>
+    <message>
+        <source>Registration</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Method and options</source>
+        <translation>Methode und Optionen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Ends the run and keeps the best pose so far.</source>
+        <translation>Beendet den Lauf und behält die bisher beste Lage.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>About this method</source>
+        <translation>Über diese Methode</translation>
+    </message>
+    <message>
+        <source>What this method minimises, when it fails, and its source.</source>
+        <translation>Was diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
+    </message>
+    <message>
+        <source>1 auxiliary branch</source>
+        <translation>1 Hilfsast</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary branches</source>
+        <translation>%1 Hilfsäste</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Registering …</source>
+        <translation>Registriert …</translation>
+    </message>
+    <message>
+        <source>Register keeps the locked degree of freedom.</source>
+        <translation>Registrieren hält den gesperrten Freiheitsgrad.</translation>
+    </message>
+    <message>
+        <source>Register keeps the %1 locked degrees of freedom.</source>
+        <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
+    </message>
+    <message>
+        <source>All %1 views together</source>
+        <translation>Alle %1 Ansichten zusammen</translation>
+    </message>
+    <message>
+        <source>Finds the pose that lays the vessels onto the angiogram.</source>
+        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt.</translation>
+    </message>
+    <message>
+        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
+        <translation>Eine Lage für alle Ansichten: Von Hand verschoben bewegen sich die Gefäße in allen, und Registrieren passt alle mit AngioPoses eigener Methode ein; die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken ist nur die gezeigte Ansicht gemeint.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ResultPanel</name>
+    <message>
+        <source>%1 · of an earlier run</source>
+        <translation>%1 · aus einem früheren Lauf</translation>
+    </message>
+    <message>
+        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
+        <translation>Woran diese Lage angepasst wurde, hat sich seit dem Lauf geändert. R registriert neu.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 · moved by hand</source>
+        <translation>%1 · von Hand verschoben</translation>
+    </message>
+    <message>
+        <source>%1 · start pose</source>
+        <translation>%1 · Startlage</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>median, mm</source>
+        <translation>Median, mm</translation>
+    </message>
+    <message>
+        <source>Half of the vessel points lie nearer than this.</source>
+        <translation>Die Hälfte der Gefäßpunkte liegt näher.</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 %, mm</translation>
+    </message>
+    <message>
+        <source>95 of 100 vessel points lie nearer than this.</source>
+        <translation>95 von 100 Gefäßpunkten liegen näher.</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>abgedeckt</translation>
+    </message>
+    <message>
+        <source>Share of the traced vessels that the tree explains within 3 px.</source>
+        <translation>Anteil der erkannten Gefäße, den der Gefäßbaum auf 3 px erklärt.</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation.</source>
+        <translation>± ist eine Standardabweichung.</translation>
+    </message>
+    <message>
+        <source>mm, all points</source>
+        <translation>mm, alle Punkte</translation>
+    </message>
+    <message>
+        <source>nothing to judge yet</source>
+        <translation>noch nichts zu beurteilen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>This is the start pose: nothing is fitted yet. R registers, N nudges.</source>
+        <translation>Das ist die Startlage: noch nichts eingepasst. R registriert, N justiert.</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>mm across, by frame</source>
+        <translation>mm quer, je Bild</translation>
+    </message>
+    <message>
+        <source>%1 · followed</source>
+        <translation>%1 · verfolgt</translation>
+    </message>
+    <message>
+        <source>%1 → %2 px · steps: %3</source>
+        <translation>%1 → %2 px · Schritte: %3</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ResultSentences</name>
+    <message>
+        <source>%1 of %2 branches agree within %3 mm.</source>
+        <translation>%1 von %2 Ästen stimmen auf %3 mm überein.</translation>
+    </message>
+    <message>
+        <source>Depth ±%1 mm: one view cannot tell it.</source>
+        <translation>Tiefe ±%1 mm: eine Projektion allein verrät sie nicht.</translation>
+    </message>
+    <message>
+        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
+        <translation>Im Raum, nach der Genauigkeit der Geometrie: Tiefe ±%1 mm, seitlich ±%2 mm.</translation>
+    </message>
+    <message>
+        <source>Depth is the least certain: ±%1 mm.</source>
+        <translation>Am unsichersten ist die Tiefe: ±%1 mm.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off: perhaps unfilled in this frame, or moved.</source>
+        <translation>%1 liegt %2 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
+    </message>
+    <message>
+        <source>%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.</source>
+        <translation>%1 Äste liegen bis %2 mm daneben: in diesem Bild nicht gefüllt, oder die Lage ist falsch.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.</source>
+        <translation>%1 und %2 liegen bis %3 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
+    </message>
+    <message>
+        <source>Look closely: this fit is not trustworthy.</source>
+        <translation>Genau ansehen: diese Einpassung ist nicht vertrauenswürdig.</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Ast %1</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm, rotation ±%2°.</source>
+        <translation>In der Bildebene ±%1 mm, Drehung ±%2°.</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm.</source>
+        <translation>In der Bildebene ±%1 mm.</translation>
+    </message>
+    <message>
+        <source>Rotation ±%1°.</source>
+        <translation>Drehung ±%1°.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::Section</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>%1 ein- oder ausklappen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SeriesChooser</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Choose a series</source>
+        <translation>Serie wählen</translation>
+    </message>
+    <message>
+        <source>Which series?</source>
+        <translation>Welche Serie?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 holds %n series.</source>
+        <translation>
+            <numerusform>%1 enthält %n Serien.</numerusform>
+            <numerusform>%1 enthält %n Serien.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Series of the folder</source>
+        <translation>Serien des Ordners</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Spacing in mm</source>
+        <translation>Abstand in mm</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SliceModel</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronar</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SliceView</name>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>No scan</source>
+        <translation>Kein CT</translation>
+    </message>
+    <message>
+        <source>%1 %2 / %3</source>
+        <translation>%1 %2 / %3</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 HE</translation>
+    </message>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>W %1 L %2</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SnapshotPanel</name>
+    <message>
+        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
+        <translation>Median %1 mm, 95 % %2 mm, abgedeckt %3 %</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Compare …</source>
+        <translation>Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Kept poses</source>
+        <translation>Behaltene Lagen</translation>
+    </message>
+    <message>
+        <source>Runs (%1)</source>
+        <translation>Läufe (%1)</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Restore	Return</source>
+        <translation>Wiederherstellen	Eingabe</translation>
+    </message>
+    <message>
+        <source>Use as A</source>
+        <translation>Als A</translation>
+    </message>
+    <message>
+        <source>Use as B</source>
+        <translation>Als B</translation>
+    </message>
+    <message>
+        <source>Rename	F2</source>
+        <translation>Umbenennen	F2</translation>
+    </message>
+    <message>
+        <source>Delete	Del</source>
+        <translation>Löschen	Entf</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
+        <translation>%1 behält die Lage; %2 wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>Lage behalten</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name.</source>
+        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen.</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table.</source>
+        <translation>Lagen und Methoden nebeneinander als Tabelle.</translation>
+    </message>
+    <message>
+        <source>median mm · %1: A ⇄ B</source>
+        <translation>Median mm · %1: A ⇄ B</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SolutionStrip</name>
+    <message>
+        <source>Solutions</source>
+        <translation>Lösungen</translation>
+    </message>
+    <message>
+        <source>Solutions of the run</source>
+        <translation>Lösungen des Laufs</translation>
+    </message>
+    <message>
+        <source>%1 shows the next · %2 takes it</source>
+        <translation>%1 nächste · %2 nimmt sie</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StepBar</name>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>Angiogramm</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Start pose</source>
+        <translation>Startlage</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>Registrieren</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StepButton</name>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>bitte ansehen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TracingPanel</name>
+    <message>
+        <source>%1  %2  %3  %4</source>
+        <translation>%1  %2  %3  %4</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>Gefäße erfassen</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Automatische Schwelle</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HE</translation>
+    </message>
+    <message>
+        <source>Show in the slices what is above</source>
+        <translation>In den Schichten zeigen, was darüber liegt</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>Startpunkte</translation>
+    </message>
+    <message>
+        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
+        <translation>Dann Gefäße in einer Schicht anklicken: nur Verbundenes wird erfasst.</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>Meiden</translation>
+    </message>
+    <message>
+        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
+        <translation>Dann Herz, Venen oder Knochen anklicken: was von dort auf weiteren Wegen erreicht wird, entfällt.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Erfassen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>The vessels begin at this value of the scan.</source>
+        <translation>Ab diesem Wert des CT beginnen die Gefäße.</translation>
+    </message>
+    <message>
+        <source>Seeds and places to avoid</source>
+        <translation>Startpunkte und zu meidende Stellen</translation>
+    </message>
+    <message>
+        <source>Shortest branch</source>
+        <translation>Kürzester Ast</translation>
+    </message>
+    <message>
+        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
+        <translation>Äste, die weniger aus der Wand ihres Stammes ragen, entfallen.</translation>
+    </message>
+    <message>
+        <source>Thinnest branch</source>
+        <translation>Dünnster Ast</translation>
+    </message>
+    <message>
+        <source>Branches whose mean radius is smaller are removed.</source>
+        <translation>Äste mit kleinerem mittlerem Radius entfallen.</translation>
+    </message>
+    <message>
+        <source>Ends the tracing; the vessels stay as they were.</source>
+        <translation>Beendet das Erfassen; die Gefäße bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>+ seed %1</source>
+        <translation>+ Startpunkt %1</translation>
+    </message>
+    <message>
+        <source>× avoid %1</source>
+        <translation>× meiden %1</translation>
+    </message>
+    <message>
+        <source>Tracing …</source>
+        <translation>Erfassung …</translation>
+    </message>
+    <message>
+        <source>Click in a slice to place a point; Esc ends.</source>
+        <translation>In eine Schicht klicken setzt einen Punkt; Esc beendet.</translation>
+    </message>
+    <message>
+        <source>The traced vessels replace the tree; undo brings it back.</source>
+        <translation>Die erfassten Gefäße ersetzen den Gefäßbaum; Rückgängig bringt ihn zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TreeView</name>
+    <message>
+        <source>3-D view of vessel tree, X-ray source and detector</source>
+        <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TrialBar</name>
+    <message>
+        <source>Abandon</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the trial; the log says that it was abandoned.</source>
+        <translation>Beendet den Versuch; das Protokoll nennt ihn abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
+        <translation>Blindversuch von %1: die Gefäße auf das Bild legen. Die Zahlen erscheinen danach wieder.</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back.</source>
+        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ViewFrame</name>
+    <message>
+        <source>In a window of its own</source>
+        <translation>In einem eigenen Fenster</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>Zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ViewPane</name>
+    <message>
+        <source>Frames of this view</source>
+        <translation>Bilder dieser Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ViewStrip</name>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>All views beside each other, or the shown one alone</source>
+        <translation>Alle Ansichten nebeneinander oder die gezeigte allein</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
+        <translation>Was in einer Ansicht unter dem Zeiger liegt, ist in den anderen eine Linie, und ein Punkt auf den Gefäßen</translation>
+    </message>
+    <message>
+        <source>Views of the case</source>
+        <translation>Ansichten des Falls</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
+        <translation>Ein weiteres Angiogramm derselben Gefäße (Strg+Umschalt+V)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::VtkView</name>
+    <message>
+        <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
+        <translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet. Alles andere geht. LIBGL_ALWAYS_SOFTWARE=1 versuchen oder libgl1-mesa-dri installieren.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WelcomePage</name>
+    <message>
+        <source>Lay a vessel tree onto its angiogram</source>
+        <translation>Einen Gefäßbaum auf sein Angiogramm legen</translation>
+    </message>
+    <message>
+        <source>Open the sample case</source>
+        <translation>Beispielfall öffnen</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>Drop a case here, or vessels together with an angiogram.</source>
+        <translation>Hier einen Fall ablegen, oder Gefäße mit einem Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <translation>Gefäße: CT als DICOM-Ordner, NIfTI, NRRD oder MetaImage, Masken, Mittellinien (VTP, VTK, CSV, SWC).  Angiogramme: DICOM XA, PNG, TIFF.</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Forgets these cases and removes their pictures; the case files stay.</source>
+        <translation>Vergisst diese Fälle und entfernt ihre Bilder; die Falldateien bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WindowActions</name>
+    <message>
+        <source>Open recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>In the whole window</source>
+        <translation>Im ganzen Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WindowBar</name>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>Eigenes Fenster</translation>
+    </message>
+    <message>
+        <source>Back to the angiogram</source>
+        <translation>Zurück zum Angiogramm</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
+    </message>
+    <message>
+        <source>W %1 L %2 HU</source>
+        <translation>W %1 L %2 HE</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
+        <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WindowPreset</name>
+    <message>
+        <source>CTA</source>
+        <translation>CTA</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MessageHistory</name>
+    <message>
+        <source>Messages</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>Noch keine Meldungen.</translation>
     </message>
 </context>
 </TS>

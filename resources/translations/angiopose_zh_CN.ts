@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>angiopose::app::AngleController</name>
-    <message>
-        <source>Angles that show %1</source>
-        <translation>能看清 %1 的角度</translation>
-    </message>
-    <message>
-        <source>No branch</source>
-        <translation>无分支</translation>
-    </message>
-</context>
-<context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
         <source>Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide what they can tell, the others hold the rest.</source>
@@ -588,6 +577,48 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
+    <name>angiopose::ui::PatientBar</name>
+    <message>
+        <source>Patient</source>
+        <translation>患者</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PatientController</name>
+    <message>
+        <source>Not the same patient in all inputs</source>
+        <translation>输入并非来自同一患者</translation>
+    </message>
+    <message>
+        <source>The inputs do not belong together</source>
+        <translation>输入不属于同一检查</translation>
+    </message>
+    <message>
+        <source>Identity hidden (Shift+P shows it)</source>
+        <translation>身份已隐藏（Shift+P 显示）</translation>
+    </message>
+    <message>
+        <source>scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>投影 %1</translation>
+    </message>
+    <message>
+        <source>angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>出生 %1</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::app::InputKind</name>
     <message>
         <source>Cases, vessels and angiograms (%1)</source>
@@ -931,41 +962,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>One unit of the file is %1 mm, as you chose.</source>
         <translation>按您的选择，文件的一个单位为 %1 mm。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::app::PatientController</name>
-    <message>
-        <source>Not the same patient in all inputs</source>
-        <translation>输入并非来自同一患者</translation>
-    </message>
-    <message>
-        <source>The inputs do not belong together</source>
-        <translation>输入不属于同一检查</translation>
-    </message>
-    <message>
-        <source>Identity hidden (Shift+P shows it)</source>
-        <translation>身份已隐藏（Shift+P 显示）</translation>
-    </message>
-    <message>
-        <source>scan</source>
-        <translation>扫描</translation>
-    </message>
-    <message>
-        <source>view %1</source>
-        <translation>投影 %1</translation>
-    </message>
-    <message>
-        <source>angiogram</source>
-        <translation>造影</translation>
-    </message>
-    <message>
-        <source>ID %1</source>
-        <translation>ID %1</translation>
-    </message>
-    <message>
-        <source>born %1</source>
-        <translation>出生 %1</translation>
     </message>
 </context>
 <context>
@@ -1971,3553 +1967,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>angiopose::ui::AngiogramAnnotations</name>
-    <message>
-        <source>%1 mm at vessel</source>
-        <translation>血管处 %1 mm</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngiogramPanel</name>
-    <message>
-        <source>%1 frames before each</source>
-        <translation>每帧之前 %1 帧</translation>
-    </message>
-    <message>
-        <source>none found: mark them below</source>
-        <translation>未找到：请在下方标记</translation>
-    </message>
-    <message>
-        <source>%1 (automatic)</source>
-        <translation>%1（自动）</translation>
-    </message>
-    <message>
-        <source>Angiogram</source>
-        <translation>造影</translation>
-    </message>
-    <message>
-        <source>Whole run in one picture</source>
-        <translation>整个序列合成一幅</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>Choose the frames before the contrast medium arrives</source>
-        <translation>选择对比剂到达前的帧</translation>
-    </message>
-    <message>
-        <source>Find the shift of each frame</source>
-        <translation>求每帧的位移</translation>
-    </message>
-    <message>
-        <source>By hand</source>
-        <translation>手动</translation>
-    </message>
-    <message>
-        <source>Defaults</source>
-        <translation>默认值</translation>
-    </message>
-    <message>
-        <source>Trace as the program would by itself</source>
-        <translation>按程序默认方式提取</translation>
-    </message>
-    <message>
-        <source>Subtract mask</source>
-        <translation>减去蒙片</translation>
-    </message>
-    <message>
-        <source>Show native frames</source>
-        <translation>显示原始帧</translation>
-    </message>
-    <message>
-        <source>One frame at a time</source>
-        <translation>逐帧显示</translation>
-    </message>
-    <message>
-        <source>Choose mask frames automatically</source>
-        <translation>自动选择蒙片帧</translation>
-    </message>
-    <message>
-        <source>Find the mask&apos;s shift</source>
-        <translation>求蒙片位移</translation>
-    </message>
-    <message>
-        <source>Mask shift to the right</source>
-        <translation>蒙片右移</translation>
-    </message>
-    <message>
-        <source>Mask shift down</source>
-        <translation>蒙片下移</translation>
-    </message>
-    <message>
-        <source>How far the mask moves to the right, px</source>
-        <translation>蒙片向右移动量，px</translation>
-    </message>
-    <message>
-        <source>How far the mask moves down, px</source>
-        <translation>蒙片向下移动量，px</translation>
-    </message>
-    <message>
-        <source>mask frames</source>
-        <translation>蒙片帧</translation>
-    </message>
-    <message>
-        <source>shift →  ↓</source>
-        <translation>位移 →  ↓</translation>
-    </message>
-    <message>
-        <source>Move the mask</source>
-        <translation>移动蒙片</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>线性</translation>
-    </message>
-    <message>
-        <source>logarithmic</source>
-        <translation>对数</translation>
-    </message>
-    <message>
-        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
-        <translation>存储值与 X 线强度的关系（0028,1040）</translation>
-    </message>
-    <message>
-        <source>Pixel values</source>
-        <translation>像素值</translation>
-    </message>
-    <message>
-        <source>dark</source>
-        <translation>暗</translation>
-    </message>
-    <message>
-        <source>bright</source>
-        <translation>亮</translation>
-    </message>
-    <message>
-        <source>Whether contrast medium is darker or brighter than the background</source>
-        <translation>对比剂比背景暗还是亮</translation>
-    </message>
-    <message>
-        <source>Vessels</source>
-        <translation>血管</translation>
-    </message>
-    <message>
-        <source>Change the meaning of pixel values</source>
-        <translation>更改像素值含义</translation>
-    </message>
-    <message>
-        <source>Vessels are dark</source>
-        <translation>血管为暗</translation>
-    </message>
-    <message>
-        <source>Vessels are bright</source>
-        <translation>血管为亮</translation>
-    </message>
-    <message>
-        <source>pixel values</source>
-        <translation>像素值</translation>
-    </message>
-    <message>
-        <source>vessels</source>
-        <translation>血管</translation>
-    </message>
-    <message>
-        <source>Change %1</source>
-        <translation>更改 %1</translation>
-    </message>
-    <message>
-        <source>shortest vessel</source>
-        <translation>最短血管</translation>
-    </message>
-    <message>
-        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
-        <translation>短于此的孤立段略去；短于其三分之一的毛刺亦然</translation>
-    </message>
-    <message>
-        <source>sensitivity</source>
-        <translation>灵敏度</translation>
-    </message>
-    <message>
-        <source>Above 1: fainter vessels are traced as well</source>
-        <translation>大于 1：也提取较淡的血管</translation>
-    </message>
-    <message>
-        <source>widest radius</source>
-        <translation>最大半径</translation>
-    </message>
-    <message>
-        <source>Radius of the widest vessel looked for</source>
-        <translation>所寻最粗血管的半径</translation>
-    </message>
-    <message>
-        <source>Default tracing</source>
-        <translation>默认提取</translation>
-    </message>
-    <message>
-        <source>Tracing</source>
-        <translation>提取</translation>
-    </message>
-    <message>
-        <source>subtracting …</source>
-        <translation>减影中……</translation>
-    </message>
-    <message>
-        <source>subtracted</source>
-        <translation>已减影</translation>
-    </message>
-    <message>
-        <source>composite</source>
-        <translation>合成</translation>
-    </message>
-    <message>
-        <source>native</source>
-        <translation>原始</translation>
-    </message>
-    <message>
-        <source>Move the mask with arrows or the mouse</source>
-        <translation>用方向键或鼠标移动蒙片</translation>
-    </message>
-    <message>
-        <source>Take away what the mask frames show as well: bones and organs</source>
-        <translation>去除蒙片帧中同样可见的骨骼和器官</translation>
-    </message>
-    <message>
-        <source>Every frame shows the darkest value of each pixel over the run</source>
-        <translation>每帧显示各像素在序列中的最暗值</translation>
-    </message>
-    <message>
-        <source>Edit vessels</source>
-        <translation>编辑血管</translation>
-    </message>
-    <message>
-        <source>Leave out, erase, draw and cut traced curves</source>
-        <translation>排除、擦除、绘制和切断提取的曲线</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>窗宽</translation>
-    </message>
-    <message>
-        <source>Window W: how many grey values lie between black and white</source>
-        <translation>窗宽 W：黑与白之间的灰度值个数</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <translation>窗位</translation>
-    </message>
-    <message>
-        <source>Level L: the grey value in the middle of them</source>
-        <translation>窗位 L：位于其中央的灰度值</translation>
-    </message>
-    <message>
-        <source>window, level</source>
-        <translation>窗宽、窗位</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngiogramView</name>
-    <message>
-        <source>Angiogram with the projected vessel tree</source>
-        <translation>叠加投影血管树的造影图像</translation>
-    </message>
-    <message>
-        <source>frame %1 (0–%2)</source>
-        <translation>第 %1 帧（0–%2）</translation>
-    </message>
-    <message>
-        <source>Mirrored image, mirrored back by the view</source>
-        <translation>镜像图像，视图已还原</translation>
-    </message>
-    <message>
-        <source>Seen from the source: the view is mirrored</source>
-        <translation>从源方向看：视图镜像</translation>
-    </message>
-    <message>
-        <source>Mirrored image: as seen from the source</source>
-        <translation>镜像图像：如从源方向看</translation>
-    </message>
-    <message>
-        <source>flicker %1 · swipe %2 · hide H · outline %3</source>
-        <translation>闪烁 %1 · 卷帘 %2 · 隐藏 H · 轮廓 %3</translation>
-    </message>
-    <message>
-        <source>No angiogram yet: drop one here, or open it (%1).</source>
-        <translation>尚无造影图像：拖放到此处，或打开（%1）。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngleDialog</name>
-    <message>
-        <source>Only where it takes off, 10 mm around</source>
-        <translation>仅看其发出处，周围 10 mm</translation>
-    </message>
-    <message>
-        <source>C-arm angles</source>
-        <translation>C 臂角度</translation>
-    </message>
-    <message>
-        <source>Where the gantry stood for this image.</source>
-        <translation>拍摄此图像时 C 臂的位置。</translation>
-    </message>
-    <message>
-        <source>The gantry reaches</source>
-        <translation>C 臂可达</translation>
-    </message>
-    <message>
-        <source>Now: %1</source>
-        <translation>当前：%1</translation>
-    </message>
-    <message>
-        <source>%1: foreshortened by %2 %, covered by other vessels %3 %</source>
-        <translation>%1：缩短 %2 %，被其他血管遮盖 %3 %</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AngleMapPlot</name>
-    <message>
-        <source>Map of the gantry&apos;s angles</source>
-        <translation>C 臂角度图</translation>
-    </message>
-    <message>
-        <source>no map yet</source>
-        <translation>尚无角度图</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::AuxiliaryDialog</name>
-    <message>
-        <source>Use %1 instead</source>
-        <translation>改用 %1</translation>
-    </message>
-    <message>
-        <source>Its search alternates between the chosen branches and the whole tree.</source>
-        <translation>其搜索在所选分支与整棵树之间交替。</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Up to generation</source>
-        <translation>至第几级</translation>
-    </message>
-    <message>
-        <source>Generation 0 begins at the root of the tree.</source>
-        <translation>第 0 级从血管树根部开始。</translation>
-    </message>
-    <message>
-        <source>At least this wide</source>
-        <translation>至少这么粗</translation>
-    </message>
-    <message>
-        <source>By the median radius of a branch.</source>
-        <translation>按分支半径中位数。</translation>
-    </message>
-    <message>
-        <source>Choose these</source>
-        <translation>选择这些</translation>
-    </message>
-    <message>
-        <source>Makes the suggested branches the auxiliary ones.</source>
-        <translation>将建议的分支设为辅助分支。</translation>
-    </message>
-    <message>
-        <source>Auxiliary branches</source>
-        <translation>辅助分支</translation>
-    </message>
-    <message>
-        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
-        <translation>交替类方法先求解这些分支，请选充盈、静止且易分辨的。单幅图像只能确定分支垂直于走向的位置：此处按当前位姿计算各分支约束哪个自由度。</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>自由度</translation>
-    </message>
-    <message>
-        <source>all branches</source>
-        <translation>全部分支</translation>
-    </message>
-    <message>
-        <source>the chosen</source>
-        <translation>所选</translation>
-    </message>
-    <message>
-        <source>pinned best by</source>
-        <translation>最佳约束分支</translation>
-    </message>
-    <message>
-        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
-        <translation>± 为通常噪声下预期的一个标准差。</translation>
-    </message>
-    <message>
-        <source>Last generation</source>
-        <translation>最后一级</translation>
-    </message>
-    <message>
-        <source>Smallest radius</source>
-        <translation>最小半径</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Without chosen branches the nodes of the tree are used.</source>
-        <translation>未选分支时使用血管树的节点。</translation>
-    </message>
-    <message>
-        <source>Vessels, camera and pose are needed for a suggestion.</source>
-        <translation>建议需要血管、相机和位姿。</translation>
-    </message>
-    <message>
-        <source>Suggested: %1. They tell nearly as much as all together.</source>
-        <translation>建议：%1。其信息量几乎等于全部分支。</translation>
-    </message>
-    <message>
-        <source>This tree knows no generations.</source>
-        <translation>此血管树没有分级信息。</translation>
-    </message>
-    <message>
-        <source>This tree knows no radii.</source>
-        <translation>此血管树没有半径信息。</translation>
-    </message>
-    <message>
-        <source>Lasso</source>
-        <translation>套索</translation>
-    </message>
-    <message>
-        <source>Draw around the branches on the image.</source>
-        <translation>在图像上圈选分支。</translation>
-    </message>
-    <message>
-        <source>In view</source>
-        <translation>视野内</translation>
-    </message>
-    <message>
-        <source>The branches that lie wholly in the view.</source>
-        <translation>完全位于视野内的分支。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BlindTrialDialog</name>
-    <message>
-        <source>Seed</source>
-        <translation>种子</translation>
-    </message>
-    <message>
-        <source>Start shifted by up to</source>
-        <translation>初始平移上限</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Start turned by up to</source>
-        <translation>初始旋转上限</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Start trial</source>
-        <translation>开始试验</translation>
-    </message>
-    <message>
-        <source>Blind observer trial</source>
-        <translation>观察者盲法试验</translation>
-    </message>
-    <message>
-        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
-        <translation>血管从当前位姿附近的随机位置开始。完成前隐藏所有数值、残差颜色和先前位姿；时间和最终位姿写入记录，病例不变。</translation>
-    </message>
-    <message>
-        <source>Observer</source>
-        <translation>观察者</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>记录</translation>
-    </message>
-    <message>
-        <source>Choose …</source>
-        <translation>选择……</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Log of the trials</source>
-        <translation>试验记录</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>表格 (*.csv)</translation>
-    </message>
-    <message>
-        <source>Observer and log are needed.</source>
-        <translation>需要观察者和记录。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BottomStrip</name>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>进度</translation>
-    </message>
-    <message>
-        <source>Stop the running task</source>
-        <translation>停止当前任务</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BranchDelegate</name>
-    <message>
-        <source>aux</source>
-        <translation>辅助</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>out</source>
-        <translation>排除</translation>
-    </message>
-    <message>
-        <source>g%1</source>
-        <translation>%1 级</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>隐藏</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BranchModel</name>
-    <message>
-        <source>%1, %2 mm long</source>
-        <translation>%1，长 %2 mm</translation>
-    </message>
-    <message>
-        <source>in the auxiliary set</source>
-        <translation>属于辅助集</translation>
-    </message>
-    <message>
-        <source>excluded</source>
-        <translation>已排除</translation>
-    </message>
-    <message>
-        <source>median residual %1 mm</source>
-        <translation>残差中位数 %1 mm</translation>
-    </message>
-    <message>
-        <source>radius %1 mm</source>
-        <translation>半径 %1 mm</translation>
-    </message>
-    <message>
-        <source>generation %1</source>
-        <translation>第 %1 级</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>隐藏</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::BranchPanel</name>
-    <message>
-        <source>Branches</source>
-        <translation>分支</translation>
-    </message>
-    <message>
-        <source>Only these auxiliary</source>
-        <translation>仅这些为辅助</translation>
-    </message>
-    <message>
-        <source>No auxiliary branches (use the nodes)</source>
-        <translation>无辅助分支（使用节点）</translation>
-    </message>
-    <message>
-        <source>as in the tree</source>
-        <translation>按血管树顺序</translation>
-    </message>
-    <message>
-        <source>by name</source>
-        <translation>按名称</translation>
-    </message>
-    <message>
-        <source>by length</source>
-        <translation>按长度</translation>
-    </message>
-    <message>
-        <source>by radius</source>
-        <translation>按半径</translation>
-    </message>
-    <message>
-        <source>by generation</source>
-        <translation>按级别</translation>
-    </message>
-    <message>
-        <source>by residual</source>
-        <translation>按残差</translation>
-    </message>
-    <message>
-        <source>Find a branch</source>
-        <translation>查找分支</translation>
-    </message>
-    <message>
-        <source>Order of the branches</source>
-        <translation>分支排序</translation>
-    </message>
-    <message>
-        <source>Join</source>
-        <translation>连接</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>显示</translation>
-    </message>
-    <message>
-        <source>Selects both branches and moves the cross-hair to the gap.</source>
-        <translation>选中两个分支并将十字线移到间隙。</translation>
-    </message>
-    <message>
-        <source>Generation</source>
-        <translation>级别</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
-        <translation>尚无血管。请打开 CT、血管掩膜或中心线。</translation>
-    </message>
-    <message>
-        <source>Closes the gap; undo opens it again.</source>
-        <translation>闭合间隙；可撤销。</translation>
-    </message>
-    <message>
-        <source>%1 auxiliary · %2 exclude</source>
-        <translation>%1 辅助 · %2 排除</translation>
-    </message>
-    <message>
-        <source>Auxiliary on or off</source>
-        <translation>辅助分支开或关</translation>
-    </message>
-    <message>
-        <source>Exclude or include</source>
-        <translation>排除或纳入</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::CommandTable</name>
-    <message>
-        <source>Views side by side</source>
-        <translation>并排显示视图</translation>
-    </message>
-    <message>
-        <source>Cross-hair through views side by side</source>
-        <translation>并排视图间的联动十字线</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>消息</translation>
-    </message>
-    <message>
-        <source>Close case</source>
-        <translation>关闭病例</translation>
-    </message>
-    <message>
-        <source>New window</source>
-        <translation>新建窗口</translation>
-    </message>
-    <message>
-        <source>Open …</source>
-        <translation>打开……</translation>
-    </message>
-    <message>
-        <source>Open DICOM folder …</source>
-        <translation>打开 DICOM 文件夹……</translation>
-    </message>
-    <message>
-        <source>Open sample case</source>
-        <translation>打开示例病例</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
-        <source>Save as …</source>
-        <translation>另存为……</translation>
-    </message>
-    <message>
-        <source>Export overlay …</source>
-        <translation>导出叠加图……</translation>
-    </message>
-    <message>
-        <source>Export result …</source>
-        <translation>导出结果……</translation>
-    </message>
-    <message>
-        <source>Export pose …</source>
-        <translation>导出位姿……</translation>
-    </message>
-    <message>
-        <source>Export traced vessels …</source>
-        <translation>导出提取的血管……</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>退出</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>重做</translation>
-    </message>
-    <message>
-        <source>Nudge mode</source>
-        <translation>微调模式</translation>
-    </message>
-    <message>
-        <source>Back to start pose</source>
-        <translation>回到初始位姿</translation>
-    </message>
-    <message>
-        <source>Copy pose as matrix</source>
-        <translation>以矩阵复制位姿</translation>
-    </message>
-    <message>
-        <source>Selected branches auxiliary on or off</source>
-        <translation>所选分支辅助开/关</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the branches in view</source>
-        <translation>辅助：视野内的分支</translation>
-    </message>
-    <message>
-        <source>Auxiliary: the wider half</source>
-        <translation>辅助：较粗的一半</translation>
-    </message>
-    <message>
-        <source>Exclude or include selected branches</source>
-        <translation>排除或恢复所选分支</translation>
-    </message>
-    <message>
-        <source>Select all branches</source>
-        <translation>选择所有分支</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>配准</translation>
-    </message>
-    <message>
-        <source>Stop and keep the best pose</source>
-        <translation>停止并保留最佳位姿</translation>
-    </message>
-    <message>
-        <source>Fit the image to the window</source>
-        <translation>图像适合窗口</translation>
-    </message>
-    <message>
-        <source>Automatic brightness</source>
-        <translation>自动窗宽窗位</translation>
-    </message>
-    <message>
-        <source>Invert grey values</source>
-        <translation>灰度反转</translation>
-    </message>
-    <message>
-        <source>Brightness: every grey value</source>
-        <translation>窗宽：全部灰度</translation>
-    </message>
-    <message>
-        <source>More contrast</source>
-        <translation>增强对比度</translation>
-    </message>
-    <message>
-        <source>Less contrast</source>
-        <translation>降低对比度</translation>
-    </message>
-    <message>
-        <source>Near vessels bright, far ones dim</source>
-        <translation>近处血管亮、远处血管暗</translation>
-    </message>
-    <message>
-        <source>Swipe, lens, off</source>
-        <translation>卷帘、透镜、关闭</translation>
-    </message>
-    <message>
-        <source>Zoom to the worst branch, the next</source>
-        <translation>放大最差分支，再下一个</translation>
-    </message>
-    <message>
-        <source>Show traced vessels</source>
-        <translation>显示提取的血管</translation>
-    </message>
-    <message>
-        <source>Flicker start pose and pose</source>
-        <translation>初始与当前位姿闪烁对比</translation>
-    </message>
-    <message>
-        <source>Replay the last run</source>
-        <translation>回放上次配准</translation>
-    </message>
-    <message>
-        <source>Swing along what the image cannot tell</source>
-        <translation>沿图像无法确定的方向摆动</translation>
-    </message>
-    <message>
-        <source>Show the run&apos;s other solutions</source>
-        <translation>显示其他解</translation>
-    </message>
-    <message>
-        <source>Take the solution shown</source>
-        <translation>采用所示解</translation>
-    </message>
-    <message>
-        <source>Overlay fainter</source>
-        <translation>叠加图变淡</translation>
-    </message>
-    <message>
-        <source>Overlay stronger</source>
-        <translation>叠加图变浓</translation>
-    </message>
-    <message>
-        <source>Play frames</source>
-        <translation>播放帧</translation>
-    </message>
-    <message>
-        <source>Hide patient identity</source>
-        <translation>隐藏患者信息</translation>
-    </message>
-    <message>
-        <source>Full screen</source>
-        <translation>全屏</translation>
-    </message>
-    <message>
-        <source>Reduce motion</source>
-        <translation>减少动画</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>深色</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>浅色</translation>
-    </message>
-    <message>
-        <source>As the desktop</source>
-        <translation>跟随桌面</translation>
-    </message>
-    <message>
-        <source>About AngioPose</source>
-        <translation>关于 AngioPose</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Registration</source>
-        <translation>配准(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>Language of the desktop</source>
-        <translation>桌面语言</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>Save picture of the window …</source>
-        <translation>保存窗口图片……</translation>
-    </message>
-    <message>
-        <source>Copy picture of the window</source>
-        <translation>复制窗口图片</translation>
-    </message>
-    <message>
-        <source>Radiology: left drag windows</source>
-        <translation>放射科：左键拖动调窗</translation>
-    </message>
-    <message>
-        <source>3D Slicer: left only picks</source>
-        <translation>3D Slicer：左键仅选择</translation>
-    </message>
-    <message>
-        <source>Scroll: left drag runs the frames</source>
-        <translation>滚动：左键拖动换帧</translation>
-    </message>
-    <message>
-        <source>Help on what the mouse points at</source>
-        <translation>鼠标所指内容的帮助</translation>
-    </message>
-    <message>
-        <source>Short tour</source>
-        <translation>简短导览</translation>
-    </message>
-    <message>
-        <source>What a good fit looks like</source>
-        <translation>好的配准是什么样</translation>
-    </message>
-    <message>
-        <source>Keys and mouse</source>
-        <translation>快捷键与鼠标</translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation>鼠标</translation>
-    </message>
-    <message>
-        <source>Edit traced vessels</source>
-        <translation>编辑提取的血管</translation>
-    </message>
-    <message>
-        <source>Trace this frame again</source>
-        <translation>重新提取此帧</translation>
-    </message>
-    <message>
-        <source>Subtract mask, native</source>
-        <translation>减影、原始</translation>
-    </message>
-    <message>
-        <source>Move the mask by hand</source>
-        <translation>手动移动蒙片</translation>
-    </message>
-    <message>
-        <source>This frame is the mask</source>
-        <translation>以此帧为蒙片</translation>
-    </message>
-    <message>
-        <source>Whole run in one picture</source>
-        <translation>整个序列合成一幅</translation>
-    </message>
-    <message>
-        <source>Click pairs of landmarks</source>
-        <translation>点选标志点对</translation>
-    </message>
-    <message>
-        <source>Place vessels by landmarks</source>
-        <translation>按标志点放置血管</translation>
-    </message>
-    <message>
-        <source>Auxiliary: draw a lasso</source>
-        <translation>辅助：套索圈选</translation>
-    </message>
-    <message>
-        <source>Auxiliary: which branches …</source>
-        <translation>辅助：选择哪些分支……</translation>
-    </message>
-    <message>
-        <source>C-arm angles for the branch …</source>
-        <translation>显示该分支的 C 臂角度……</translation>
-    </message>
-    <message>
-        <source>Trace the scan again</source>
-        <translation>重新提取扫描</translation>
-    </message>
-    <message>
-        <source>Find a branch</source>
-        <translation>查找分支</translation>
-    </message>
-    <message>
-        <source>Rename branch</source>
-        <translation>重命名分支</translation>
-    </message>
-    <message>
-        <source>Cut branch at the cross-hair</source>
-        <translation>在十字线处切断分支</translation>
-    </message>
-    <message>
-        <source>Join two branches</source>
-        <translation>连接两个分支</translation>
-    </message>
-    <message>
-        <source>Smooth branches</source>
-        <translation>平滑分支</translation>
-    </message>
-    <message>
-        <source>Root at the branch&apos;s end near the cross-hair</source>
-        <translation>以十字线附近分支端为根</translation>
-    </message>
-    <message>
-        <source>Hide or show branches</source>
-        <translation>隐藏或显示分支</translation>
-    </message>
-    <message>
-        <source>Show all branches</source>
-        <translation>显示所有分支</translation>
-    </message>
-    <message>
-        <source>Delete branches</source>
-        <translation>删除分支</translation>
-    </message>
-    <message>
-        <source>Delete branches and what leaves them</source>
-        <translation>删除分支及其分出部分</translation>
-    </message>
-    <message>
-        <source>Prune short or thin branches …</source>
-        <translation>修剪短或细的分支……</translation>
-    </message>
-    <message>
-        <source>Join the pieces at the next gap</source>
-        <translation>在下一间隙处连接</translation>
-    </message>
-    <message>
-        <source>Keep this pose</source>
-        <translation>保留此位姿</translation>
-    </message>
-    <message>
-        <source>Switch between poses A and B</source>
-        <translation>在位姿 A 与 B 间切换</translation>
-    </message>
-    <message>
-        <source>Compare poses and methods …</source>
-        <translation>比较位姿和方法……</translation>
-    </message>
-    <message>
-        <source>Blind observer trial …</source>
-        <translation>观察者盲法试验……</translation>
-    </message>
-    <message>
-        <source>Trial done</source>
-        <translation>试验完成</translation>
-    </message>
-    <message>
-        <source>Seen from the source (mirrored)</source>
-        <translation>从源方向看（镜像）</translation>
-    </message>
-    <message>
-        <source>Opacification over time</source>
-        <translation>充盈随时间变化</translation>
-    </message>
-    <message>
-        <source>3-D, axial, coronal, sagittal below the branches</source>
-        <translation>分支下方：三维、轴位、冠状、矢状</translation>
-    </message>
-    <message>
-        <source>Slices instead of the angiogram</source>
-        <translation>以断层代替造影图像</translation>
-    </message>
-    <message>
-        <source>Image alone, without the columns</source>
-        <translation>仅图像，不显示侧栏</translation>
-    </message>
-    <message>
-        <source>Ve&amp;ssels</source>
-        <translation>血管(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Start pose from the angles</source>
-        <translation>由角度得初始位姿</translation>
-    </message>
-    <message>
-        <source>This pose is the start pose</source>
-        <translation>以此位姿为初始位姿</translation>
-    </message>
-    <message>
-        <source>&amp;Angiogram</source>
-        <translation>造影(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Pose</source>
-        <translation>位姿(&amp;P)</translation>
-    </message>
-    <message>
-        <source>3-D and slices alone</source>
-        <translation>仅显示三维和切片</translation>
-    </message>
-    <message>
-        <source>Angiogram in a window of its own</source>
-        <translation>血管造影用独立窗口</translation>
-    </message>
-    <message>
-        <source>3-D and slices in a window of their own</source>
-        <translation>三维和切片用独立窗口</translation>
-    </message>
-    <message>
-        <source>All slices in a window of their own</source>
-        <translation>全部切片用独立窗口</translation>
-    </message>
-    <message>
-        <source>Views alone and in windows</source>
-        <translation>视图独占与独立窗口</translation>
-    </message>
-    <message>
-        <source>Export followed poses …</source>
-        <translation>导出跟踪位姿…</translation>
-    </message>
-    <message>
-        <source>Add a view …</source>
-        <translation>添加视图…</translation>
-    </message>
-    <message>
-        <source>Show the next view</source>
-        <translation>显示下一视图</translation>
-    </message>
-    <message>
-        <source>Follow the vessels through the run</source>
-        <translation>在整个序列中跟踪血管</translation>
-    </message>
-    <message>
-        <source>Vessels: centreline, outline, tube, radiograph</source>
-        <translation>血管：中心线、轮廓、管状、X 射线像</translation>
-    </message>
-    <message>
-        <source>Brightness: the vessels alone</source>
-        <translation>亮度：仅血管</translation>
-    </message>
-    <message>
-        <source>Brightness: soft, with bone and catheter</source>
-        <translation>亮度：柔和，含骨骼与导管</translation>
-    </message>
-    <message>
-        <source>Blue to amber</source>
-        <translation>蓝至琥珀</translation>
-    </message>
-    <message>
-        <source>Blue, white, red</source>
-        <translation>蓝、白、红</translation>
-    </message>
-    <message>
-        <source>Brightness alone</source>
-        <translation>仅亮度</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>亮度</translation>
-    </message>
-    <message>
-        <source>Colours of vessels and residuals</source>
-        <translation>血管与残差的颜色</translation>
-    </message>
-    <message>
-        <source>Choose the labels that are vessels</source>
-        <translation>选择属于血管的标签</translation>
-    </message>
-    <message>
-        <source>Pick the point to turn about</source>
-        <translation>选取旋转中心</translation>
-    </message>
-    <message>
-        <source>Turn about the centroid again</source>
-        <translation>恢复围绕质心转动</translation>
-    </message>
-    <message>
-        <source>3-D view: everything, the vessels alone</source>
-        <translation>三维视图：全部、仅血管</translation>
-    </message>
-    <message>
-        <source>Export vessel tree …</source>
-        <translation>导出血管树…</translation>
-    </message>
-    <message>
-        <source>Export report …</source>
-        <translation>导出报告…</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ConvergencePlot</name>
-    <message>
-        <source>Convergence</source>
-        <translation>收敛</translation>
-    </message>
-    <message>
-        <source>shown after a run</source>
-        <translation>配准后显示</translation>
-    </message>
-    <message>
-        <source>step %1</source>
-        <translation>第 %1 步</translation>
-    </message>
-    <message>
-        <source>median distance</source>
-        <translation>中位距离</translation>
-    </message>
-    <message>
-        <source>shift of the vessels in one step</source>
-        <translation>血管每步的移动</translation>
-    </message>
-    <message>
-        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
-Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
-        <translation>上：一半血管点到所追踪血管的距离小于此值。
-下：一步使血管移动的距离，为所有点的均方根；最底线表示没有移动。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::CornerViews</name>
-    <message>
-        <source>3-D</source>
-        <translation>三维</translation>
-    </message>
-    <message>
-        <source>All slices, large</source>
-        <translation>所有断层，放大</translation>
-    </message>
-    <message>
-        <source>Only this view in the window, and back</source>
-        <translation>窗口内仅此视图，再次恢复</translation>
-    </message>
-    <message>
-        <source>In a window of its own, and back</source>
-        <translation>独立窗口，再次移回</translation>
-    </message>
-    <message>
-        <source>Double click: only this view in the window, and back</source>
-        <translation>双击：窗口内仅此视图，再次恢复</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::CurveEditBar</name>
-    <message>
-        <source>1 curve</source>
-        <translation>1 条曲线</translation>
-    </message>
-    <message>
-        <source>Not a vessel</source>
-        <translation>非血管</translation>
-    </message>
-    <message>
-        <source>Click a curve to leave it out</source>
-        <translation>单击曲线以排除</translation>
-    </message>
-    <message>
-        <source>Erase</source>
-        <translation>擦除</translation>
-    </message>
-    <message>
-        <source>Brush over parts of curves</source>
-        <translation>涂抹曲线部分</translation>
-    </message>
-    <message>
-        <source>Draw</source>
-        <translation>绘制</translation>
-    </message>
-    <message>
-        <source>Click along a vessel: the line follows it</source>
-        <translation>沿血管单击：线条自动跟随</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>切断</translation>
-    </message>
-    <message>
-        <source>Click where a curve is to fall in two</source>
-        <translation>单击曲线断开处</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>矩形</translation>
-    </message>
-    <message>
-        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
-        <translation>排除框内部分；Ctrl：仅保留框内</translation>
-    </message>
-    <message>
-        <source>Lasso</source>
-        <translation>Lasso</translation>
-    </message>
-    <message>
-        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
-        <translation>排除套索内部分；Ctrl：仅保留套索内</translation>
-    </message>
-    <message>
-        <source>Trace again</source>
-        <translation>重新提取</translation>
-    </message>
-    <message>
-        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
-        <translation>放弃此帧编辑并自动提取；可撤销</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>%1 curves</source>
-        <translation>%1 条曲线</translation>
-    </message>
-    <message>
-        <source>%1 curves, %2 suspect (S)</source>
-        <translation>%1 条曲线，%2 条可疑（S）</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::EditCurvesTool</name>
-    <message>
-        <source>Mark as not a vessel</source>
-        <translation>标为非血管</translation>
-    </message>
-    <message>
-        <source>Edit vessels: tracing this frame …</source>
-        <translation>编辑血管：正在提取此帧……</translation>
-    </message>
-    <message>
-        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
-        <translation>擦除：涂抹曲线，[ ] 笔刷大小，Esc 结束</translation>
-    </message>
-    <message>
-        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>绘制：沿血管单击，回车结束，退格撤一点，Shift 直线</translation>
-    </message>
-    <message>
-        <source>Cut: click where a curve is to fall in two, Esc ends</source>
-        <translation>切断：单击曲线断开处，Esc 结束</translation>
-    </message>
-    <message>
-        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
-        <translation>非血管：单击曲线以排除，Esc 结束</translation>
-    </message>
-    <message>
-        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
-        <translation>框选：框住非血管部分；Ctrl 仅保留框内，Esc 结束</translation>
-    </message>
-    <message>
-        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
-        <translation>套索：圈住非血管部分；Ctrl 仅保留圈内，Esc 结束</translation>
-    </message>
-    <message>
-        <source>Erase curves</source>
-        <translation>擦除曲线</translation>
-    </message>
-    <message>
-        <source>Restrict to a region</source>
-        <translation>限定区域</translation>
-    </message>
-    <message>
-        <source>Leave out a region</source>
-        <translation>排除区域</translation>
-    </message>
-    <message>
-        <source>Cut a curve</source>
-        <translation>切断曲线</translation>
-    </message>
-    <message>
-        <source>Draw a curve</source>
-        <translation>绘制曲线</translation>
-    </message>
-    <message>
-        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
-        <translation>可能是导管：A 保留，Delete 排除，S 下一条</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ExportDialog</name>
-    <message>
-        <source>Width</source>
-        <translation>宽度</translation>
-    </message>
-    <message>
-        <source>Residual colours with their scale</source>
-        <translation>残差颜色及色标</translation>
-    </message>
-    <message>
-        <source>Patient identity in the picture</source>
-        <translation>图中显示患者信息</translation>
-    </message>
-    <message>
-        <source>Export overlay</source>
-        <translation>导出叠加图</translation>
-    </message>
-    <message>
-        <source>As in the window</source>
-        <translation>与窗口一致</translation>
-    </message>
-    <message>
-        <source>1024 px wide</source>
-        <translation>宽 1024 px</translation>
-    </message>
-    <message>
-        <source>2048 px wide</source>
-        <translation>宽 2048 px</translation>
-    </message>
-    <message>
-        <source>Other width</source>
-        <translation>其他宽度</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>图片始终注明“不得用于临床”，并在文本字段中记录输入、方法和位姿。</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Export …</source>
-        <translation>导出……</translation>
-    </message>
-    <message>
-        <source>%1 × %2 px</source>
-        <translation>%1 × %2 px</translation>
-    </message>
-    <message>
-        <source>Texts in English</source>
-        <translation>文字用英文</translation>
-    </message>
-    <message>
-        <source>Swipe or lens as in the window</source>
-        <translation>与窗口中相同的卷帘或透镜</translation>
-    </message>
-    <message>
-        <source>Start pose beside it: before and after</source>
-        <translation>并排显示初始位姿：前后对比</translation>
-    </message>
-    <message>
-        <source>twice %1</source>
-        <translation>两幅 %1</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::FrameBars</name>
-    <message>
-        <source>Frames by opacification</source>
-        <translation>各帧充盈度</translation>
-    </message>
-    <message>
-        <source>Frame %1</source>
-        <translation>第 %1 帧</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>the fullest</source>
-        <translation>最充盈</translation>
-    </message>
-    <message>
-        <source>mask</source>
-        <translation>蒙片</translation>
-    </message>
-    <message>
-        <source>Shift+drag marks mask frames, double click shows the curve</source>
-        <translation>Shift+拖动标记蒙片帧，双击显示曲线</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::GeometryPanel</name>
-    <message>
-        <source>type it</source>
-        <translation>请输入</translation>
-    </message>
-    <message>
-        <source>SID</source>
-        <translation>SID</translation>
-    </message>
-    <message>
-        <source>Source to detector distance</source>
-        <translation>源到探测器距离</translation>
-    </message>
-    <message>
-        <source>SOD</source>
-        <translation>SOD</translation>
-    </message>
-    <message>
-        <source>Source to isocentre distance</source>
-        <translation>源到等中心距离</translation>
-    </message>
-    <message>
-        <source>pixel</source>
-        <translation>像素</translation>
-    </message>
-    <message>
-        <source>LAO / RAO</source>
-        <translation>LAO / RAO</translation>
-    </message>
-    <message>
-        <source>Primary angle: LAO positive, RAO negative</source>
-        <translation>主角度：LAO 为正，RAO 为负</translation>
-    </message>
-    <message>
-        <source>CRA / CAU</source>
-        <translation>CRA / CAU</translation>
-    </message>
-    <message>
-        <source>Secondary angle: CRA positive, CAU negative</source>
-        <translation>次角度：头位为正，足位为负</translation>
-    </message>
-    <message>
-        <source>header</source>
-        <translation>文件头</translation>
-    </message>
-    <message>
-        <source>derived</source>
-        <translation>推算</translation>
-    </message>
-    <message>
-        <source>typed</source>
-        <translation>手工输入</translation>
-    </message>
-    <message>
-        <source>assumed</source>
-        <translation>假定</translation>
-    </message>
-    <message>
-        <source>missing</source>
-        <translation>缺失</translation>
-    </message>
-    <message>
-        <source>Geometry</source>
-        <translation>几何</translation>
-    </message>
-    <message>
-        <source>Assume usual values</source>
-        <translation>采用常用值</translation>
-    </message>
-    <message>
-        <source>Use distances and spacing instead</source>
-        <translation>改用距离和像素间距</translation>
-    </message>
-    <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
-        <translation>SID 1000 mm、SOD 750 mm、像素 0.3 mm、角度 0°：仅用于缺失项。</translation>
-    </message>
-    <message>
-        <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
-        <translation>病例文件中的相机：f %1 px，中心 %2，%3 px，%4。</translation>
-    </message>
-    <message>
-        <source>seen from the detector</source>
-        <translation>从探测器方向看</translation>
-    </message>
-    <message>
-        <source>mirrored</source>
-        <translation>镜像</translation>
-    </message>
-    <message>
-        <source>incomplete</source>
-        <translation>不完整</translation>
-    </message>
-    <message>
-        <source>SID %1</source>
-        <translation>SID %1</translation>
-    </message>
-    <message>
-        <source>%1 mm/px</source>
-        <translation>%1 mm/px</translation>
-    </message>
-    <message>
-        <source>missing values</source>
-        <translation>缺少数值</translation>
-    </message>
-    <message>
-        <source>Roll, centre, isocentre</source>
-        <translation>滚转、中心、等中心</translation>
-    </message>
-    <message>
-        <source>What the header says</source>
-        <translation>文件头内容</translation>
-    </message>
-    <message>
-        <source>as from the detector</source>
-        <translation>如从探测器看</translation>
-    </message>
-    <message>
-        <source>Side that the image is shown from</source>
-        <translation>图像的观察侧</translation>
-    </message>
-    <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
-        <translation>造影图像按从探测器方向显示。镜像导出左右互换：投影随之镜像，血管绝不镜像。</translation>
-    </message>
-    <message>
-        <source>side of the image</source>
-        <translation>图像侧</translation>
-    </message>
-    <message>
-        <source>image</source>
-        <translation>图像</translation>
-    </message>
-    <message>
-        <source>%1 tags</source>
-        <translation>%1 个标签</translation>
-    </message>
-    <message>
-        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
-        <translation>文件头无像素间距；此值为推算。在框内按回车确认，或输入。</translation>
-    </message>
-    <message>
-        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
-        <translation>图像视为镜像（%1）：请核对左右。</translation>
-    </message>
-    <message>
-        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
-        <translation>采集中机架旋转：此帧相对第一帧 LAO/RAO %1°、CRA/CAU %2°。</translation>
-    </message>
-    <message>
-        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
-        <translation>探测器像素间距。回车确认推算值。</translation>
-    </message>
-    <message>
-        <source>field width</source>
-        <translation>视野宽度</translation>
-    </message>
-    <message>
-        <source>Width of the image on the detector: gives the pixel pitch</source>
-        <translation>图像在探测器上的宽度：由此得出像素间距</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>滚转</translation>
-    </message>
-    <message>
-        <source>The image is turned clockwise by this</source>
-        <translation>图像顺时针旋转的角度</translation>
-    </message>
-    <message>
-        <source>centre right</source>
-        <translation>中心右</translation>
-    </message>
-    <message>
-        <source>Column that the beam axis meets; 0 is the middle of the first</source>
-        <translation>中心射线所在列；0 为第一列中心</translation>
-    </message>
-    <message>
-        <source>centre down</source>
-        <translation>中心下</translation>
-    </message>
-    <message>
-        <source>Row that the beam axis meets; 0 is the middle of the first</source>
-        <translation>中心射线所在行；0 为第一行中心</translation>
-    </message>
-    <message>
-        <source>isocentre L</source>
-        <translation>等中心 L</translation>
-    </message>
-    <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
-        <translation>机架旋转中心（血管坐标）：左</translation>
-    </message>
-    <message>
-        <source>isocentre P</source>
-        <translation>等中心 P</translation>
-    </message>
-    <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
-        <translation>机架旋转中心（血管坐标）：后</translation>
-    </message>
-    <message>
-        <source>isocentre H</source>
-        <translation>等中心 H</translation>
-    </message>
-    <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
-        <translation>机架旋转中心（血管坐标）：头</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::GoodFit</name>
-    <message>
-        <source>Good: vessels have moved</source>
-        <translation>好：血管有移动</translation>
-    </message>
-    <message>
-        <source>Bad: shifted</source>
-        <translation>坏：平移</translation>
-    </message>
-    <message>
-        <source>Bad: turned</source>
-        <translation>坏：旋转</translation>
-    </message>
-    <message>
-        <source>Bad: wrong view angle</source>
-        <translation>坏：投照角度错误</translation>
-    </message>
-    <message>
-        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
-        <translation>线条位于血管中央，全程蓝色，侧支亦然。</translation>
-    </message>
-    <message>
-        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
-        <translation>仅此帧无对比剂处为琥珀色；充盈血管均为蓝色。</translation>
-    </message>
-    <message>
-        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
-        <translation>两侧均有小偏差：心跳与呼吸。没有更好的刚性位姿。</translation>
-    </message>
-    <message>
-        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
-        <translation>所有线条偏向同一侧。请重新配准或用方向键微调。</translation>
-    </message>
-    <message>
-        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
-        <translation>中间吻合而向外偏差渐大：在图像平面内旋转。</translation>
-    </message>
-    <message>
-        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
-        <translation>主干吻合而侧支指向别处：LAO/RAO 或 CRA/CAU 有偏差。</translation>
-    </message>
-    <message>
-        <source>What a good fit looks like</source>
-        <translation>好的配准是什么样</translation>
-    </message>
-    <message>
-        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
-        <translation>模拟血管。蓝色在血管上，琥珀色偏 2 mm 或以上。</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>drawing …</source>
-        <translation>绘制中……</translation>
-    </message>
-    <message>
-        <source>Good: everything fits</source>
-        <translation>好：全部吻合</translation>
-    </message>
-    <message>
-        <source>Good: branches unfilled</source>
-        <translation>好：部分分支未充盈</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::HeaderBar</name>
-    <message>
-        <source>Not for clinical use</source>
-        <translation>不得用于临床</translation>
-    </message>
-    <message>
-        <source>AngioPose is a research program, not a medical device.</source>
-        <translation>AngioPose 是研究软件，不是医疗器械。</translation>
-    </message>
-    <message>
-        <source>More menus</source>
-        <translation>更多菜单</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::HelpPage</name>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::HistogramPlot</name>
-    <message>
-        <source>Histogram of residuals</source>
-        <translation>残差直方图</translation>
-    </message>
-    <message>
-        <source>no residuals yet</source>
-        <translation>尚无残差</translation>
-    </message>
-    <message>
-        <source>above %1</source>
-        <translation>大于 %1</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::KeyNotes</name>
-    <message>
-        <source>← → ↑ ↓</source>
-        <translation>← → ↑ ↓</translation>
-    </message>
-    <message>
-        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
-        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
-    </message>
-    <message>
-        <source>PgUp PgDn</source>
-        <translation>PgUp PgDn</translation>
-    </message>
-    <message>
-        <source>move away from or to the source</source>
-        <translation>远离或靠近射线源</translation>
-    </message>
-    <message>
-        <source>, .</source>
-        <translation>, .</translation>
-    </message>
-    <message>
-        <source>roll by 1°</source>
-        <translation>滚转 1°</translation>
-    </message>
-    <message>
-        <source>Alt+arrows</source>
-        <translation>Alt+方向键</translation>
-    </message>
-    <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
-        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
-    </message>
-    <message>
-        <source>drag</source>
-        <translation>拖动</translation>
-    </message>
-    <message>
-        <source>left drag</source>
-        <translation>左键拖动</translation>
-    </message>
-    <message>
-        <source>window and level</source>
-        <translation>窗宽窗位</translation>
-    </message>
-    <message>
-        <source>middle drag</source>
-        <translation>中键拖动</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>平移图像</translation>
-    </message>
-    <message>
-        <source>zoom</source>
-        <translation>缩放</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, Home, End</source>
-        <translation>滚轮、↑ ↓、Home、End</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>帧</translation>
-    </message>
-    <message>
-        <source>H (hold)</source>
-        <translation>H（按住）</translation>
-    </message>
-    <message>
-        <source>hide the overlay</source>
-        <translation>隐藏叠加图</translation>
-    </message>
-    <message>
-        <source>click</source>
-        <translation>单击</translation>
-    </message>
-    <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>选择分支（Ctrl 追加）</translation>
-    </message>
-    <message>
-        <source>In nudge mode</source>
-        <translation>微调模式下</translation>
-    </message>
-    <message>
-        <source>On the angiogram</source>
-        <translation>在造影图像上</translation>
-    </message>
-    <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
-    </message>
-    <message>
-        <source>Ctrl+wheel</source>
-        <translation>Ctrl+滚轮</translation>
-    </message>
-    <message>
-        <source>right click</source>
-        <translation>右键单击</translation>
-    </message>
-    <message>
-        <source>menu of what can be done here</source>
-        <translation>此处可用操作的菜单</translation>
-    </message>
-    <message>
-        <source>left drag, arrows</source>
-        <translation>左键拖动、方向键</translation>
-    </message>
-    <message>
-        <source>turn</source>
-        <translation>旋转</translation>
-    </message>
-    <message>
-        <source>right drag, wheel, + −</source>
-        <translation>右键拖动、滚轮、+ −</translation>
-    </message>
-    <message>
-        <source>double click</source>
-        <translation>双击</translation>
-    </message>
-    <message>
-        <source>nothing</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Shift+left drag</source>
-        <translation>Shift+左键拖动</translation>
-    </message>
-    <message>
-        <source>Ctrl+left drag</source>
-        <translation>Ctrl+左键拖动</translation>
-    </message>
-    <message>
-        <source>right drag</source>
-        <translation>右键拖动</translation>
-    </message>
-    <message>
-        <source>On the 3-D view</source>
-        <translation>在三维视图上</translation>
-    </message>
-    <message>
-        <source>in 3-D or a slice, then in the image: one pair</source>
-        <translation>先在三维或断层，再在图像：一对</translation>
-    </message>
-    <message>
-        <source>a node of the vessels to its place, or a cross elsewhere</source>
-        <translation>将血管节点拖到其位置，或移动十字</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>回车</translation>
-    </message>
-    <message>
-        <source>place the vessels by the pairs</source>
-        <translation>按点对放置血管</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Delete</translation>
-    </message>
-    <message>
-        <source>remove the last pair</source>
-        <translation>移除最后一对</translation>
-    </message>
-    <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>click curves that are no vessels</source>
-        <translation>单击非血管曲线</translation>
-    </message>
-    <message>
-        <source>E</source>
-        <translation>E</translation>
-    </message>
-    <message>
-        <source>erase with a brush; [ ] its size</source>
-        <translation>用笔刷擦除；[ ] 大小</translation>
-    </message>
-    <message>
-        <source>D</source>
-        <translation>D</translation>
-    </message>
-    <message>
-        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>绘制：回车结束，退格撤一点，Shift 直线</translation>
-    </message>
-    <message>
-        <source>C</source>
-        <translation>C</translation>
-    </message>
-    <message>
-        <source>cut a curve</source>
-        <translation>切断曲线</translation>
-    </message>
-    <message>
-        <source>B L</source>
-        <translation>B L</translation>
-    </message>
-    <message>
-        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
-        <translation>框选或套索非血管部分；Ctrl：仅保留内部</translation>
-    </message>
-    <message>
-        <source>✓ ✗</source>
-        <translation>✓ ✗</translation>
-    </message>
-    <message>
-        <source>dashed curves may be a catheter: keep or leave out</source>
-        <translation>虚线可能为导管：保留或排除</translation>
-    </message>
-    <message>
-        <source>click, left drag, Ctrl+arrows</source>
-        <translation>单击、左键拖动、Ctrl+方向键</translation>
-    </message>
-    <message>
-        <source>cross-hair, linked with all views</source>
-        <translation>十字线，与所有视图联动</translation>
-    </message>
-    <message>
-        <source>picks the point at the cross-hair, as a click does</source>
-        <translation>选取十字线处的点，同单击</translation>
-    </message>
-    <message>
-        <source>wheel, ↑ ↓, PgUp PgDn</source>
-        <translation>滚轮、↑ ↓、PgUp PgDn</translation>
-    </message>
-    <message>
-        <source>slices (Shift 10)</source>
-        <translation>层面（Shift 10）</translation>
-    </message>
-    <message>
-        <source>window and level; a right click opens the menu</source>
-        <translation>窗宽窗位；右键单击打开菜单</translation>
-    </message>
-    <message>
-        <source>middle drag, Ctrl+wheel</source>
-        <translation>中键拖动、Ctrl+滚轮</translation>
-    </message>
-    <message>
-        <source>pan and zoom</source>
-        <translation>平移和缩放</translation>
-    </message>
-    <message>
-        <source>all slices large, and back</source>
-        <translation>所有断层放大，再返回</translation>
-    </message>
-    <message>
-        <source>While clicking landmarks</source>
-        <translation>点选标志点时</translation>
-    </message>
-    <message>
-        <source>While editing vessels</source>
-        <translation>编辑血管时</translation>
-    </message>
-    <message>
-        <source>On a slice</source>
-        <translation>在断层上</translation>
-    </message>
-    <message>
-        <source>this view alone, and back</source>
-        <translation>仅显示此视图，再次恢复</translation>
-    </message>
-    <message>
-        <source>S, then A or Del</source>
-        <translation>S，再按 A 或 Del</translation>
-    </message>
-    <message>
-        <source>the next of the dashed curves: keep or leave out</source>
-        <translation>下一条虚线曲线：保留或排除</translation>
-    </message>
-    <message>
-        <source>While picking the pivot</source>
-        <translation>选取旋转中心时</translation>
-    </message>
-    <message>
-        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
-        <translation>血管上的位置：图像、三维视图或切片中</translation>
-    </message>
-    <message>
-        <source>← →</source>
-        <translation>← →</translation>
-    </message>
-    <message>
-        <source>the next bifurcation or end</source>
-        <translation>下一个分叉或末端</translation>
-    </message>
-    <message>
-        <source>takes the place shown</source>
-        <translation>采用所示位置</translation>
-    </message>
-    <message>
-        <source>back to the centroid</source>
-        <translation>恢复为质心</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::KeySheet</name>
-    <message>
-        <source>Keys</source>
-        <translation>快捷键</translation>
-    </message>
-    <message>
-        <source>Search keys and what they do</source>
-        <translation>搜索快捷键及其作用</translation>
-    </message>
-    <message>
-        <source>Search keys</source>
-        <translation>搜索快捷键</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>No key for “%1”.</source>
-        <translation>没有“%1”的快捷键。</translation>
-    </message>
-    <message>
-        <source>Keys and what they do</source>
-        <translation>快捷键及其作用</translation>
-    </message>
-    <message>
-        <source>Reset all keys</source>
-        <translation>重置所有快捷键</translation>
-    </message>
-    <message>
-        <source>Enter or double-click on a line takes a new key for it.</source>
-        <translation>在某行按回车或双击可设置新快捷键。</translation>
-    </message>
-    <message>
-        <source>This key is fixed.</source>
-        <translation>此快捷键固定。</translation>
-    </message>
-    <message>
-        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
-        <translation>请按“%1”的新快捷键。Esc 保留原键，Delete 清除。</translation>
-    </message>
-    <message>
-        <source>The old key stays.</source>
-        <translation>保留原快捷键。</translation>
-    </message>
-    <message>
-        <source>“%1” is needed elsewhere. Press another key.</source>
-        <translation>“%1”另有用途。请按其他键。</translation>
-    </message>
-    <message>
-        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
-        <translation>“%1”属于“%2”。再按一次可改用，或按其他键。</translation>
-    </message>
-    <message>
-        <source>No key any more.</source>
-        <translation>已清除快捷键。</translation>
-    </message>
-    <message>
-        <source>The key is “%1” now.</source>
-        <translation>快捷键现为“%1”。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LabelChoice</name>
-    <message>
-        <source>%1 ml</source>
-        <translation>%1 ml</translation>
-    </message>
-    <message>
-        <source>Label %1</source>
-        <translation>标签 %1</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>全选</translation>
-    </message>
-    <message>
-        <source>Ticks every label of the list</source>
-        <translation>勾选列表中的所有标签</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>全不选</translation>
-    </message>
-    <message>
-        <source>Unticks every label of the list</source>
-        <translation>取消勾选列表中的所有标签</translation>
-    </message>
-    <message>
-        <source>Vessels</source>
-        <translation>血管</translation>
-    </message>
-    <message>
-        <source>Ticks those that are vessels by their names</source>
-        <translation>勾选名称表明是血管的标签</translation>
-    </message>
-    <message>
-        <source>Find a label</source>
-        <translation>查找标签</translation>
-    </message>
-    <message>
-        <source>Labels that are vessels</source>
-        <translation>属于血管的标签</translation>
-    </message>
-    <message>
-        <source>Labels</source>
-        <translation>标签</translation>
-    </message>
-    <message>
-        <source>Reading the labels …</source>
-        <translation>正在读取标签…</translation>
-    </message>
-    <message>
-        <source>%1 of %2 ticked, %3</source>
-        <translation>已勾选 %1 / %2，%3</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LandmarkPanel</name>
-    <message>
-        <source>Landmarks</source>
-        <translation>标志点</translation>
-    </message>
-    <message>
-        <source>Place vessels</source>
-        <translation>放置血管</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>移除</translation>
-    </message>
-    <message>
-        <source>Landmarks and how far each is off</source>
-        <translation>标志点及其偏差</translation>
-    </message>
-    <message>
-        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
-        <translation>由点对求初始位姿：点选时按回车。可撤销。</translation>
-    </message>
-    <message>
-        <source>Remove the chosen pairs: Delete</source>
-        <translation>移除所选点对：Delete</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>not in view</source>
-        <translation>不在视野内</translation>
-    </message>
-    <message>
-        <source>%1 pairs</source>
-        <translation>%1 对</translation>
-    </message>
-    <message>
-        <source>Click pairs</source>
-        <translation>点选成对</translation>
-    </message>
-    <message>
-        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
-        <translation>先在三维（或断层）血管上，再在图像同一处点选。</translation>
-    </message>
-    <message>
-        <source>%1: click pairs, then place</source>
-        <translation>%1：点击成对点，然后放置</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LandmarkTool</name>
-    <message>
-        <source>Landmarks: now click the same place in the image</source>
-        <translation>标志点：请在图像中单击同一位置</translation>
-    </message>
-    <message>
-        <source>Landmarks: now click the same place on the vessels in 3-D</source>
-        <translation>标志点：请在三维血管上单击同一位置</translation>
-    </message>
-    <message>
-        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
-        <translation>标志点：在三维和此处单击，或拖动节点 · 回车放置</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::LassoTool</name>
-    <message>
-        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
-        <translation>套索：圈选辅助分支，Shift 追加，Ctrl 移除，Esc 结束</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MainWindow</name>
-    <message>
-        <source>AngioPose: angiogram</source>
-        <translation>AngioPose：血管造影</translation>
-    </message>
-    <message>
-        <source>AngioPose: 3-D and slices</source>
-        <translation>AngioPose：三维和切片</translation>
-    </message>
-    <message>
-        <source>AngioPose: slices</source>
-        <translation>AngioPose：切片</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MaskShiftTool</name>
-    <message>
-        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
-        <translation>蒙片：方向键或拖动，Shift 1 px，Ctrl 0.05 px，Esc 结束 · 右 %1，下 %2 px</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MessageDialog</name>
-    <message>
-        <source>Details</source>
-        <translation>详细信息</translation>
-    </message>
-    <message>
-        <source>Copy details</source>
-        <translation>复制详细信息</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MessageHistory</name>
-    <message>
-        <source>Messages</source>
-        <translation>消息</translation>
-    </message>
-    <message>
-        <source>Nothing has been told yet.</source>
-        <translation>尚无消息。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MissingInputs</name>
-    <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>Where are the inputs?</source>
-        <translation>输入文件在哪里？</translation>
-    </message>
-    <message>
-        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
-        <translation>“%1”引用的文件已不在原处，在其旁和最近病例中也未找到。病例本身完好。</translation>
-    </message>
-    <message>
-        <source>was in %1</source>
-        <translation>原在 %1</translation>
-    </message>
-    <message>
-        <source>Locate …</source>
-        <translation>查找……</translation>
-    </message>
-    <message>
-        <source>Locate %1</source>
-        <translation>查找 %1</translation>
-    </message>
-    <message>
-        <source>Search a folder …</source>
-        <translation>搜索文件夹……</translation>
-    </message>
-    <message>
-        <source>Looks in the folder and all below it, by name and by content.</source>
-        <translation>在文件夹及其子文件夹中按名称和内容查找。</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>now %1</source>
-        <translation>现为 %1</translation>
-    </message>
-    <message>
-        <source>Search a folder</source>
-        <translation>搜索文件夹</translation>
-    </message>
-    <message>
-        <source>Open without</source>
-        <translation>不含缺失项打开</translation>
-    </message>
-    <message>
-        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
-        <translation>缺少的是血管旁的扫描或另一视图：其余可打开。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::MotionPlot</name>
-    <message>
-        <source>Motion of the vessels by frame</source>
-        <translation>血管逐帧运动</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>第 %1 帧</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
-        <translation>第 %1 帧：横向 %2 mm，深度 %3 mm，%4°</translation>
-    </message>
-    <message>
-        <source>%1 (not explained by the vessels)</source>
-        <translation>%1（血管无法解释）</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::NudgeTool</name>
-    <message>
-        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
-        <translation>微调：拖动平移，圆环滚转，弧线转动，左侧箭头调深度，Ctrl 精细，Esc 撤回</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::OpacificationPlot</name>
-    <message>
-        <source>Opacification over the frames</source>
-        <translation>各帧充盈曲线</translation>
-    </message>
-    <message>
-        <source>%1 · %2 s</source>
-        <translation>%1 · %2 s</translation>
-    </message>
-    <message>
-        <source>Only runs of several frames have a curve</source>
-        <translation>只有多帧序列才有曲线</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PatientBar</name>
-    <message>
-        <source>Patient</source>
-        <translation>患者</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PivotMark</name>
-    <message>
-        <source>pivot</source>
-        <translation>旋转中心</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PivotTool</name>
-    <message>
-        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
-        <translation>旋转中心：在此处或三维视图中点击血管 · ← → 和回车：分叉 · Delete：质心</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PoseAxis</name>
-    <message>
-        <source>right</source>
-        <translation>右</translation>
-    </message>
-    <message>
-        <source>up</source>
-        <translation>上</translation>
-    </message>
-    <message>
-        <source>along ray</source>
-        <translation>沿射线</translation>
-    </message>
-    <message>
-        <source>roll</source>
-        <translation>滚转</translation>
-    </message>
-    <message>
-        <source>LAO / RAO</source>
-        <translation>LAO / RAO</translation>
-    </message>
-    <message>
-        <source>CRA / CAU</source>
-        <translation>CRA / CAU</translation>
-    </message>
-    <message>
-        <source>To the right on screen, in mm at the vessels. Nudge: ← →</source>
-        <translation>屏幕向右，血管处毫米数。微调：← →</translation>
-    </message>
-    <message>
-        <source>Up on screen, in mm at the vessels. Nudge: ↑ ↓</source>
-        <translation>屏幕向上，血管处毫米数。微调：↑ ↓</translation>
-    </message>
-    <message>
-        <source>Away from the X-ray source, in mm. Nudge: PgUp PgDn</source>
-        <translation>远离 X 射线源，单位 mm。微调：PgUp PgDn</translation>
-    </message>
-    <message>
-        <source>Clockwise on screen. Nudge: , .</source>
-        <translation>屏幕顺时针。微调：, .</translation>
-    </message>
-    <message>
-        <source>As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
-        <translation>相当于 C 形臂转向 LAO (+) 或 RAO (−)。微调：Alt+← Alt+→</translation>
-    </message>
-    <message>
-        <source>As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓</source>
-        <translation>相当于 C 形臂转向头位 (+) 或足位 (−)。微调：Alt+↑ Alt+↓</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PosePanel</name>
-    <message>
-        <source>%1 ±%2</source>
-        <translation>%1 ±%2</translation>
-    </message>
-    <message>
-        <source>Pose</source>
-        <translation>位姿</translation>
-    </message>
-    <message>
-        <source>Back to start pose</source>
-        <translation>回到初始位姿</translation>
-    </message>
-    <message>
-        <source>Pose %1</source>
-        <translation>位姿 %1</translation>
-    </message>
-    <message>
-        <source>Lock %1</source>
-        <translation>锁定%1</translation>
-    </message>
-    <message>
-        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
-        <translation>保持此值：微调、拖动、输入和配准均不改变。</translation>
-    </message>
-    <message>
-        <source>Undo brings the pose back.</source>
-        <translation>撤销可恢复位姿。</translation>
-    </message>
-    <message>
-        <source>nudging · arrows · %1 ends</source>
-        <translation>微调中 · 方向键 · %1 结束</translation>
-    </message>
-    <message>
-        <source>nudge %1 · fine Ctrl · coarse Shift</source>
-        <translation>微调 %1 · 精细 Ctrl · 粗调 Shift</translation>
-    </message>
-    <message>
-        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
-        <translation>围绕所选旋转中心转动，位移亦指该点。%1 恢复为质心。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PoseTable</name>
-    <message>
-        <source>Run</source>
-        <translation>运行</translation>
-    </message>
-    <message>
-        <source>Runs the ticked methods one after the other from the pose as it is.</source>
-        <translation>从当前位姿依次运行所勾选的方法。</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Stops the running method and skips the rest; what is finished stays.</source>
-        <translation>停止当前方法并跳过其余；已完成的保留。</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Moves the vessels there; undo takes it back.</source>
-        <translation>将血管移到该处；可撤销。</translation>
-    </message>
-    <message>
-        <source>Use as reference</source>
-        <translation>作为参考</translation>
-    </message>
-    <message>
-        <source>Differences are told from this pose.</source>
-        <translation>以此位姿计算差值。</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Removes the snapshots; undo brings them back.</source>
-        <translation>移除快照；可撤销。</translation>
-    </message>
-    <message>
-        <source>Compare poses</source>
-        <translation>比较位姿</translation>
-    </message>
-    <message>
-        <source>Poses side by side</source>
-        <translation>并列位姿</translation>
-    </message>
-    <message>
-        <source>Pose</source>
-        <translation>位姿</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>median mm</source>
-        <translation>中位数 mm</translation>
-    </message>
-    <message>
-        <source>95 % mm</source>
-        <translation>95 % mm</translation>
-    </message>
-    <message>
-        <source>covered %</source>
-        <translation>覆盖 %</translation>
-    </message>
-    <message>
-        <source>Δ in plane mm</source>
-        <translation>Δ 平面内 mm</translation>
-    </message>
-    <message>
-        <source>Δ depth mm</source>
-        <translation>Δ 深度 mm</translation>
-    </message>
-    <message>
-        <source>Δ turn °</source>
-        <translation>Δ 旋转 °</translation>
-    </message>
-    <message>
-        <source>run ms</source>
-        <translation>用时 ms</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>作者</translation>
-    </message>
-    <message>
-        <source>When</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>Export CSV …</source>
-        <translation>导出 CSV……</translation>
-    </message>
-    <message>
-        <source>Writes the table with poses as matrices.</source>
-        <translation>导出表格，位姿为矩阵。</translation>
-    </message>
-    <message>
-        <source>Run several methods</source>
-        <translation>运行多种方法</translation>
-    </message>
-    <message>
-        <source>each leaves its pose in the table; the case keeps its own</source>
-        <translation>各方法位姿留在表中；病例保持原位姿</translation>
-    </message>
-    <message>
-        <source>The pose as it is</source>
-        <translation>当前位姿</translation>
-    </message>
-    <message>
-        <source>This fit was not trustworthy.</source>
-        <translation>此配准不可信。</translation>
-    </message>
-    <message>
-        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
-        <translation>差值相对“%1”，绕血管树中心。琥珀色：不可信。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::PruneDialog</name>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Prune</source>
-        <translation>修剪</translation>
-    </message>
-    <message>
-        <source>Remove end branches that are</source>
-        <translation>移除末端分支，条件为</translation>
-    </message>
-    <message>
-        <source>shorter than</source>
-        <translation>短于</translation>
-    </message>
-    <message>
-        <source>on average thinner than (radius)</source>
-        <translation>平均细于（半径）</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Nothing would be left. Lower the limits.</source>
-        <translation>将一无所剩。请降低限值。</translation>
-    </message>
-    <message>
-        <source>No branch goes.</source>
-        <translation>不移除分支。</translation>
-    </message>
-    <message>
-        <source>1 branch goes.</source>
-        <translation>移除 1 个分支。</translation>
-    </message>
-    <message>
-        <source>%1 branches go.</source>
-        <translation>移除 %1 个分支。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::RecoveryDialog</name>
-    <message>
-        <source>Recover</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Recover unsaved work?</source>
-        <translation>恢复未保存的工作吗？</translation>
-    </message>
-    <message>
-        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
-        <translation>AngioPose 意外退出。这些病例有未保存的更改；恢复会打开副本，已保存的病例不变。</translation>
-    </message>
-    <message>
-        <source>Decide later</source>
-        <translation>以后再定</translation>
-    </message>
-    <message>
-        <source>Copies of unsaved work</source>
-        <translation>未保存工作的副本</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>病例</translation>
-    </message>
-    <message>
-        <source>Last copy</source>
-        <translation>最后副本</translation>
-    </message>
-    <message>
-        <source>Saved in</source>
-        <translation>保存于</translation>
-    </message>
-    <message>
-        <source>never saved</source>
-        <translation>从未保存</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::RegistrationPanel</name>
-    <message>
-        <source>Registration</source>
-        <translation>配准</translation>
-    </message>
-    <message>
-        <source>Method and options</source>
-        <translation>方法和选项</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>配准</translation>
-    </message>
-    <message>
-        <source>Ends the run and keeps the best pose so far.</source>
-        <translation>结束并保留目前最佳位姿。</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>About this method</source>
-        <translation>关于此方法</translation>
-    </message>
-    <message>
-        <source>What this method minimises, when it fails, and its source.</source>
-        <translation>此方法的目标函数、失效情形及出处。</translation>
-    </message>
-    <message>
-        <source>1 auxiliary branch</source>
-        <translation>1 个辅助分支</translation>
-    </message>
-    <message>
-        <source>%1 auxiliary branches</source>
-        <translation>%1 个辅助分支</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>method</source>
-        <translation>方法</translation>
-    </message>
-    <message>
-        <source>Registering …</source>
-        <translation>配准中……</translation>
-    </message>
-    <message>
-        <source>Register keeps the locked degree of freedom.</source>
-        <translation>配准保持锁定的自由度。</translation>
-    </message>
-    <message>
-        <source>Register keeps the %1 locked degrees of freedom.</source>
-        <translation>配准保持 %1 个锁定的自由度。</translation>
-    </message>
-    <message>
-        <source>All %1 views together</source>
-        <translation>%1 个视图一起配准</translation>
-    </message>
-    <message>
-        <source>Finds the pose that lays the vessels onto the angiogram.</source>
-        <translation>求使血管与造影图像重合的位姿。</translation>
-    </message>
-    <message>
-        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
-        <translation>所有视图共用一个位姿：手动移动时各视图中的血管一起移动，配准时用 AngioPose 自己的方法同时拟合所有视图，因为一个视图中的深度就是另一个视图中的平移。不勾选时只针对显示的视图。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ResultPanel</name>
-    <message>
-        <source>%1 · of an earlier run</source>
-        <translation>%1 · 来自较早的运行</translation>
-    </message>
-    <message>
-        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
-        <translation>自找到此位姿的运行以来，其拟合的对象已改变。按 R 重新配准。</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>%1 · moved by hand</source>
-        <translation>%1 · 手动移动</translation>
-    </message>
-    <message>
-        <source>%1 · start pose</source>
-        <translation>%1 · 初始位姿</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Residuals</source>
-        <translation>残差</translation>
-    </message>
-    <message>
-        <source>Convergence</source>
-        <translation>收敛</translation>
-    </message>
-    <message>
-        <source>median, mm</source>
-        <translation>中位数，mm</translation>
-    </message>
-    <message>
-        <source>Half of the vessel points lie nearer than this.</source>
-        <translation>一半的血管点小于此距离。</translation>
-    </message>
-    <message>
-        <source>95 %, mm</source>
-        <translation>95 %，mm</translation>
-    </message>
-    <message>
-        <source>95 of 100 vessel points lie nearer than this.</source>
-        <translation>95% 的血管点小于此距离。</translation>
-    </message>
-    <message>
-        <source>covered</source>
-        <translation>覆盖率</translation>
-    </message>
-    <message>
-        <source>Share of the traced vessels that the tree explains within 3 px.</source>
-        <translation>3 px 内被血管树解释的提取血管比例。</translation>
-    </message>
-    <message>
-        <source>± is one standard deviation.</source>
-        <translation>± 为一个标准差。</translation>
-    </message>
-    <message>
-        <source>mm, all points</source>
-        <translation>mm，所有点</translation>
-    </message>
-    <message>
-        <source>nothing to judge yet</source>
-        <translation>尚无可评估内容</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>This is the start pose: nothing is fitted yet. R registers, N nudges.</source>
-        <translation>这是初始位姿：尚未配准。R 配准，N 微调。</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>运动</translation>
-    </message>
-    <message>
-        <source>mm across, by frame</source>
-        <translation>横向 mm，逐帧</translation>
-    </message>
-    <message>
-        <source>%1 · followed</source>
-        <translation>%1 · 已跟踪</translation>
-    </message>
-    <message>
-        <source>%1 → %2 px · steps: %3</source>
-        <translation>%1 → %2 px · 步数：%3</translation>
-    </message>
-    <message>
-        <source>step %1</source>
-        <translation>第 %1 步</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ResultSentences</name>
-    <message>
-        <source>%1 of %2 branches agree within %3 mm.</source>
-        <translation>%2 个分支中有 %1 个在 %3 mm 内吻合。</translation>
-    </message>
-    <message>
-        <source>Depth ±%1 mm: one view cannot tell it.</source>
-        <translation>深度 ±%1 mm：单一投影无法确定。</translation>
-    </message>
-    <message>
-        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
-        <translation>在空间中，受几何参数精度所限：深度 ±%1 mm，侧向 ±%2 mm。</translation>
-    </message>
-    <message>
-        <source>Depth is the least certain: ±%1 mm.</source>
-        <translation>深度最不确定：±%1 mm。</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off: perhaps unfilled in this frame, or moved.</source>
-        <translation>%1 偏离 %2 mm：此帧可能未充盈，或已移位。</translation>
-    </message>
-    <message>
-        <source>%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.</source>
-        <translation>%1 个分支最多偏离 %2 mm：此帧未充盈，或位姿有误。</translation>
-    </message>
-    <message>
-        <source>%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.</source>
-        <translation>%1 和 %2 最多偏离 %3 mm：此帧可能未充盈，或已移位。</translation>
-    </message>
-    <message>
-        <source>Look closely: this fit is not trustworthy.</source>
-        <translation>请仔细核对：此配准不可信。</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>分支 %1</translation>
-    </message>
-    <message>
-        <source>In plane ±%1 mm, rotation ±%2°.</source>
-        <translation>平面内 ±%1 mm，旋转 ±%2°。</translation>
-    </message>
-    <message>
-        <source>In plane ±%1 mm.</source>
-        <translation>平面内 ±%1 mm。</translation>
-    </message>
-    <message>
-        <source>Rotation ±%1°.</source>
-        <translation>旋转 ±%1°。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::Section</name>
-    <message>
-        <source>Fold %1</source>
-        <translation>折叠 %1</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SeriesChooser</name>
-    <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>Choose a series</source>
-        <translation>选择序列</translation>
-    </message>
-    <message>
-        <source>Which series?</source>
-        <translation>哪个序列？</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 holds %n series.</source>
-        <translation>
-            <numerusform>%1 含 %n 个序列。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Series of the folder</source>
-        <translation>文件夹中的序列</translation>
-    </message>
-    <message>
-        <source>Description</source>
-        <translation>描述</translation>
-    </message>
-    <message>
-        <source>Modality</source>
-        <translation>模态</translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation>图像数</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>Spacing in mm</source>
-        <translation>间距（mm）</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日期</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SimulatedView</name>
-    <message>
-        <source>The vessels from these angles</source>
-        <translation>从这些角度看到的血管</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SliceModel</name>
-    <message>
-        <source>Axial</source>
-        <translation>轴位</translation>
-    </message>
-    <message>
-        <source>Coronal</source>
-        <translation>冠状位</translation>
-    </message>
-    <message>
-        <source>Sagittal</source>
-        <translation>矢状位</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SliceView</name>
-    <message>
-        <source>x %1  y %2  z %3 mm</source>
-        <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>No scan</source>
-        <translation>无扫描</translation>
-    </message>
-    <message>
-        <source>%1 %2 / %3</source>
-        <translation>%1 %2 / %3</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>范围外</translation>
-    </message>
-    <message>
-        <source>%1 HU</source>
-        <translation>%1 HU</translation>
-    </message>
-    <message>
-        <source>W %1 L %2</source>
-        <translation>W %1 L %2</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SnapshotPanel</name>
-    <message>
-        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
-        <translation>中位数 %1 mm，95 % %2 mm，覆盖 %3 %</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>第 %1 帧</translation>
-    </message>
-    <message>
-        <source>Poses</source>
-        <translation>位姿</translation>
-    </message>
-    <message>
-        <source>Compare …</source>
-        <translation>比较……</translation>
-    </message>
-    <message>
-        <source>Kept poses</source>
-        <translation>保留的位姿</translation>
-    </message>
-    <message>
-        <source>Runs (%1)</source>
-        <translation>配准（%1）</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>B</source>
-        <translation>B</translation>
-    </message>
-    <message>
-        <source>Restore	Return</source>
-        <translation>恢复	Return</translation>
-    </message>
-    <message>
-        <source>Use as A</source>
-        <translation>作为 A</translation>
-    </message>
-    <message>
-        <source>Use as B</source>
-        <translation>作为 B</translation>
-    </message>
-    <message>
-        <source>Rename	F2</source>
-        <translation>重命名	F2</translation>
-    </message>
-    <message>
-        <source>Delete	Del</source>
-        <translation>删除	Del</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>手动</translation>
-    </message>
-    <message>
-        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
-        <translation>%1 保留位姿；%2 在两者间切换。每次配准的位姿都留在此处。</translation>
-    </message>
-    <message>
-        <source>Keep pose</source>
-        <translation>保留位姿</translation>
-    </message>
-    <message>
-        <source>Keeps this pose with its numbers under a name.</source>
-        <translation>以名称保留此位姿及其数值。</translation>
-    </message>
-    <message>
-        <source>Poses and methods side by side, as a table.</source>
-        <translation>位姿和方法并列成表。</translation>
-    </message>
-    <message>
-        <source>median mm · %1: A ⇄ B</source>
-        <translation>中位数 mm · %1：A ⇄ B</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::SolutionStrip</name>
-    <message>
-        <source>Solutions</source>
-        <translation>解</translation>
-    </message>
-    <message>
-        <source>Solutions of the run</source>
-        <translation>本次配准的解</translation>
-    </message>
-    <message>
-        <source>%1 shows the next · %2 takes it</source>
-        <translation>%1 下一个 · %2 采用</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::StepBar</name>
-    <message>
-        <source>Vessels</source>
-        <translation>血管</translation>
-    </message>
-    <message>
-        <source>Angiogram</source>
-        <translation>造影</translation>
-    </message>
-    <message>
-        <source>Geometry</source>
-        <translation>几何</translation>
-    </message>
-    <message>
-        <source>Start pose</source>
-        <translation>初始位姿</translation>
-    </message>
-    <message>
-        <source>Register</source>
-        <translation>配准</translation>
-    </message>
-    <message>
-        <source>Review</source>
-        <translation>核查</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>导出</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::StepButton</name>
-    <message>
-        <source>done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>needs a look</source>
-        <translation>需查看</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>未完成</translation>
-    </message>
-    <message>
-        <source>%1: %2, %3</source>
-        <translation>%1：%2，%3</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::Tour</name>
-    <message>
-        <source>Back</source>
-        <translation>上一步</translation>
-    </message>
-    <message>
-        <source>Skip</source>
-        <translation>跳过</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>下一步</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::TracingPanel</name>
-    <message>
-        <source>%1  %2  %3  %4</source>
-        <translation>%1  %2  %3  %4</translation>
-    </message>
-    <message>
-        <source>Trace vessels</source>
-        <translation>提取血管</translation>
-    </message>
-    <message>
-        <source>Automatic threshold</source>
-        <translation>自动阈值</translation>
-    </message>
-    <message>
-        <source>HU</source>
-        <translation>HU</translation>
-    </message>
-    <message>
-        <source>Show in the slices what is above</source>
-        <translation>在断层中显示高于阈值的部分</translation>
-    </message>
-    <message>
-        <source>Seeds</source>
-        <translation>种子点</translation>
-    </message>
-    <message>
-        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
-        <translation>然后在断层上单击血管：只提取与种子点相连的部分。</translation>
-    </message>
-    <message>
-        <source>Avoid</source>
-        <translation>避开</translation>
-    </message>
-    <message>
-        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
-        <translation>然后单击心脏、静脉或骨骼：从该处经较宽通路可达的部分略去。</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>移除</translation>
-    </message>
-    <message>
-        <source>Trace</source>
-        <translation>提取</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Threshold</source>
-        <translation>阈值</translation>
-    </message>
-    <message>
-        <source>The vessels begin at this value of the scan.</source>
-        <translation>血管从此扫描值开始。</translation>
-    </message>
-    <message>
-        <source>Seeds and places to avoid</source>
-        <translation>种子点和避开点</translation>
-    </message>
-    <message>
-        <source>Shortest branch</source>
-        <translation>最短分支</translation>
-    </message>
-    <message>
-        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
-        <translation>超出母血管壁不足此值的分支移除。</translation>
-    </message>
-    <message>
-        <source>Thinnest branch</source>
-        <translation>最细分支</translation>
-    </message>
-    <message>
-        <source>Branches whose mean radius is smaller are removed.</source>
-        <translation>平均半径更小的分支移除。</translation>
-    </message>
-    <message>
-        <source>Ends the tracing; the vessels stay as they were.</source>
-        <translation>结束提取；血管保持原样。</translation>
-    </message>
-    <message>
-        <source>+ seed %1</source>
-        <translation>+ 种子点 %1</translation>
-    </message>
-    <message>
-        <source>× avoid %1</source>
-        <translation>× 避开 %1</translation>
-    </message>
-    <message>
-        <source>Tracing …</source>
-        <translation>提取中……</translation>
-    </message>
-    <message>
-        <source>Click in a slice to place a point; Esc ends.</source>
-        <translation>在断层上单击放点；Esc 结束。</translation>
-    </message>
-    <message>
-        <source>The traced vessels replace the tree; undo brings it back.</source>
-        <translation>提取的血管替换血管树；可撤销。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::TreeView</name>
-    <message>
-        <source>3-D view of vessel tree, X-ray source and detector</source>
-        <translation>血管树、X 射线源和探测器的三维视图</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::TrialBar</name>
-    <message>
-        <source>Abandon</source>
-        <translation>放弃</translation>
-    </message>
-    <message>
-        <source>Ends the trial; the log says that it was abandoned.</source>
-        <translation>结束试验；记录为放弃。</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
-        <translation>%1 的盲法试验：将血管对准图像。完成后恢复数值。</translation>
-    </message>
-    <message>
-        <source>Logs time and pose, and brings the numbers back.</source>
-        <translation>记录时间和位姿，并恢复数值显示。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ViewFrame</name>
-    <message>
-        <source>In a window of its own</source>
-        <translation>在独立窗口中</translation>
-    </message>
-    <message>
-        <source>Bring it back</source>
-        <translation>移回</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ViewPane</name>
-    <message>
-        <source>Frames of this view</source>
-        <translation>此视图的帧</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::ViewStrip</name>
-    <message>
-        <source>Side by side</source>
-        <translation>并排</translation>
-    </message>
-    <message>
-        <source>All views beside each other, or the shown one alone</source>
-        <translation>并排显示所有视图，或只显示当前视图</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>十字线</translation>
-    </message>
-    <message>
-        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
-        <translation>一个视图中指针所指之处，在其他视图中显示为一条线，在血管上显示为一个点</translation>
-    </message>
-    <message>
-        <source>Views of the case</source>
-        <translation>病例的视图</translation>
-    </message>
-    <message>
-        <source>Add a view</source>
-        <translation>添加视图</translation>
-    </message>
-    <message>
-        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
-        <translation>同一血管的另一血管造影（Ctrl+Shift+V）</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::VtkView</name>
-    <message>
-        <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
-        <translation>三维视图需要 OpenGL 3.2，此显示环境不支持。其他功能正常。可尝试 LIBGL_ALWAYS_SOFTWARE=1，或安装 libgl1-mesa-dri。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WelcomePage</name>
-    <message>
-        <source>Lay a vessel tree onto its angiogram</source>
-        <translation>将血管树对准造影图像</translation>
-    </message>
-    <message>
-        <source>Open the sample case</source>
-        <translation>打开示例病例</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1（缺失）</translation>
-    </message>
-    <message>
-        <source>Drop a case here, or vessels together with an angiogram.</source>
-        <translation>将病例，或血管与造影图像一起拖到此处。</translation>
-    </message>
-    <message>
-        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
-        <translation>血管：CT（DICOM 文件夹、NIfTI、NRRD 或 MetaImage）、掩膜、中心线（VTP、VTK、CSV、SWC）。造影图像：DICOM XA、PNG、TIFF。</translation>
-    </message>
-    <message>
-        <source>Open …</source>
-        <translation>打开……</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>清空列表</translation>
-    </message>
-    <message>
-        <source>Forgets these cases and removes their pictures; the case files stay.</source>
-        <translation>忘记这些病例并删除其小图；病例文件保留。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WindowActions</name>
-    <message>
-        <source>Open recent</source>
-        <translation>最近打开</translation>
-    </message>
-    <message>
-        <source>In the whole window</source>
-        <translation>整个窗口</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WindowBar</name>
-    <message>
-        <source>Window</source>
-        <translation>窗宽</translation>
-    </message>
-    <message>
-        <source>Own window</source>
-        <translation>独立窗口</translation>
-    </message>
-    <message>
-        <source>Back to the angiogram</source>
-        <translation>返回造影图像</translation>
-    </message>
-    <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>切片用独立窗口，再次移回（F9）</translation>
-    </message>
-    <message>
-        <source>W %1 L %2 HU</source>
-        <translation>W %1 L %2 HU</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
-        <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
-    </message>
-</context>
-<context>
-    <name>angiopose::ui::WindowPreset</name>
-    <message>
-        <source>CTA</source>
-        <translation>CTA</translation>
-    </message>
-    <message>
-        <source>Bone</source>
-        <translation>骨窗</translation>
-    </message>
-    <message>
-        <source>Soft tissue</source>
-        <translation>软组织窗</translation>
-    </message>
-    <message>
-        <source>Lung</source>
-        <translation>肺窗</translation>
-    </message>
-</context>
-<context>
     <name>core</name>
     <message>
         <source>Adds the prior chosen above to the attraction.</source>
@@ -6193,22 +2642,59 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>main</name>
+    <name>angiopose::app::AngleController</name>
     <message>
-        <source>Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use.</source>
-        <translation>求三维血管树在二维造影图像中的位姿。不得用于临床。</translation>
+        <source>Angles that show %1</source>
+        <translation>能看清 %1 的角度</translation>
     </message>
     <message>
-        <source>A case, or a centreline and an angiogram.</source>
-        <translation>一个病例，或一条中心线和一幅造影图像。</translation>
+        <source>No branch</source>
+        <translation>无分支</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngleDialog</name>
+    <message>
+        <source>Only where it takes off, 10 mm around</source>
+        <translation>仅看其发出处，周围 10 mm</translation>
     </message>
     <message>
-        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
-        <translation>由谁绘制血管造影：vtk（OpenGL）、painter（处理器），或 auto：有显卡加速 OpenGL 时用 vtk。</translation>
+        <source>C-arm angles</source>
+        <translation>C 臂角度</translation>
     </message>
     <message>
-        <source>No renderer is called “%1”: auto, vtk or painter.</source>
-        <translation>没有名为“%1”的渲染器：可用 auto、vtk 或 painter。</translation>
+        <source>Where the gantry stood for this image.</source>
+        <translation>拍摄此图像时 C 臂的位置。</translation>
+    </message>
+    <message>
+        <source>The gantry reaches</source>
+        <translation>C 臂可达</translation>
+    </message>
+    <message>
+        <source>Now: %1</source>
+        <translation>当前：%1</translation>
+    </message>
+    <message>
+        <source>%1: foreshortened by %2 %, covered by other vessels %3 %</source>
+        <translation>%1：缩短 %2 %，被其他血管遮盖 %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngleMapPlot</name>
+    <message>
+        <source>Map of the gantry&apos;s angles</source>
+        <translation>C 臂角度图</translation>
+    </message>
+    <message>
+        <source>no map yet</source>
+        <translation>尚无角度图</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SimulatedView</name>
+    <message>
+        <source>The vessels from these angles</source>
+        <translation>从这些角度看到的血管</translation>
     </message>
 </context>
 <context>
@@ -8957,6 +5443,3520 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>The volume holds labels: its vessels are taken as they are marked.</source>
         <comment>labels.volume-holds-labels</comment>
         <translation>体数据为标签：血管按标记采用。</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use.</source>
+        <translation>求三维血管树在二维造影图像中的位姿。不得用于临床。</translation>
+    </message>
+    <message>
+        <source>A case, or a centreline and an angiogram.</source>
+        <translation>一个病例，或一条中心线和一幅造影图像。</translation>
+    </message>
+    <message>
+        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
+        <translation>由谁绘制血管造影：vtk（OpenGL）、painter（处理器），或 auto：有显卡加速 OpenGL 时用 vtk。</translation>
+    </message>
+    <message>
+        <source>No renderer is called “%1”: auto, vtk or painter.</source>
+        <translation>没有名为“%1”的渲染器：可用 auto、vtk 或 painter。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngiogramAnnotations</name>
+    <message>
+        <source>%1 mm at vessel</source>
+        <translation>血管处 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngiogramPanel</name>
+    <message>
+        <source>%1 frames before each</source>
+        <translation>每帧之前 %1 帧</translation>
+    </message>
+    <message>
+        <source>none found: mark them below</source>
+        <translation>未找到：请在下方标记</translation>
+    </message>
+    <message>
+        <source>%1 (automatic)</source>
+        <translation>%1（自动）</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>整个序列合成一幅</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Choose the frames before the contrast medium arrives</source>
+        <translation>选择对比剂到达前的帧</translation>
+    </message>
+    <message>
+        <source>Find the shift of each frame</source>
+        <translation>求每帧的位移</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>Trace as the program would by itself</source>
+        <translation>按程序默认方式提取</translation>
+    </message>
+    <message>
+        <source>Subtract mask</source>
+        <translation>减去蒙片</translation>
+    </message>
+    <message>
+        <source>Show native frames</source>
+        <translation>显示原始帧</translation>
+    </message>
+    <message>
+        <source>One frame at a time</source>
+        <translation>逐帧显示</translation>
+    </message>
+    <message>
+        <source>Choose mask frames automatically</source>
+        <translation>自动选择蒙片帧</translation>
+    </message>
+    <message>
+        <source>Find the mask&apos;s shift</source>
+        <translation>求蒙片位移</translation>
+    </message>
+    <message>
+        <source>Mask shift to the right</source>
+        <translation>蒙片右移</translation>
+    </message>
+    <message>
+        <source>Mask shift down</source>
+        <translation>蒙片下移</translation>
+    </message>
+    <message>
+        <source>How far the mask moves to the right, px</source>
+        <translation>蒙片向右移动量，px</translation>
+    </message>
+    <message>
+        <source>How far the mask moves down, px</source>
+        <translation>蒙片向下移动量，px</translation>
+    </message>
+    <message>
+        <source>mask frames</source>
+        <translation>蒙片帧</translation>
+    </message>
+    <message>
+        <source>shift →  ↓</source>
+        <translation>位移 →  ↓</translation>
+    </message>
+    <message>
+        <source>Move the mask</source>
+        <translation>移动蒙片</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>线性</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>对数</translation>
+    </message>
+    <message>
+        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
+        <translation>存储值与 X 线强度的关系（0028,1040）</translation>
+    </message>
+    <message>
+        <source>Pixel values</source>
+        <translation>像素值</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>亮</translation>
+    </message>
+    <message>
+        <source>Whether contrast medium is darker or brighter than the background</source>
+        <translation>对比剂比背景暗还是亮</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Change the meaning of pixel values</source>
+        <translation>更改像素值含义</translation>
+    </message>
+    <message>
+        <source>Vessels are dark</source>
+        <translation>血管为暗</translation>
+    </message>
+    <message>
+        <source>Vessels are bright</source>
+        <translation>血管为亮</translation>
+    </message>
+    <message>
+        <source>pixel values</source>
+        <translation>像素值</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>shortest vessel</source>
+        <translation>最短血管</translation>
+    </message>
+    <message>
+        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
+        <translation>短于此的孤立段略去；短于其三分之一的毛刺亦然</translation>
+    </message>
+    <message>
+        <source>sensitivity</source>
+        <translation>灵敏度</translation>
+    </message>
+    <message>
+        <source>Above 1: fainter vessels are traced as well</source>
+        <translation>大于 1：也提取较淡的血管</translation>
+    </message>
+    <message>
+        <source>widest radius</source>
+        <translation>最大半径</translation>
+    </message>
+    <message>
+        <source>Radius of the widest vessel looked for</source>
+        <translation>所寻最粗血管的半径</translation>
+    </message>
+    <message>
+        <source>Default tracing</source>
+        <translation>默认提取</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>提取</translation>
+    </message>
+    <message>
+        <source>subtracting …</source>
+        <translation>减影中……</translation>
+    </message>
+    <message>
+        <source>subtracted</source>
+        <translation>已减影</translation>
+    </message>
+    <message>
+        <source>composite</source>
+        <translation>合成</translation>
+    </message>
+    <message>
+        <source>native</source>
+        <translation>原始</translation>
+    </message>
+    <message>
+        <source>Move the mask with arrows or the mouse</source>
+        <translation>用方向键或鼠标移动蒙片</translation>
+    </message>
+    <message>
+        <source>Take away what the mask frames show as well: bones and organs</source>
+        <translation>去除蒙片帧中同样可见的骨骼和器官</translation>
+    </message>
+    <message>
+        <source>Every frame shows the darkest value of each pixel over the run</source>
+        <translation>每帧显示各像素在序列中的最暗值</translation>
+    </message>
+    <message>
+        <source>Edit vessels</source>
+        <translation>编辑血管</translation>
+    </message>
+    <message>
+        <source>Leave out, erase, draw and cut traced curves</source>
+        <translation>排除、擦除、绘制和切断提取的曲线</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗宽</translation>
+    </message>
+    <message>
+        <source>Window W: how many grey values lie between black and white</source>
+        <translation>窗宽 W：黑与白之间的灰度值个数</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>窗位</translation>
+    </message>
+    <message>
+        <source>Level L: the grey value in the middle of them</source>
+        <translation>窗位 L：位于其中央的灰度值</translation>
+    </message>
+    <message>
+        <source>window, level</source>
+        <translation>窗宽、窗位</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AngiogramView</name>
+    <message>
+        <source>Angiogram with the projected vessel tree</source>
+        <translation>叠加投影血管树的造影图像</translation>
+    </message>
+    <message>
+        <source>frame %1 (0–%2)</source>
+        <translation>第 %1 帧（0–%2）</translation>
+    </message>
+    <message>
+        <source>Mirrored image, mirrored back by the view</source>
+        <translation>镜像图像，视图已还原</translation>
+    </message>
+    <message>
+        <source>Seen from the source: the view is mirrored</source>
+        <translation>从源方向看：视图镜像</translation>
+    </message>
+    <message>
+        <source>Mirrored image: as seen from the source</source>
+        <translation>镜像图像：如从源方向看</translation>
+    </message>
+    <message>
+        <source>flicker %1 · swipe %2 · hide H · outline %3</source>
+        <translation>闪烁 %1 · 卷帘 %2 · 隐藏 H · 轮廓 %3</translation>
+    </message>
+    <message>
+        <source>No angiogram yet: drop one here, or open it (%1).</source>
+        <translation>尚无造影图像：拖放到此处，或打开（%1）。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::AuxiliaryDialog</name>
+    <message>
+        <source>Use %1 instead</source>
+        <translation>改用 %1</translation>
+    </message>
+    <message>
+        <source>Its search alternates between the chosen branches and the whole tree.</source>
+        <translation>其搜索在所选分支与整棵树之间交替。</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Up to generation</source>
+        <translation>至第几级</translation>
+    </message>
+    <message>
+        <source>Generation 0 begins at the root of the tree.</source>
+        <translation>第 0 级从血管树根部开始。</translation>
+    </message>
+    <message>
+        <source>At least this wide</source>
+        <translation>至少这么粗</translation>
+    </message>
+    <message>
+        <source>By the median radius of a branch.</source>
+        <translation>按分支半径中位数。</translation>
+    </message>
+    <message>
+        <source>Choose these</source>
+        <translation>选择这些</translation>
+    </message>
+    <message>
+        <source>Makes the suggested branches the auxiliary ones.</source>
+        <translation>将建议的分支设为辅助分支。</translation>
+    </message>
+    <message>
+        <source>Auxiliary branches</source>
+        <translation>辅助分支</translation>
+    </message>
+    <message>
+        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
+        <translation>交替类方法先求解这些分支，请选充盈、静止且易分辨的。单幅图像只能确定分支垂直于走向的位置：此处按当前位姿计算各分支约束哪个自由度。</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>自由度</translation>
+    </message>
+    <message>
+        <source>all branches</source>
+        <translation>全部分支</translation>
+    </message>
+    <message>
+        <source>the chosen</source>
+        <translation>所选</translation>
+    </message>
+    <message>
+        <source>pinned best by</source>
+        <translation>最佳约束分支</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
+        <translation>± 为通常噪声下预期的一个标准差。</translation>
+    </message>
+    <message>
+        <source>Last generation</source>
+        <translation>最后一级</translation>
+    </message>
+    <message>
+        <source>Smallest radius</source>
+        <translation>最小半径</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Without chosen branches the nodes of the tree are used.</source>
+        <translation>未选分支时使用血管树的节点。</translation>
+    </message>
+    <message>
+        <source>Vessels, camera and pose are needed for a suggestion.</source>
+        <translation>建议需要血管、相机和位姿。</translation>
+    </message>
+    <message>
+        <source>Suggested: %1. They tell nearly as much as all together.</source>
+        <translation>建议：%1。其信息量几乎等于全部分支。</translation>
+    </message>
+    <message>
+        <source>This tree knows no generations.</source>
+        <translation>此血管树没有分级信息。</translation>
+    </message>
+    <message>
+        <source>This tree knows no radii.</source>
+        <translation>此血管树没有半径信息。</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>套索</translation>
+    </message>
+    <message>
+        <source>Draw around the branches on the image.</source>
+        <translation>在图像上圈选分支。</translation>
+    </message>
+    <message>
+        <source>In view</source>
+        <translation>视野内</translation>
+    </message>
+    <message>
+        <source>The branches that lie wholly in the view.</source>
+        <translation>完全位于视野内的分支。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BlindTrialDialog</name>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Start shifted by up to</source>
+        <translation>初始平移上限</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Start turned by up to</source>
+        <translation>初始旋转上限</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Start trial</source>
+        <translation>开始试验</translation>
+    </message>
+    <message>
+        <source>Blind observer trial</source>
+        <translation>观察者盲法试验</translation>
+    </message>
+    <message>
+        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
+        <translation>血管从当前位姿附近的随机位置开始。完成前隐藏所有数值、残差颜色和先前位姿；时间和最终位姿写入记录，病例不变。</translation>
+    </message>
+    <message>
+        <source>Observer</source>
+        <translation>观察者</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>选择……</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Log of the trials</source>
+        <translation>试验记录</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Observer and log are needed.</source>
+        <translation>需要观察者和记录。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BottomStrip</name>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Stop the running task</source>
+        <translation>停止当前任务</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BranchDelegate</name>
+    <message>
+        <source>aux</source>
+        <translation>辅助</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>排除</translation>
+    </message>
+    <message>
+        <source>g%1</source>
+        <translation>%1 级</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BranchModel</name>
+    <message>
+        <source>%1, %2 mm long</source>
+        <translation>%1，长 %2 mm</translation>
+    </message>
+    <message>
+        <source>in the auxiliary set</source>
+        <translation>属于辅助集</translation>
+    </message>
+    <message>
+        <source>excluded</source>
+        <translation>已排除</translation>
+    </message>
+    <message>
+        <source>median residual %1 mm</source>
+        <translation>残差中位数 %1 mm</translation>
+    </message>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+    <message>
+        <source>generation %1</source>
+        <translation>第 %1 级</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>隐藏</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::BranchPanel</name>
+    <message>
+        <source>Branches</source>
+        <translation>分支</translation>
+    </message>
+    <message>
+        <source>Only these auxiliary</source>
+        <translation>仅这些为辅助</translation>
+    </message>
+    <message>
+        <source>No auxiliary branches (use the nodes)</source>
+        <translation>无辅助分支（使用节点）</translation>
+    </message>
+    <message>
+        <source>as in the tree</source>
+        <translation>按血管树顺序</translation>
+    </message>
+    <message>
+        <source>by name</source>
+        <translation>按名称</translation>
+    </message>
+    <message>
+        <source>by length</source>
+        <translation>按长度</translation>
+    </message>
+    <message>
+        <source>by radius</source>
+        <translation>按半径</translation>
+    </message>
+    <message>
+        <source>by generation</source>
+        <translation>按级别</translation>
+    </message>
+    <message>
+        <source>by residual</source>
+        <translation>按残差</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>查找分支</translation>
+    </message>
+    <message>
+        <source>Order of the branches</source>
+        <translation>分支排序</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Selects both branches and moves the cross-hair to the gap.</source>
+        <translation>选中两个分支并将十字线移到间隙。</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>级别</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
+        <translation>尚无血管。请打开 CT、血管掩膜或中心线。</translation>
+    </message>
+    <message>
+        <source>Closes the gap; undo opens it again.</source>
+        <translation>闭合间隙；可撤销。</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary · %2 exclude</source>
+        <translation>%1 辅助 · %2 排除</translation>
+    </message>
+    <message>
+        <source>Auxiliary on or off</source>
+        <translation>辅助分支开或关</translation>
+    </message>
+    <message>
+        <source>Exclude or include</source>
+        <translation>排除或纳入</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CommandTable</name>
+    <message>
+        <source>Views side by side</source>
+        <translation>并排显示视图</translation>
+    </message>
+    <message>
+        <source>Cross-hair through views side by side</source>
+        <translation>并排视图间的联动十字线</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Close case</source>
+        <translation>关闭病例</translation>
+    </message>
+    <message>
+        <source>New window</source>
+        <translation>新建窗口</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>打开……</translation>
+    </message>
+    <message>
+        <source>Open DICOM folder …</source>
+        <translation>打开 DICOM 文件夹……</translation>
+    </message>
+    <message>
+        <source>Open sample case</source>
+        <translation>打开示例病例</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>另存为……</translation>
+    </message>
+    <message>
+        <source>Export overlay …</source>
+        <translation>导出叠加图……</translation>
+    </message>
+    <message>
+        <source>Export result …</source>
+        <translation>导出结果……</translation>
+    </message>
+    <message>
+        <source>Export pose …</source>
+        <translation>导出位姿……</translation>
+    </message>
+    <message>
+        <source>Export traced vessels …</source>
+        <translation>导出提取的血管……</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Nudge mode</source>
+        <translation>微调模式</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>回到初始位姿</translation>
+    </message>
+    <message>
+        <source>Copy pose as matrix</source>
+        <translation>以矩阵复制位姿</translation>
+    </message>
+    <message>
+        <source>Selected branches auxiliary on or off</source>
+        <translation>所选分支辅助开/关</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the branches in view</source>
+        <translation>辅助：视野内的分支</translation>
+    </message>
+    <message>
+        <source>Auxiliary: the wider half</source>
+        <translation>辅助：较粗的一半</translation>
+    </message>
+    <message>
+        <source>Exclude or include selected branches</source>
+        <translation>排除或恢复所选分支</translation>
+    </message>
+    <message>
+        <source>Select all branches</source>
+        <translation>选择所有分支</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best pose</source>
+        <translation>停止并保留最佳位姿</translation>
+    </message>
+    <message>
+        <source>Fit the image to the window</source>
+        <translation>图像适合窗口</translation>
+    </message>
+    <message>
+        <source>Automatic brightness</source>
+        <translation>自动窗宽窗位</translation>
+    </message>
+    <message>
+        <source>Invert grey values</source>
+        <translation>灰度反转</translation>
+    </message>
+    <message>
+        <source>Brightness: every grey value</source>
+        <translation>窗宽：全部灰度</translation>
+    </message>
+    <message>
+        <source>More contrast</source>
+        <translation>增强对比度</translation>
+    </message>
+    <message>
+        <source>Less contrast</source>
+        <translation>降低对比度</translation>
+    </message>
+    <message>
+        <source>Near vessels bright, far ones dim</source>
+        <translation>近处血管亮、远处血管暗</translation>
+    </message>
+    <message>
+        <source>Swipe, lens, off</source>
+        <translation>卷帘、透镜、关闭</translation>
+    </message>
+    <message>
+        <source>Zoom to the worst branch, the next</source>
+        <translation>放大最差分支，再下一个</translation>
+    </message>
+    <message>
+        <source>Show traced vessels</source>
+        <translation>显示提取的血管</translation>
+    </message>
+    <message>
+        <source>Flicker start pose and pose</source>
+        <translation>初始与当前位姿闪烁对比</translation>
+    </message>
+    <message>
+        <source>Replay the last run</source>
+        <translation>回放上次配准</translation>
+    </message>
+    <message>
+        <source>Swing along what the image cannot tell</source>
+        <translation>沿图像无法确定的方向摆动</translation>
+    </message>
+    <message>
+        <source>Show the run&apos;s other solutions</source>
+        <translation>显示其他解</translation>
+    </message>
+    <message>
+        <source>Take the solution shown</source>
+        <translation>采用所示解</translation>
+    </message>
+    <message>
+        <source>Overlay fainter</source>
+        <translation>叠加图变淡</translation>
+    </message>
+    <message>
+        <source>Overlay stronger</source>
+        <translation>叠加图变浓</translation>
+    </message>
+    <message>
+        <source>Play frames</source>
+        <translation>播放帧</translation>
+    </message>
+    <message>
+        <source>Hide patient identity</source>
+        <translation>隐藏患者信息</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>减少动画</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>跟随桌面</translation>
+    </message>
+    <message>
+        <source>About AngioPose</source>
+        <translation>关于 AngioPose</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Registration</source>
+        <translation>配准(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Language of the desktop</source>
+        <translation>桌面语言</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Save picture of the window …</source>
+        <translation>保存窗口图片……</translation>
+    </message>
+    <message>
+        <source>Copy picture of the window</source>
+        <translation>复制窗口图片</translation>
+    </message>
+    <message>
+        <source>Radiology: left drag windows</source>
+        <translation>放射科：左键拖动调窗</translation>
+    </message>
+    <message>
+        <source>3D Slicer: left only picks</source>
+        <translation>3D Slicer：左键仅选择</translation>
+    </message>
+    <message>
+        <source>Scroll: left drag runs the frames</source>
+        <translation>滚动：左键拖动换帧</translation>
+    </message>
+    <message>
+        <source>Help on what the mouse points at</source>
+        <translation>鼠标所指内容的帮助</translation>
+    </message>
+    <message>
+        <source>Short tour</source>
+        <translation>简短导览</translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation>好的配准是什么样</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>快捷键与鼠标</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Edit traced vessels</source>
+        <translation>编辑提取的血管</translation>
+    </message>
+    <message>
+        <source>Trace this frame again</source>
+        <translation>重新提取此帧</translation>
+    </message>
+    <message>
+        <source>Subtract mask, native</source>
+        <translation>减影、原始</translation>
+    </message>
+    <message>
+        <source>Move the mask by hand</source>
+        <translation>手动移动蒙片</translation>
+    </message>
+    <message>
+        <source>This frame is the mask</source>
+        <translation>以此帧为蒙片</translation>
+    </message>
+    <message>
+        <source>Whole run in one picture</source>
+        <translation>整个序列合成一幅</translation>
+    </message>
+    <message>
+        <source>Click pairs of landmarks</source>
+        <translation>点选标志点对</translation>
+    </message>
+    <message>
+        <source>Place vessels by landmarks</source>
+        <translation>按标志点放置血管</translation>
+    </message>
+    <message>
+        <source>Auxiliary: draw a lasso</source>
+        <translation>辅助：套索圈选</translation>
+    </message>
+    <message>
+        <source>Auxiliary: which branches …</source>
+        <translation>辅助：选择哪些分支……</translation>
+    </message>
+    <message>
+        <source>C-arm angles for the branch …</source>
+        <translation>显示该分支的 C 臂角度……</translation>
+    </message>
+    <message>
+        <source>Trace the scan again</source>
+        <translation>重新提取扫描</translation>
+    </message>
+    <message>
+        <source>Find a branch</source>
+        <translation>查找分支</translation>
+    </message>
+    <message>
+        <source>Rename branch</source>
+        <translation>重命名分支</translation>
+    </message>
+    <message>
+        <source>Cut branch at the cross-hair</source>
+        <translation>在十字线处切断分支</translation>
+    </message>
+    <message>
+        <source>Join two branches</source>
+        <translation>连接两个分支</translation>
+    </message>
+    <message>
+        <source>Smooth branches</source>
+        <translation>平滑分支</translation>
+    </message>
+    <message>
+        <source>Root at the branch&apos;s end near the cross-hair</source>
+        <translation>以十字线附近分支端为根</translation>
+    </message>
+    <message>
+        <source>Hide or show branches</source>
+        <translation>隐藏或显示分支</translation>
+    </message>
+    <message>
+        <source>Show all branches</source>
+        <translation>显示所有分支</translation>
+    </message>
+    <message>
+        <source>Delete branches</source>
+        <translation>删除分支</translation>
+    </message>
+    <message>
+        <source>Delete branches and what leaves them</source>
+        <translation>删除分支及其分出部分</translation>
+    </message>
+    <message>
+        <source>Prune short or thin branches …</source>
+        <translation>修剪短或细的分支……</translation>
+    </message>
+    <message>
+        <source>Join the pieces at the next gap</source>
+        <translation>在下一间隙处连接</translation>
+    </message>
+    <message>
+        <source>Keep this pose</source>
+        <translation>保留此位姿</translation>
+    </message>
+    <message>
+        <source>Switch between poses A and B</source>
+        <translation>在位姿 A 与 B 间切换</translation>
+    </message>
+    <message>
+        <source>Compare poses and methods …</source>
+        <translation>比较位姿和方法……</translation>
+    </message>
+    <message>
+        <source>Blind observer trial …</source>
+        <translation>观察者盲法试验……</translation>
+    </message>
+    <message>
+        <source>Trial done</source>
+        <translation>试验完成</translation>
+    </message>
+    <message>
+        <source>Seen from the source (mirrored)</source>
+        <translation>从源方向看（镜像）</translation>
+    </message>
+    <message>
+        <source>Opacification over time</source>
+        <translation>充盈随时间变化</translation>
+    </message>
+    <message>
+        <source>3-D, axial, coronal, sagittal below the branches</source>
+        <translation>分支下方：三维、轴位、冠状、矢状</translation>
+    </message>
+    <message>
+        <source>Slices instead of the angiogram</source>
+        <translation>以断层代替造影图像</translation>
+    </message>
+    <message>
+        <source>Image alone, without the columns</source>
+        <translation>仅图像，不显示侧栏</translation>
+    </message>
+    <message>
+        <source>Ve&amp;ssels</source>
+        <translation>血管(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Start pose from the angles</source>
+        <translation>由角度得初始位姿</translation>
+    </message>
+    <message>
+        <source>This pose is the start pose</source>
+        <translation>以此位姿为初始位姿</translation>
+    </message>
+    <message>
+        <source>&amp;Angiogram</source>
+        <translation>造影(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>位姿(&amp;P)</translation>
+    </message>
+    <message>
+        <source>3-D and slices alone</source>
+        <translation>仅显示三维和切片</translation>
+    </message>
+    <message>
+        <source>Angiogram in a window of its own</source>
+        <translation>血管造影用独立窗口</translation>
+    </message>
+    <message>
+        <source>3-D and slices in a window of their own</source>
+        <translation>三维和切片用独立窗口</translation>
+    </message>
+    <message>
+        <source>All slices in a window of their own</source>
+        <translation>全部切片用独立窗口</translation>
+    </message>
+    <message>
+        <source>Views alone and in windows</source>
+        <translation>视图独占与独立窗口</translation>
+    </message>
+    <message>
+        <source>Export followed poses …</source>
+        <translation>导出跟踪位姿…</translation>
+    </message>
+    <message>
+        <source>Add a view …</source>
+        <translation>添加视图…</translation>
+    </message>
+    <message>
+        <source>Show the next view</source>
+        <translation>显示下一视图</translation>
+    </message>
+    <message>
+        <source>Follow the vessels through the run</source>
+        <translation>在整个序列中跟踪血管</translation>
+    </message>
+    <message>
+        <source>Vessels: centreline, outline, tube, radiograph</source>
+        <translation>血管：中心线、轮廓、管状、X 射线像</translation>
+    </message>
+    <message>
+        <source>Brightness: the vessels alone</source>
+        <translation>亮度：仅血管</translation>
+    </message>
+    <message>
+        <source>Brightness: soft, with bone and catheter</source>
+        <translation>亮度：柔和，含骨骼与导管</translation>
+    </message>
+    <message>
+        <source>Blue to amber</source>
+        <translation>蓝至琥珀</translation>
+    </message>
+    <message>
+        <source>Blue, white, red</source>
+        <translation>蓝、白、红</translation>
+    </message>
+    <message>
+        <source>Brightness alone</source>
+        <translation>仅亮度</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>Colours of vessels and residuals</source>
+        <translation>血管与残差的颜色</translation>
+    </message>
+    <message>
+        <source>Choose the labels that are vessels</source>
+        <translation>选择属于血管的标签</translation>
+    </message>
+    <message>
+        <source>Pick the point to turn about</source>
+        <translation>选取旋转中心</translation>
+    </message>
+    <message>
+        <source>Turn about the centroid again</source>
+        <translation>恢复围绕质心转动</translation>
+    </message>
+    <message>
+        <source>3-D view: everything, the vessels alone</source>
+        <translation>三维视图：全部、仅血管</translation>
+    </message>
+    <message>
+        <source>Export vessel tree …</source>
+        <translation>导出血管树…</translation>
+    </message>
+    <message>
+        <source>Export report …</source>
+        <translation>导出报告…</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ConvergencePlot</name>
+    <message>
+        <source>Convergence</source>
+        <translation>收敛</translation>
+    </message>
+    <message>
+        <source>shown after a run</source>
+        <translation>配准后显示</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>第 %1 步</translation>
+    </message>
+    <message>
+        <source>median distance</source>
+        <translation>中位距离</translation>
+    </message>
+    <message>
+        <source>shift of the vessels in one step</source>
+        <translation>血管每步的移动</translation>
+    </message>
+    <message>
+        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
+Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
+        <translation>上：一半血管点到所追踪血管的距离小于此值。
+下：一步使血管移动的距离，为所有点的均方根；最底线表示没有移动。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CornerViews</name>
+    <message>
+        <source>3-D</source>
+        <translation>三维</translation>
+    </message>
+    <message>
+        <source>All slices, large</source>
+        <translation>所有断层，放大</translation>
+    </message>
+    <message>
+        <source>Only this view in the window, and back</source>
+        <translation>窗口内仅此视图，再次恢复</translation>
+    </message>
+    <message>
+        <source>In a window of its own, and back</source>
+        <translation>独立窗口，再次移回</translation>
+    </message>
+    <message>
+        <source>Double click: only this view in the window, and back</source>
+        <translation>双击：窗口内仅此视图，再次恢复</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CurveEditBar</name>
+    <message>
+        <source>1 curve</source>
+        <translation>1 条曲线</translation>
+    </message>
+    <message>
+        <source>Not a vessel</source>
+        <translation>非血管</translation>
+    </message>
+    <message>
+        <source>Click a curve to leave it out</source>
+        <translation>单击曲线以排除</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Brush over parts of curves</source>
+        <translation>涂抹曲线部分</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Click along a vessel: the line follows it</source>
+        <translation>沿血管单击：线条自动跟随</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Click where a curve is to fall in two</source>
+        <translation>单击曲线断开处</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>矩形</translation>
+    </message>
+    <message>
+        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
+        <translation>排除框内部分；Ctrl：仅保留框内</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
+        <translation>排除套索内部分；Ctrl：仅保留套索内</translation>
+    </message>
+    <message>
+        <source>Trace again</source>
+        <translation>重新提取</translation>
+    </message>
+    <message>
+        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
+        <translation>放弃此帧编辑并自动提取；可撤销</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>%1 curves</source>
+        <translation>%1 条曲线</translation>
+    </message>
+    <message>
+        <source>%1 curves, %2 suspect (S)</source>
+        <translation>%1 条曲线，%2 条可疑（S）</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::EditCurvesTool</name>
+    <message>
+        <source>Mark as not a vessel</source>
+        <translation>标为非血管</translation>
+    </message>
+    <message>
+        <source>Edit vessels: tracing this frame …</source>
+        <translation>编辑血管：正在提取此帧……</translation>
+    </message>
+    <message>
+        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
+        <translation>擦除：涂抹曲线，[ ] 笔刷大小，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>绘制：沿血管单击，回车结束，退格撤一点，Shift 直线</translation>
+    </message>
+    <message>
+        <source>Cut: click where a curve is to fall in two, Esc ends</source>
+        <translation>切断：单击曲线断开处，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
+        <translation>非血管：单击曲线以排除，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>框选：框住非血管部分；Ctrl 仅保留框内，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
+        <translation>套索：圈住非血管部分；Ctrl 仅保留圈内，Esc 结束</translation>
+    </message>
+    <message>
+        <source>Erase curves</source>
+        <translation>擦除曲线</translation>
+    </message>
+    <message>
+        <source>Restrict to a region</source>
+        <translation>限定区域</translation>
+    </message>
+    <message>
+        <source>Leave out a region</source>
+        <translation>排除区域</translation>
+    </message>
+    <message>
+        <source>Cut a curve</source>
+        <translation>切断曲线</translation>
+    </message>
+    <message>
+        <source>Draw a curve</source>
+        <translation>绘制曲线</translation>
+    </message>
+    <message>
+        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
+        <translation>可能是导管：A 保留，Delete 排除，S 下一条</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ExportDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Residual colours with their scale</source>
+        <translation>残差颜色及色标</translation>
+    </message>
+    <message>
+        <source>Patient identity in the picture</source>
+        <translation>图中显示患者信息</translation>
+    </message>
+    <message>
+        <source>Export overlay</source>
+        <translation>导出叠加图</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>与窗口一致</translation>
+    </message>
+    <message>
+        <source>1024 px wide</source>
+        <translation>宽 1024 px</translation>
+    </message>
+    <message>
+        <source>2048 px wide</source>
+        <translation>宽 2048 px</translation>
+    </message>
+    <message>
+        <source>Other width</source>
+        <translation>其他宽度</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
+        <translation>图片始终注明“不得用于临床”，并在文本字段中记录输入、方法和位姿。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>导出……</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>文字用英文</translation>
+    </message>
+    <message>
+        <source>Swipe or lens as in the window</source>
+        <translation>与窗口中相同的卷帘或透镜</translation>
+    </message>
+    <message>
+        <source>Start pose beside it: before and after</source>
+        <translation>并排显示初始位姿：前后对比</translation>
+    </message>
+    <message>
+        <source>twice %1</source>
+        <translation>两幅 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::FrameBars</name>
+    <message>
+        <source>Frames by opacification</source>
+        <translation>各帧充盈度</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>the fullest</source>
+        <translation>最充盈</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <translation>蒙片</translation>
+    </message>
+    <message>
+        <source>Shift+drag marks mask frames, double click shows the curve</source>
+        <translation>Shift+拖动标记蒙片帧，双击显示曲线</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::GeometryPanel</name>
+    <message>
+        <source>type it</source>
+        <translation>请输入</translation>
+    </message>
+    <message>
+        <source>SID</source>
+        <translation>SID</translation>
+    </message>
+    <message>
+        <source>Source to detector distance</source>
+        <translation>源到探测器距离</translation>
+    </message>
+    <message>
+        <source>SOD</source>
+        <translation>SOD</translation>
+    </message>
+    <message>
+        <source>Source to isocentre distance</source>
+        <translation>源到等中心距离</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>LAO / RAO</source>
+        <translation>LAO / RAO</translation>
+    </message>
+    <message>
+        <source>Primary angle: LAO positive, RAO negative</source>
+        <translation>主角度：LAO 为正，RAO 为负</translation>
+    </message>
+    <message>
+        <source>CRA / CAU</source>
+        <translation>CRA / CAU</translation>
+    </message>
+    <message>
+        <source>Secondary angle: CRA positive, CAU negative</source>
+        <translation>次角度：头位为正，足位为负</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>文件头</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>推算</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>手工输入</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>假定</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Assume usual values</source>
+        <translation>采用常用值</translation>
+    </message>
+    <message>
+        <source>Use distances and spacing instead</source>
+        <translation>改用距离和像素间距</translation>
+    </message>
+    <message>
+        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
+        <translation>SID 1000 mm、SOD 750 mm、像素 0.3 mm、角度 0°：仅用于缺失项。</translation>
+    </message>
+    <message>
+        <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
+        <translation>病例文件中的相机：f %1 px，中心 %2，%3 px，%4。</translation>
+    </message>
+    <message>
+        <source>seen from the detector</source>
+        <translation>从探测器方向看</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>incomplete</source>
+        <translation>不完整</translation>
+    </message>
+    <message>
+        <source>SID %1</source>
+        <translation>SID %1</translation>
+    </message>
+    <message>
+        <source>%1 mm/px</source>
+        <translation>%1 mm/px</translation>
+    </message>
+    <message>
+        <source>missing values</source>
+        <translation>缺少数值</translation>
+    </message>
+    <message>
+        <source>Roll, centre, isocentre</source>
+        <translation>滚转、中心、等中心</translation>
+    </message>
+    <message>
+        <source>What the header says</source>
+        <translation>文件头内容</translation>
+    </message>
+    <message>
+        <source>as from the detector</source>
+        <translation>如从探测器看</translation>
+    </message>
+    <message>
+        <source>Side that the image is shown from</source>
+        <translation>图像的观察侧</translation>
+    </message>
+    <message>
+        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
+        <translation>造影图像按从探测器方向显示。镜像导出左右互换：投影随之镜像，血管绝不镜像。</translation>
+    </message>
+    <message>
+        <source>side of the image</source>
+        <translation>图像侧</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>%1 tags</source>
+        <translation>%1 个标签</translation>
+    </message>
+    <message>
+        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
+        <translation>文件头无像素间距；此值为推算。在框内按回车确认，或输入。</translation>
+    </message>
+    <message>
+        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
+        <translation>图像视为镜像（%1）：请核对左右。</translation>
+    </message>
+    <message>
+        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
+        <translation>采集中机架旋转：此帧相对第一帧 LAO/RAO %1°、CRA/CAU %2°。</translation>
+    </message>
+    <message>
+        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
+        <translation>探测器像素间距。回车确认推算值。</translation>
+    </message>
+    <message>
+        <source>field width</source>
+        <translation>视野宽度</translation>
+    </message>
+    <message>
+        <source>Width of the image on the detector: gives the pixel pitch</source>
+        <translation>图像在探测器上的宽度：由此得出像素间距</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>滚转</translation>
+    </message>
+    <message>
+        <source>The image is turned clockwise by this</source>
+        <translation>图像顺时针旋转的角度</translation>
+    </message>
+    <message>
+        <source>centre right</source>
+        <translation>中心右</translation>
+    </message>
+    <message>
+        <source>Column that the beam axis meets; 0 is the middle of the first</source>
+        <translation>中心射线所在列；0 为第一列中心</translation>
+    </message>
+    <message>
+        <source>centre down</source>
+        <translation>中心下</translation>
+    </message>
+    <message>
+        <source>Row that the beam axis meets; 0 is the middle of the first</source>
+        <translation>中心射线所在行；0 为第一行中心</translation>
+    </message>
+    <message>
+        <source>isocentre L</source>
+        <translation>等中心 L</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
+        <translation>机架旋转中心（血管坐标）：左</translation>
+    </message>
+    <message>
+        <source>isocentre P</source>
+        <translation>等中心 P</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
+        <translation>机架旋转中心（血管坐标）：后</translation>
+    </message>
+    <message>
+        <source>isocentre H</source>
+        <translation>等中心 H</translation>
+    </message>
+    <message>
+        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
+        <translation>机架旋转中心（血管坐标）：头</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::GoodFit</name>
+    <message>
+        <source>Good: vessels have moved</source>
+        <translation>好：血管有移动</translation>
+    </message>
+    <message>
+        <source>Bad: shifted</source>
+        <translation>坏：平移</translation>
+    </message>
+    <message>
+        <source>Bad: turned</source>
+        <translation>坏：旋转</translation>
+    </message>
+    <message>
+        <source>Bad: wrong view angle</source>
+        <translation>坏：投照角度错误</translation>
+    </message>
+    <message>
+        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
+        <translation>线条位于血管中央，全程蓝色，侧支亦然。</translation>
+    </message>
+    <message>
+        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
+        <translation>仅此帧无对比剂处为琥珀色；充盈血管均为蓝色。</translation>
+    </message>
+    <message>
+        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
+        <translation>两侧均有小偏差：心跳与呼吸。没有更好的刚性位姿。</translation>
+    </message>
+    <message>
+        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
+        <translation>所有线条偏向同一侧。请重新配准或用方向键微调。</translation>
+    </message>
+    <message>
+        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
+        <translation>中间吻合而向外偏差渐大：在图像平面内旋转。</translation>
+    </message>
+    <message>
+        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
+        <translation>主干吻合而侧支指向别处：LAO/RAO 或 CRA/CAU 有偏差。</translation>
+    </message>
+    <message>
+        <source>What a good fit looks like</source>
+        <translation>好的配准是什么样</translation>
+    </message>
+    <message>
+        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
+        <translation>模拟血管。蓝色在血管上，琥珀色偏 2 mm 或以上。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>drawing …</source>
+        <translation>绘制中……</translation>
+    </message>
+    <message>
+        <source>Good: everything fits</source>
+        <translation>好：全部吻合</translation>
+    </message>
+    <message>
+        <source>Good: branches unfilled</source>
+        <translation>好：部分分支未充盈</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::HeaderBar</name>
+    <message>
+        <source>Not for clinical use</source>
+        <translation>不得用于临床</translation>
+    </message>
+    <message>
+        <source>AngioPose is a research program, not a medical device.</source>
+        <translation>AngioPose 是研究软件，不是医疗器械。</translation>
+    </message>
+    <message>
+        <source>More menus</source>
+        <translation>更多菜单</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::HelpPage</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::HistogramPlot</name>
+    <message>
+        <source>Histogram of residuals</source>
+        <translation>残差直方图</translation>
+    </message>
+    <message>
+        <source>no residuals yet</source>
+        <translation>尚无残差</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>大于 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::KeyNotes</name>
+    <message>
+        <source>← → ↑ ↓</source>
+        <translation>← → ↑ ↓</translation>
+    </message>
+    <message>
+        <source>move by 1 mm (Shift 10 mm, Ctrl 0.1 mm)</source>
+        <translation>平移 1 mm（Shift 10 mm，Ctrl 0.1 mm）</translation>
+    </message>
+    <message>
+        <source>PgUp PgDn</source>
+        <translation>PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>move away from or to the source</source>
+        <translation>远离或靠近射线源</translation>
+    </message>
+    <message>
+        <source>, .</source>
+        <translation>, .</translation>
+    </message>
+    <message>
+        <source>roll by 1°</source>
+        <translation>滚转 1°</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+方向键</translation>
+    </message>
+    <message>
+        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <translation>转动 LAO/RAO 和 CRA/CAU 1°</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>left drag</source>
+        <translation>左键拖动</translation>
+    </message>
+    <message>
+        <source>window and level</source>
+        <translation>窗宽窗位</translation>
+    </message>
+    <message>
+        <source>middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>平移图像</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, Home, End</source>
+        <translation>滚轮、↑ ↓、Home、End</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>H (hold)</source>
+        <translation>H（按住）</translation>
+    </message>
+    <message>
+        <source>hide the overlay</source>
+        <translation>隐藏叠加图</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>pick a branch (Ctrl adds)</source>
+        <translation>选择分支（Ctrl 追加）</translation>
+    </message>
+    <message>
+        <source>In nudge mode</source>
+        <translation>微调模式下</translation>
+    </message>
+    <message>
+        <source>On the angiogram</source>
+        <translation>在造影图像上</translation>
+    </message>
+    <message>
+        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
+        <translation>平移；在圆环上旋转；Esc 取消，再按结束模式</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>右键单击</translation>
+    </message>
+    <message>
+        <source>menu of what can be done here</source>
+        <translation>此处可用操作的菜单</translation>
+    </message>
+    <message>
+        <source>left drag, arrows</source>
+        <translation>左键拖动、方向键</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>right drag, wheel, + −</source>
+        <translation>右键拖动、滚轮、+ −</translation>
+    </message>
+    <message>
+        <source>double click</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Shift+left drag</source>
+        <translation>Shift+左键拖动</translation>
+    </message>
+    <message>
+        <source>Ctrl+left drag</source>
+        <translation>Ctrl+左键拖动</translation>
+    </message>
+    <message>
+        <source>right drag</source>
+        <translation>右键拖动</translation>
+    </message>
+    <message>
+        <source>On the 3-D view</source>
+        <translation>在三维视图上</translation>
+    </message>
+    <message>
+        <source>in 3-D or a slice, then in the image: one pair</source>
+        <translation>先在三维或断层，再在图像：一对</translation>
+    </message>
+    <message>
+        <source>a node of the vessels to its place, or a cross elsewhere</source>
+        <translation>将血管节点拖到其位置，或移动十字</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>place the vessels by the pairs</source>
+        <translation>按点对放置血管</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>remove the last pair</source>
+        <translation>移除最后一对</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>click curves that are no vessels</source>
+        <translation>单击非血管曲线</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>erase with a brush; [ ] its size</source>
+        <translation>用笔刷擦除；[ ] 大小</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
+        <translation>绘制：回车结束，退格撤一点，Shift 直线</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>cut a curve</source>
+        <translation>切断曲线</translation>
+    </message>
+    <message>
+        <source>B L</source>
+        <translation>B L</translation>
+    </message>
+    <message>
+        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
+        <translation>框选或套索非血管部分；Ctrl：仅保留内部</translation>
+    </message>
+    <message>
+        <source>✓ ✗</source>
+        <translation>✓ ✗</translation>
+    </message>
+    <message>
+        <source>dashed curves may be a catheter: keep or leave out</source>
+        <translation>虚线可能为导管：保留或排除</translation>
+    </message>
+    <message>
+        <source>click, left drag, Ctrl+arrows</source>
+        <translation>单击、左键拖动、Ctrl+方向键</translation>
+    </message>
+    <message>
+        <source>cross-hair, linked with all views</source>
+        <translation>十字线，与所有视图联动</translation>
+    </message>
+    <message>
+        <source>picks the point at the cross-hair, as a click does</source>
+        <translation>选取十字线处的点，同单击</translation>
+    </message>
+    <message>
+        <source>wheel, ↑ ↓, PgUp PgDn</source>
+        <translation>滚轮、↑ ↓、PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>slices (Shift 10)</source>
+        <translation>层面（Shift 10）</translation>
+    </message>
+    <message>
+        <source>window and level; a right click opens the menu</source>
+        <translation>窗宽窗位；右键单击打开菜单</translation>
+    </message>
+    <message>
+        <source>middle drag, Ctrl+wheel</source>
+        <translation>中键拖动、Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>pan and zoom</source>
+        <translation>平移和缩放</translation>
+    </message>
+    <message>
+        <source>all slices large, and back</source>
+        <translation>所有断层放大，再返回</translation>
+    </message>
+    <message>
+        <source>While clicking landmarks</source>
+        <translation>点选标志点时</translation>
+    </message>
+    <message>
+        <source>While editing vessels</source>
+        <translation>编辑血管时</translation>
+    </message>
+    <message>
+        <source>On a slice</source>
+        <translation>在断层上</translation>
+    </message>
+    <message>
+        <source>this view alone, and back</source>
+        <translation>仅显示此视图，再次恢复</translation>
+    </message>
+    <message>
+        <source>S, then A or Del</source>
+        <translation>S，再按 A 或 Del</translation>
+    </message>
+    <message>
+        <source>the next of the dashed curves: keep or leave out</source>
+        <translation>下一条虚线曲线：保留或排除</translation>
+    </message>
+    <message>
+        <source>While picking the pivot</source>
+        <translation>选取旋转中心时</translation>
+    </message>
+    <message>
+        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
+        <translation>血管上的位置：图像、三维视图或切片中</translation>
+    </message>
+    <message>
+        <source>← →</source>
+        <translation>← →</translation>
+    </message>
+    <message>
+        <source>the next bifurcation or end</source>
+        <translation>下一个分叉或末端</translation>
+    </message>
+    <message>
+        <source>takes the place shown</source>
+        <translation>采用所示位置</translation>
+    </message>
+    <message>
+        <source>back to the centroid</source>
+        <translation>恢复为质心</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::KeySheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Search keys and what they do</source>
+        <translation>搜索快捷键及其作用</translation>
+    </message>
+    <message>
+        <source>Search keys</source>
+        <translation>搜索快捷键</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>No key for “%1”.</source>
+        <translation>没有“%1”的快捷键。</translation>
+    </message>
+    <message>
+        <source>Keys and what they do</source>
+        <translation>快捷键及其作用</translation>
+    </message>
+    <message>
+        <source>Reset all keys</source>
+        <translation>重置所有快捷键</translation>
+    </message>
+    <message>
+        <source>Enter or double-click on a line takes a new key for it.</source>
+        <translation>在某行按回车或双击可设置新快捷键。</translation>
+    </message>
+    <message>
+        <source>This key is fixed.</source>
+        <translation>此快捷键固定。</translation>
+    </message>
+    <message>
+        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
+        <translation>请按“%1”的新快捷键。Esc 保留原键，Delete 清除。</translation>
+    </message>
+    <message>
+        <source>The old key stays.</source>
+        <translation>保留原快捷键。</translation>
+    </message>
+    <message>
+        <source>“%1” is needed elsewhere. Press another key.</source>
+        <translation>“%1”另有用途。请按其他键。</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
+        <translation>“%1”属于“%2”。再按一次可改用，或按其他键。</translation>
+    </message>
+    <message>
+        <source>No key any more.</source>
+        <translation>已清除快捷键。</translation>
+    </message>
+    <message>
+        <source>The key is “%1” now.</source>
+        <translation>快捷键现为“%1”。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LabelChoice</name>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>Label %1</source>
+        <translation>标签 %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全选</translation>
+    </message>
+    <message>
+        <source>Ticks every label of the list</source>
+        <translation>勾选列表中的所有标签</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>全不选</translation>
+    </message>
+    <message>
+        <source>Unticks every label of the list</source>
+        <translation>取消勾选列表中的所有标签</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Ticks those that are vessels by their names</source>
+        <translation>勾选名称表明是血管的标签</translation>
+    </message>
+    <message>
+        <source>Find a label</source>
+        <translation>查找标签</translation>
+    </message>
+    <message>
+        <source>Labels that are vessels</source>
+        <translation>属于血管的标签</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>Reading the labels …</source>
+        <translation>正在读取标签…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 ticked, %3</source>
+        <translation>已勾选 %1 / %2，%3</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LandmarkPanel</name>
+    <message>
+        <source>Landmarks</source>
+        <translation>标志点</translation>
+    </message>
+    <message>
+        <source>Place vessels</source>
+        <translation>放置血管</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Landmarks and how far each is off</source>
+        <translation>标志点及其偏差</translation>
+    </message>
+    <message>
+        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
+        <translation>由点对求初始位姿：点选时按回车。可撤销。</translation>
+    </message>
+    <message>
+        <source>Remove the chosen pairs: Delete</source>
+        <translation>移除所选点对：Delete</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>not in view</source>
+        <translation>不在视野内</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 对</translation>
+    </message>
+    <message>
+        <source>Click pairs</source>
+        <translation>点选成对</translation>
+    </message>
+    <message>
+        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
+        <translation>先在三维（或断层）血管上，再在图像同一处点选。</translation>
+    </message>
+    <message>
+        <source>%1: click pairs, then place</source>
+        <translation>%1：点击成对点，然后放置</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LandmarkTool</name>
+    <message>
+        <source>Landmarks: now click the same place in the image</source>
+        <translation>标志点：请在图像中单击同一位置</translation>
+    </message>
+    <message>
+        <source>Landmarks: now click the same place on the vessels in 3-D</source>
+        <translation>标志点：请在三维血管上单击同一位置</translation>
+    </message>
+    <message>
+        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
+        <translation>标志点：在三维和此处单击，或拖动节点 · 回车放置</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::LassoTool</name>
+    <message>
+        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
+        <translation>套索：圈选辅助分支，Shift 追加，Ctrl 移除，Esc 结束</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MainWindow</name>
+    <message>
+        <source>AngioPose: angiogram</source>
+        <translation>AngioPose：血管造影</translation>
+    </message>
+    <message>
+        <source>AngioPose: 3-D and slices</source>
+        <translation>AngioPose：三维和切片</translation>
+    </message>
+    <message>
+        <source>AngioPose: slices</source>
+        <translation>AngioPose：切片</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskShiftTool</name>
+    <message>
+        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
+        <translation>蒙片：方向键或拖动，Shift 1 px，Ctrl 0.05 px，Esc 结束 · 右 %1，下 %2 px</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MessageDialog</name>
+    <message>
+        <source>Details</source>
+        <translation>详细信息</translation>
+    </message>
+    <message>
+        <source>Copy details</source>
+        <translation>复制详细信息</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MissingInputs</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Where are the inputs?</source>
+        <translation>输入文件在哪里？</translation>
+    </message>
+    <message>
+        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
+        <translation>“%1”引用的文件已不在原处，在其旁和最近病例中也未找到。病例本身完好。</translation>
+    </message>
+    <message>
+        <source>was in %1</source>
+        <translation>原在 %1</translation>
+    </message>
+    <message>
+        <source>Locate …</source>
+        <translation>查找……</translation>
+    </message>
+    <message>
+        <source>Locate %1</source>
+        <translation>查找 %1</translation>
+    </message>
+    <message>
+        <source>Search a folder …</source>
+        <translation>搜索文件夹……</translation>
+    </message>
+    <message>
+        <source>Looks in the folder and all below it, by name and by content.</source>
+        <translation>在文件夹及其子文件夹中按名称和内容查找。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>now %1</source>
+        <translation>现为 %1</translation>
+    </message>
+    <message>
+        <source>Search a folder</source>
+        <translation>搜索文件夹</translation>
+    </message>
+    <message>
+        <source>Open without</source>
+        <translation>不含缺失项打开</translation>
+    </message>
+    <message>
+        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
+        <translation>缺少的是血管旁的扫描或另一视图：其余可打开。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MotionPlot</name>
+    <message>
+        <source>Motion of the vessels by frame</source>
+        <translation>血管逐帧运动</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
+        <translation>第 %1 帧：横向 %2 mm，深度 %3 mm，%4°</translation>
+    </message>
+    <message>
+        <source>%1 (not explained by the vessels)</source>
+        <translation>%1（血管无法解释）</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::NudgeTool</name>
+    <message>
+        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
+        <translation>微调：拖动平移，圆环滚转，弧线转动，左侧箭头调深度，Ctrl 精细，Esc 撤回</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::OpacificationPlot</name>
+    <message>
+        <source>Opacification over the frames</source>
+        <translation>各帧充盈曲线</translation>
+    </message>
+    <message>
+        <source>%1 · %2 s</source>
+        <translation>%1 · %2 s</translation>
+    </message>
+    <message>
+        <source>Only runs of several frames have a curve</source>
+        <translation>只有多帧序列才有曲线</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PivotMark</name>
+    <message>
+        <source>pivot</source>
+        <translation>旋转中心</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PivotTool</name>
+    <message>
+        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
+        <translation>旋转中心：在此处或三维视图中点击血管 · ← → 和回车：分叉 · Delete：质心</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PoseAxis</name>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>along ray</source>
+        <translation>沿射线</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>滚转</translation>
+    </message>
+    <message>
+        <source>LAO / RAO</source>
+        <translation>LAO / RAO</translation>
+    </message>
+    <message>
+        <source>CRA / CAU</source>
+        <translation>CRA / CAU</translation>
+    </message>
+    <message>
+        <source>To the right on screen, in mm at the vessels. Nudge: ← →</source>
+        <translation>屏幕向右，血管处毫米数。微调：← →</translation>
+    </message>
+    <message>
+        <source>Up on screen, in mm at the vessels. Nudge: ↑ ↓</source>
+        <translation>屏幕向上，血管处毫米数。微调：↑ ↓</translation>
+    </message>
+    <message>
+        <source>Away from the X-ray source, in mm. Nudge: PgUp PgDn</source>
+        <translation>远离 X 射线源，单位 mm。微调：PgUp PgDn</translation>
+    </message>
+    <message>
+        <source>Clockwise on screen. Nudge: , .</source>
+        <translation>屏幕顺时针。微调：, .</translation>
+    </message>
+    <message>
+        <source>As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
+        <translation>相当于 C 形臂转向 LAO (+) 或 RAO (−)。微调：Alt+← Alt+→</translation>
+    </message>
+    <message>
+        <source>As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓</source>
+        <translation>相当于 C 形臂转向头位 (+) 或足位 (−)。微调：Alt+↑ Alt+↓</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PosePanel</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Back to start pose</source>
+        <translation>回到初始位姿</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>锁定%1</translation>
+    </message>
+    <message>
+        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
+        <translation>保持此值：微调、拖动、输入和配准均不改变。</translation>
+    </message>
+    <message>
+        <source>Undo brings the pose back.</source>
+        <translation>撤销可恢复位姿。</translation>
+    </message>
+    <message>
+        <source>nudging · arrows · %1 ends</source>
+        <translation>微调中 · 方向键 · %1 结束</translation>
+    </message>
+    <message>
+        <source>nudge %1 · fine Ctrl · coarse Shift</source>
+        <translation>微调 %1 · 精细 Ctrl · 粗调 Shift</translation>
+    </message>
+    <message>
+        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
+        <translation>围绕所选旋转中心转动，位移亦指该点。%1 恢复为质心。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PoseTable</name>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Runs the ticked methods one after the other from the pose as it is.</source>
+        <translation>从当前位姿依次运行所勾选的方法。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stops the running method and skips the rest; what is finished stays.</source>
+        <translation>停止当前方法并跳过其余；已完成的保留。</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Moves the vessels there; undo takes it back.</source>
+        <translation>将血管移到该处；可撤销。</translation>
+    </message>
+    <message>
+        <source>Use as reference</source>
+        <translation>作为参考</translation>
+    </message>
+    <message>
+        <source>Differences are told from this pose.</source>
+        <translation>以此位姿计算差值。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Removes the snapshots; undo brings them back.</source>
+        <translation>移除快照；可撤销。</translation>
+    </message>
+    <message>
+        <source>Compare poses</source>
+        <translation>比较位姿</translation>
+    </message>
+    <message>
+        <source>Poses side by side</source>
+        <translation>并列位姿</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>median mm</source>
+        <translation>中位数 mm</translation>
+    </message>
+    <message>
+        <source>95 % mm</source>
+        <translation>95 % mm</translation>
+    </message>
+    <message>
+        <source>covered %</source>
+        <translation>覆盖 %</translation>
+    </message>
+    <message>
+        <source>Δ in plane mm</source>
+        <translation>Δ 平面内 mm</translation>
+    </message>
+    <message>
+        <source>Δ depth mm</source>
+        <translation>Δ 深度 mm</translation>
+    </message>
+    <message>
+        <source>Δ turn °</source>
+        <translation>Δ 旋转 °</translation>
+    </message>
+    <message>
+        <source>run ms</source>
+        <translation>用时 ms</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>作者</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Export CSV …</source>
+        <translation>导出 CSV……</translation>
+    </message>
+    <message>
+        <source>Writes the table with poses as matrices.</source>
+        <translation>导出表格，位姿为矩阵。</translation>
+    </message>
+    <message>
+        <source>Run several methods</source>
+        <translation>运行多种方法</translation>
+    </message>
+    <message>
+        <source>each leaves its pose in the table; the case keeps its own</source>
+        <translation>各方法位姿留在表中；病例保持原位姿</translation>
+    </message>
+    <message>
+        <source>The pose as it is</source>
+        <translation>当前位姿</translation>
+    </message>
+    <message>
+        <source>This fit was not trustworthy.</source>
+        <translation>此配准不可信。</translation>
+    </message>
+    <message>
+        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
+        <translation>差值相对“%1”，绕血管树中心。琥珀色：不可信。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PruneDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>修剪</translation>
+    </message>
+    <message>
+        <source>Remove end branches that are</source>
+        <translation>移除末端分支，条件为</translation>
+    </message>
+    <message>
+        <source>shorter than</source>
+        <translation>短于</translation>
+    </message>
+    <message>
+        <source>on average thinner than (radius)</source>
+        <translation>平均细于（半径）</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Nothing would be left. Lower the limits.</source>
+        <translation>将一无所剩。请降低限值。</translation>
+    </message>
+    <message>
+        <source>No branch goes.</source>
+        <translation>不移除分支。</translation>
+    </message>
+    <message>
+        <source>1 branch goes.</source>
+        <translation>移除 1 个分支。</translation>
+    </message>
+    <message>
+        <source>%1 branches go.</source>
+        <translation>移除 %1 个分支。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::RecoveryDialog</name>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work?</source>
+        <translation>恢复未保存的工作吗？</translation>
+    </message>
+    <message>
+        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
+        <translation>AngioPose 意外退出。这些病例有未保存的更改；恢复会打开副本，已保存的病例不变。</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>以后再定</translation>
+    </message>
+    <message>
+        <source>Copies of unsaved work</source>
+        <translation>未保存工作的副本</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>病例</translation>
+    </message>
+    <message>
+        <source>Last copy</source>
+        <translation>最后副本</translation>
+    </message>
+    <message>
+        <source>Saved in</source>
+        <translation>保存于</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>从未保存</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::RegistrationPanel</name>
+    <message>
+        <source>Registration</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Method and options</source>
+        <translation>方法和选项</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Ends the run and keeps the best pose so far.</source>
+        <translation>结束并保留目前最佳位姿。</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>About this method</source>
+        <translation>关于此方法</translation>
+    </message>
+    <message>
+        <source>What this method minimises, when it fails, and its source.</source>
+        <translation>此方法的目标函数、失效情形及出处。</translation>
+    </message>
+    <message>
+        <source>1 auxiliary branch</source>
+        <translation>1 个辅助分支</translation>
+    </message>
+    <message>
+        <source>%1 auxiliary branches</source>
+        <translation>%1 个辅助分支</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Registering …</source>
+        <translation>配准中……</translation>
+    </message>
+    <message>
+        <source>Register keeps the locked degree of freedom.</source>
+        <translation>配准保持锁定的自由度。</translation>
+    </message>
+    <message>
+        <source>Register keeps the %1 locked degrees of freedom.</source>
+        <translation>配准保持 %1 个锁定的自由度。</translation>
+    </message>
+    <message>
+        <source>All %1 views together</source>
+        <translation>%1 个视图一起配准</translation>
+    </message>
+    <message>
+        <source>Finds the pose that lays the vessels onto the angiogram.</source>
+        <translation>求使血管与造影图像重合的位姿。</translation>
+    </message>
+    <message>
+        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
+        <translation>所有视图共用一个位姿：手动移动时各视图中的血管一起移动，配准时用 AngioPose 自己的方法同时拟合所有视图，因为一个视图中的深度就是另一个视图中的平移。不勾选时只针对显示的视图。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ResultPanel</name>
+    <message>
+        <source>%1 · of an earlier run</source>
+        <translation>%1 · 来自较早的运行</translation>
+    </message>
+    <message>
+        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
+        <translation>自找到此位姿的运行以来，其拟合的对象已改变。按 R 重新配准。</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 · moved by hand</source>
+        <translation>%1 · 手动移动</translation>
+    </message>
+    <message>
+        <source>%1 · start pose</source>
+        <translation>%1 · 初始位姿</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>收敛</translation>
+    </message>
+    <message>
+        <source>median, mm</source>
+        <translation>中位数，mm</translation>
+    </message>
+    <message>
+        <source>Half of the vessel points lie nearer than this.</source>
+        <translation>一半的血管点小于此距离。</translation>
+    </message>
+    <message>
+        <source>95 %, mm</source>
+        <translation>95 %，mm</translation>
+    </message>
+    <message>
+        <source>95 of 100 vessel points lie nearer than this.</source>
+        <translation>95% 的血管点小于此距离。</translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>覆盖率</translation>
+    </message>
+    <message>
+        <source>Share of the traced vessels that the tree explains within 3 px.</source>
+        <translation>3 px 内被血管树解释的提取血管比例。</translation>
+    </message>
+    <message>
+        <source>± is one standard deviation.</source>
+        <translation>± 为一个标准差。</translation>
+    </message>
+    <message>
+        <source>mm, all points</source>
+        <translation>mm，所有点</translation>
+    </message>
+    <message>
+        <source>nothing to judge yet</source>
+        <translation>尚无可评估内容</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>This is the start pose: nothing is fitted yet. R registers, N nudges.</source>
+        <translation>这是初始位姿：尚未配准。R 配准，N 微调。</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>mm across, by frame</source>
+        <translation>横向 mm，逐帧</translation>
+    </message>
+    <message>
+        <source>%1 · followed</source>
+        <translation>%1 · 已跟踪</translation>
+    </message>
+    <message>
+        <source>%1 → %2 px · steps: %3</source>
+        <translation>%1 → %2 px · 步数：%3</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>第 %1 步</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ResultSentences</name>
+    <message>
+        <source>%1 of %2 branches agree within %3 mm.</source>
+        <translation>%2 个分支中有 %1 个在 %3 mm 内吻合。</translation>
+    </message>
+    <message>
+        <source>Depth ±%1 mm: one view cannot tell it.</source>
+        <translation>深度 ±%1 mm：单一投影无法确定。</translation>
+    </message>
+    <message>
+        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
+        <translation>在空间中，受几何参数精度所限：深度 ±%1 mm，侧向 ±%2 mm。</translation>
+    </message>
+    <message>
+        <source>Depth is the least certain: ±%1 mm.</source>
+        <translation>深度最不确定：±%1 mm。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm off: perhaps unfilled in this frame, or moved.</source>
+        <translation>%1 偏离 %2 mm：此帧可能未充盈，或已移位。</translation>
+    </message>
+    <message>
+        <source>%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.</source>
+        <translation>%1 个分支最多偏离 %2 mm：此帧未充盈，或位姿有误。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.</source>
+        <translation>%1 和 %2 最多偏离 %3 mm：此帧可能未充盈，或已移位。</translation>
+    </message>
+    <message>
+        <source>Look closely: this fit is not trustworthy.</source>
+        <translation>请仔细核对：此配准不可信。</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>分支 %1</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm, rotation ±%2°.</source>
+        <translation>平面内 ±%1 mm，旋转 ±%2°。</translation>
+    </message>
+    <message>
+        <source>In plane ±%1 mm.</source>
+        <translation>平面内 ±%1 mm。</translation>
+    </message>
+    <message>
+        <source>Rotation ±%1°.</source>
+        <translation>旋转 ±%1°。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::Section</name>
+    <message>
+        <source>Fold %1</source>
+        <translation>折叠 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SeriesChooser</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Choose a series</source>
+        <translation>选择序列</translation>
+    </message>
+    <message>
+        <source>Which series?</source>
+        <translation>哪个序列？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 holds %n series.</source>
+        <translation>
+            <numerusform>%1 含 %n 个序列。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Series of the folder</source>
+        <translation>文件夹中的序列</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>描述</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>模态</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图像数</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Spacing in mm</source>
+        <translation>间距（mm）</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SliceModel</name>
+    <message>
+        <source>Axial</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>冠状位</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>矢状位</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SliceView</name>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>No scan</source>
+        <translation>无扫描</translation>
+    </message>
+    <message>
+        <source>%1 %2 / %3</source>
+        <translation>%1 %2 / %3</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>范围外</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 HU</translation>
+    </message>
+    <message>
+        <source>W %1 L %2</source>
+        <translation>W %1 L %2</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SnapshotPanel</name>
+    <message>
+        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
+        <translation>中位数 %1 mm，95 % %2 mm，覆盖 %3 %</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Compare …</source>
+        <translation>比较……</translation>
+    </message>
+    <message>
+        <source>Kept poses</source>
+        <translation>保留的位姿</translation>
+    </message>
+    <message>
+        <source>Runs (%1)</source>
+        <translation>配准（%1）</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Restore	Return</source>
+        <translation>恢复	Return</translation>
+    </message>
+    <message>
+        <source>Use as A</source>
+        <translation>作为 A</translation>
+    </message>
+    <message>
+        <source>Use as B</source>
+        <translation>作为 B</translation>
+    </message>
+    <message>
+        <source>Rename	F2</source>
+        <translation>重命名	F2</translation>
+    </message>
+    <message>
+        <source>Delete	Del</source>
+        <translation>删除	Del</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
+        <translation>%1 保留位姿；%2 在两者间切换。每次配准的位姿都留在此处。</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>保留位姿</translation>
+    </message>
+    <message>
+        <source>Keeps this pose with its numbers under a name.</source>
+        <translation>以名称保留此位姿及其数值。</translation>
+    </message>
+    <message>
+        <source>Poses and methods side by side, as a table.</source>
+        <translation>位姿和方法并列成表。</translation>
+    </message>
+    <message>
+        <source>median mm · %1: A ⇄ B</source>
+        <translation>中位数 mm · %1：A ⇄ B</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SolutionStrip</name>
+    <message>
+        <source>Solutions</source>
+        <translation>解</translation>
+    </message>
+    <message>
+        <source>Solutions of the run</source>
+        <translation>本次配准的解</translation>
+    </message>
+    <message>
+        <source>%1 shows the next · %2 takes it</source>
+        <translation>%1 下一个 · %2 采用</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StepBar</name>
+    <message>
+        <source>Vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>Angiogram</source>
+        <translation>造影</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Start pose</source>
+        <translation>初始位姿</translation>
+    </message>
+    <message>
+        <source>Register</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>核查</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StepButton</name>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>需查看</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>未完成</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1：%2，%3</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>跳过</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TracingPanel</name>
+    <message>
+        <source>%1  %2  %3  %4</source>
+        <translation>%1  %2  %3  %4</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>提取血管</translation>
+    </message>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>自动阈值</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HU</translation>
+    </message>
+    <message>
+        <source>Show in the slices what is above</source>
+        <translation>在断层中显示高于阈值的部分</translation>
+    </message>
+    <message>
+        <source>Seeds</source>
+        <translation>种子点</translation>
+    </message>
+    <message>
+        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
+        <translation>然后在断层上单击血管：只提取与种子点相连的部分。</translation>
+    </message>
+    <message>
+        <source>Avoid</source>
+        <translation>避开</translation>
+    </message>
+    <message>
+        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
+        <translation>然后单击心脏、静脉或骨骼：从该处经较宽通路可达的部分略去。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>提取</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>The vessels begin at this value of the scan.</source>
+        <translation>血管从此扫描值开始。</translation>
+    </message>
+    <message>
+        <source>Seeds and places to avoid</source>
+        <translation>种子点和避开点</translation>
+    </message>
+    <message>
+        <source>Shortest branch</source>
+        <translation>最短分支</translation>
+    </message>
+    <message>
+        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
+        <translation>超出母血管壁不足此值的分支移除。</translation>
+    </message>
+    <message>
+        <source>Thinnest branch</source>
+        <translation>最细分支</translation>
+    </message>
+    <message>
+        <source>Branches whose mean radius is smaller are removed.</source>
+        <translation>平均半径更小的分支移除。</translation>
+    </message>
+    <message>
+        <source>Ends the tracing; the vessels stay as they were.</source>
+        <translation>结束提取；血管保持原样。</translation>
+    </message>
+    <message>
+        <source>+ seed %1</source>
+        <translation>+ 种子点 %1</translation>
+    </message>
+    <message>
+        <source>× avoid %1</source>
+        <translation>× 避开 %1</translation>
+    </message>
+    <message>
+        <source>Tracing …</source>
+        <translation>提取中……</translation>
+    </message>
+    <message>
+        <source>Click in a slice to place a point; Esc ends.</source>
+        <translation>在断层上单击放点；Esc 结束。</translation>
+    </message>
+    <message>
+        <source>The traced vessels replace the tree; undo brings it back.</source>
+        <translation>提取的血管替换血管树；可撤销。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TreeView</name>
+    <message>
+        <source>3-D view of vessel tree, X-ray source and detector</source>
+        <translation>血管树、X 射线源和探测器的三维视图</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TrialBar</name>
+    <message>
+        <source>Abandon</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Ends the trial; the log says that it was abandoned.</source>
+        <translation>结束试验；记录为放弃。</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
+        <translation>%1 的盲法试验：将血管对准图像。完成后恢复数值。</translation>
+    </message>
+    <message>
+        <source>Logs time and pose, and brings the numbers back.</source>
+        <translation>记录时间和位姿，并恢复数值显示。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ViewFrame</name>
+    <message>
+        <source>In a window of its own</source>
+        <translation>在独立窗口中</translation>
+    </message>
+    <message>
+        <source>Bring it back</source>
+        <translation>移回</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ViewPane</name>
+    <message>
+        <source>Frames of this view</source>
+        <translation>此视图的帧</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ViewStrip</name>
+    <message>
+        <source>Side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>All views beside each other, or the shown one alone</source>
+        <translation>并排显示所有视图，或只显示当前视图</translation>
+    </message>
+    <message>
+        <source>Cross-hair</source>
+        <translation>十字线</translation>
+    </message>
+    <message>
+        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
+        <translation>一个视图中指针所指之处，在其他视图中显示为一条线，在血管上显示为一个点</translation>
+    </message>
+    <message>
+        <source>Views of the case</source>
+        <translation>病例的视图</translation>
+    </message>
+    <message>
+        <source>Add a view</source>
+        <translation>添加视图</translation>
+    </message>
+    <message>
+        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
+        <translation>同一血管的另一血管造影（Ctrl+Shift+V）</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::VtkView</name>
+    <message>
+        <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
+        <translation>三维视图需要 OpenGL 3.2，此显示环境不支持。其他功能正常。可尝试 LIBGL_ALWAYS_SOFTWARE=1，或安装 libgl1-mesa-dri。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WelcomePage</name>
+    <message>
+        <source>Lay a vessel tree onto its angiogram</source>
+        <translation>将血管树对准造影图像</translation>
+    </message>
+    <message>
+        <source>Open the sample case</source>
+        <translation>打开示例病例</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1（缺失）</translation>
+    </message>
+    <message>
+        <source>Drop a case here, or vessels together with an angiogram.</source>
+        <translation>将病例，或血管与造影图像一起拖到此处。</translation>
+    </message>
+    <message>
+        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <translation>血管：CT（DICOM 文件夹、NIfTI、NRRD 或 MetaImage）、掩膜、中心线（VTP、VTK、CSV、SWC）。造影图像：DICOM XA、PNG、TIFF。</translation>
+    </message>
+    <message>
+        <source>Open …</source>
+        <translation>打开……</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>清空列表</translation>
+    </message>
+    <message>
+        <source>Forgets these cases and removes their pictures; the case files stay.</source>
+        <translation>忘记这些病例并删除其小图；病例文件保留。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WindowActions</name>
+    <message>
+        <source>Open recent</source>
+        <translation>最近打开</translation>
+    </message>
+    <message>
+        <source>In the whole window</source>
+        <translation>整个窗口</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WindowBar</name>
+    <message>
+        <source>Window</source>
+        <translation>窗宽</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>独立窗口</translation>
+    </message>
+    <message>
+        <source>Back to the angiogram</source>
+        <translation>返回造影图像</translation>
+    </message>
+    <message>
+        <source>The slices in a window of their own, and back (F9)</source>
+        <translation>切片用独立窗口，再次移回（F9）</translation>
+    </message>
+    <message>
+        <source>W %1 L %2 HU</source>
+        <translation>W %1 L %2 HU</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
+        <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::WindowPreset</name>
+    <message>
+        <source>CTA</source>
+        <translation>CTA</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>骨窗</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>软组织窗</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>肺窗</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MessageHistory</name>
+    <message>
+        <source>Messages</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Nothing has been told yet.</source>
+        <translation>尚无消息。</translation>
     </message>
 </context>
 </TS>
