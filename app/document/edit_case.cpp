@@ -13,12 +13,22 @@ std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vess
     const auto before = core::startPoseOf(document.current());
     const auto after = core::startPoseOf(shown, vessels);
     const bool follows = after && (!before || isSame(before.value(), shown.cameraFromPatient));
-    const core::RigidTransform pose = follows ? after.value() : shown.cameraFromPatient;
-    return std::make_unique<ChangeVessels>(document, ChangeVessels::Values{std::move(vessels), pose, std::nullopt},
-                                           name);
+    std::vector<View> views = withoutResults(document.current().views);
+    if (follows) {
+        views[document.current().shownView].cameraFromPatient = after.value();
+    }
+    return std::make_unique<ChangeVessels>(document, ChangeVessels::Values{std::move(vessels), std::move(views)}, name);
 }
 
 }   // namespace
+
+std::vector<View> withoutResults(std::vector<View> views)
+{
+    for (View& view : views) {
+        view.result.reset();
+    }
+    return views;
+}
 
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::Words& name)
 {

@@ -4,6 +4,7 @@
 #include "app/document/set_fields.h"
 
 #include <memory>
+#include <vector>
 
 namespace angiopose::app {
 
@@ -24,13 +25,13 @@ using HideWhatIsKnown =
 using ShowFrame = SetFields<&View::frame, &View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
 using ChooseAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
-using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &View::result>;
+using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &Case::views>;   // see withoutResults
 using HideBranches = SetFields<&Vessels::hiddenBranchIds>;
 using RelabelTree = SetFields<&Vessels::tree, &Vessels::isTreeEdited>;
 using PickPivot = SetFields<&Vessels::pickedPivotInPatient>;
 
-/// Other vessels, and the pose that goes with them.
-using ChangeVessels = SetFields<&Case::vessels, &View::cameraFromPatient, &View::result>;
+/// Other vessels, and the views with the pose that goes with them.
+using ChangeVessels = SetFields<&Case::vessels, &Case::views>;
 
 using ChangeOptions = SetFields<&Case::options>;
 using ChangeGeometry = SetFields<&View::geometry, &View::cameraFromPatient, &View::result>;
@@ -54,6 +55,9 @@ using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::sto
 
 /// Other inputs, and all that hangs on them.
 using JoinInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
+
+/// Views of other vessels than their results were found with.
+std::vector<View> withoutResults(std::vector<View> views);
 
 /// The edit that makes the document's case like `wanted`, geometry only.
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::Words& name);

@@ -108,7 +108,8 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
         return (leaves ? tr("Exclude %1") : tr("Include %1")).arg(names());
     };
     document_.push(std::make_unique<ExcludeBranches>(
-        document_, ExcludeBranches::Values{{excluded.begin(), excluded.end()}, std::nullopt}, name));
+        document_,
+        ExcludeBranches::Values{{excluded.begin(), excluded.end()}, withoutResults(document_.current().views)}, name));
 }
 
 void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part)

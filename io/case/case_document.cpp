@@ -3,10 +3,12 @@
 #include "io/case/case_file.h"
 #include "io/case/fields/case_fields.h"
 #include "io/case/fields/view_fields.h"
+#include "io/case/result_seal.h"
 #include "io/messages/says.h"
 #include "io/support/json_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::io {
 namespace {
@@ -47,6 +49,10 @@ CaseDocument parseCaseDocument(std::string_view json)
     readUnknown(root, document.values);
     document.notes = std::move(reading.otherViews);
     document.notes.insert(document.notes.begin(), std::move(reading.view));
+    std::vector<core::Messages> changed = changedBesideResults(json);
+    for (std::size_t k = 0; k < document.notes.size(); ++k) {
+        document.notes[k].changedBesideResult = std::move(changed[k]);
+    }
     document.shownPlace = std::min(reading.shownPlace, document.values.views.size() - 1);
     document.problems = std::move(reading.problems);
     return document;
@@ -55,7 +61,8 @@ CaseDocument parseCaseDocument(std::string_view json)
 std::string caseDocumentText(const core::Case& theCase, const std::filesystem::path& folder)
 {
     const Json known = writeFields(theCase, caseFields(), folder);
-    return prettyJson(withExtraKeys(withExtraKeys(known.dump(), theCase.shown().extraKeys), theCase.extraKeys));
+    const std::string whole = withExtraKeys(withExtraKeys(known.dump(), theCase.shown().extraKeys), theCase.extraKeys);
+    return prettyJson(withSealedResults(whole));
 }
 
 }   // namespace angiopose::io

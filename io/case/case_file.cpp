@@ -149,7 +149,7 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
             const auto place = moved.find(file->path);
             file->path = place == moved.end() ? file->path : place->second;
         }
-        std::vector<ViewNotes> notes = document.notes;
+        const std::vector<ViewNotes> notes = document.notes;
         const std::size_t shownPlace = document.shownPlace;
         const Case noted = document.values;
         auto loaded = loadInputs(std::move(document), path, warnings, observe);
@@ -157,8 +157,8 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
             return loaded.error();
         }
         Case values = std::move(loaded).value();
-        loadOtherViews(values, std::move(notes), path, warnings);
-        dropStaleResults(noted, values, warnings);
+        loadOtherViews(values, notes, path, warnings);
+        dropStaleResults(noted, notes, values, warnings);
         putInPlace(values, shownPlace);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());

@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 
+#include <optional>
 #include <utility>
 
 namespace angiopose::io {
@@ -26,16 +27,30 @@ bool isAsNoted(const core::View& noted, const core::View& read)
            isAsNoted(noted.target.file, read.target.file);
 }
 
+/// Why the result of a view does not count any more, if it does not.
+std::optional<core::Message> whyStale(const core::View& noted, const ViewNotes& notes, const core::View& read,
+                                      bool haveVesselsChanged)
+{
+    if (haveVesselsChanged || !isAsNoted(noted, read)) {
+        return says::caseResultStale();
+    }
+    if (!notes.changedBesideResult.empty()) {
+        return says::caseResultBeside(notes.changedBesideResult);
+    }
+    return {};
+}
+
 }   // namespace
 
-void dropStaleResults(const core::Case& noted, core::Case& read, core::Messages& warnings)
+void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
+                      core::Messages& warnings)
 {
     const bool haveVesselsChanged = !areAsNoted(noted.vessels, read.vessels);
     for (std::size_t k = 0; k < read.views.size(); ++k) {
         core::View& view = read.views[k];
-        const bool isStale = view.result && (haveVesselsChanged || !isAsNoted(noted.views[k], view));
-        if (isStale && std::exchange(view.result, std::nullopt) && noted.views[k].caseFile.path.empty()) {
-            warnings.push_back(says::caseResultStale().about(view.imageFile.path));
+        const auto why = whyStale(noted.views[k], notes[k], view, haveVesselsChanged);
+        if (why && std::exchange(view.result, std::nullopt) && noted.views[k].caseFile.path.empty()) {
+            warnings.push_back(why->about(view.imageFile.path));
         }
     }
 }

@@ -4090,6 +4090,71 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>was darin gefunden wurde, ist weggelassen, weil sich Gefäße, Bild oder gezeichnete Kurven seither geändert haben. Neu registrieren.</translation>
     </message>
     <message>
+        <source>what was found in it is left out, because the case file was changed since: %1. Register again.</source>
+        <comment>case.result-beside</comment>
+        <translation>was darin gefunden wurde, ist weggelassen, weil die Falldatei seither geändert wurde: %1. Neu registrieren.</translation>
+    </message>
+    <message>
+        <source>the vessels</source>
+        <comment>part.vessels</comment>
+        <translation>die Gefäße</translation>
+    </message>
+    <message>
+        <source>the auxiliary branches</source>
+        <comment>part.auxiliary-branches</comment>
+        <translation>die Hilfsäste</translation>
+    </message>
+    <message>
+        <source>the excluded branches</source>
+        <comment>part.excluded-branches</comment>
+        <translation>die ausgeschlossenen Äste</translation>
+    </message>
+    <message>
+        <source>the image</source>
+        <comment>part.image</comment>
+        <translation>das Bild</translation>
+    </message>
+    <message>
+        <source>the frame</source>
+        <comment>part.frame</comment>
+        <translation>das Einzelbild</translation>
+    </message>
+    <message>
+        <source>the subtraction</source>
+        <comment>part.subtraction</comment>
+        <translation>die Subtraktion</translation>
+    </message>
+    <message>
+        <source>the traced curves</source>
+        <comment>part.curves</comment>
+        <translation>die gezeichneten Kurven</translation>
+    </message>
+    <message>
+        <source>the geometry</source>
+        <comment>part.geometry</comment>
+        <translation>die Geometrie</translation>
+    </message>
+    <message>
+        <source>the start pose</source>
+        <comment>part.start-pose</comment>
+        <translation>die Startlage</translation>
+    </message>
+    <message>
+        <source>the locked axes</source>
+        <comment>part.locks</comment>
+        <translation>die gesperrten Achsen</translation>
+    </message>
+    <message>
+        <source>the method</source>
+        <comment>part.method</comment>
+        <translation>die Methode</translation>
+    </message>
+    <message>
+        <source>the options</source>
+        <comment>part.options</comment>
+        <translation>die Einstellungen</translation>
+    </message>
+    <message>
         <source>this is another DICOM image than the one the case was made for.</source>
         <comment>case.other-image</comment>
         <translation>das ist ein anderes DICOM-Bild als das des Falls.</translation>

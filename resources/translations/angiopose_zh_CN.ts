@@ -4090,6 +4090,71 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其中的结果已略去，因为血管、图像或描绘的曲线此后已改变。请重新配准。</translation>
     </message>
     <message>
+        <source>what was found in it is left out, because the case file was changed since: %1. Register again.</source>
+        <comment>case.result-beside</comment>
+        <translation>其中的结果已略去，因为病例文件此后有改动：%1。请重新配准。</translation>
+    </message>
+    <message>
+        <source>the vessels</source>
+        <comment>part.vessels</comment>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>the auxiliary branches</source>
+        <comment>part.auxiliary-branches</comment>
+        <translation>辅助分支</translation>
+    </message>
+    <message>
+        <source>the excluded branches</source>
+        <comment>part.excluded-branches</comment>
+        <translation>排除的分支</translation>
+    </message>
+    <message>
+        <source>the image</source>
+        <comment>part.image</comment>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>the frame</source>
+        <comment>part.frame</comment>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>the subtraction</source>
+        <comment>part.subtraction</comment>
+        <translation>减影</translation>
+    </message>
+    <message>
+        <source>the traced curves</source>
+        <comment>part.curves</comment>
+        <translation>描绘的曲线</translation>
+    </message>
+    <message>
+        <source>the geometry</source>
+        <comment>part.geometry</comment>
+        <translation>几何参数</translation>
+    </message>
+    <message>
+        <source>the start pose</source>
+        <comment>part.start-pose</comment>
+        <translation>初始位姿</translation>
+    </message>
+    <message>
+        <source>the locked axes</source>
+        <comment>part.locks</comment>
+        <translation>锁定的轴</translation>
+    </message>
+    <message>
+        <source>the method</source>
+        <comment>part.method</comment>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>the options</source>
+        <comment>part.options</comment>
+        <translation>选项</translation>
+    </message>
+    <message>
         <source>this is another DICOM image than the one the case was made for.</source>
         <comment>case.other-image</comment>
         <translation>这与病例所用的 DICOM 图像不同。</translation>

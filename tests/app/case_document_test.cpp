@@ -1,6 +1,7 @@
 #include "app/document/case_document.h"
 
 #include "app/document/edit_case.h"
+#include "app/editing/branch_controller.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
@@ -95,6 +96,44 @@ TEST(CaseDocument, DoesNotTakeTheNameOfACaseThatIsNoLongerOpen)
     document.replace({}, QStringLiteral("cases/second.angiopose"));
     document.markSaved(QStringLiteral("cases/first.angiopose"), written);
     EXPECT_EQ(document.path(), QStringLiteral("cases/second.angiopose"));
+}
+
+/// A tree of two branches in two views, each with a result.
+core::Case withTwoResults()
+{
+    core::Case theCase;
+    core::VesselTree tree;
+    tree.branches = {{1, {}, {{0, 0, 0}, {0, 0, 9}}, {}}, {2, {}, {{0, 0, 9}, {0, 5, 20}}, {}}};
+    theCase.vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree));
+    theCase.views.resize(2);
+    for (core::View& view : theCase.views) {
+        view.result.emplace();
+    }
+    return theCase;
+}
+
+bool hasResults(const CaseDocument& document)
+{
+    const auto& views = document.current().views;
+    EXPECT_EQ(views[0].result.has_value(), views[1].result.has_value());
+    return views[0].result.has_value();
+}
+
+TEST(CaseDocument, LosesTheResultsOfAllViewsWithOtherVessels)
+{
+    CaseDocument document;
+    document.replace(withTwoResults(), {});
+    BranchController branches(document);
+    branches.toggleExcluded({2});
+    EXPECT_FALSE(hasResults(document));
+    document.undo();
+    EXPECT_TRUE(hasResults(document));
+    core::VesselTree shorter = *document.current().vessels.tree;
+    shorter.branches.pop_back();
+    document.push(editTree(document, std::move(shorter), [] { return QStringLiteral("Delete"); }));
+    EXPECT_FALSE(hasResults(document));
+    document.undo();
+    EXPECT_TRUE(hasResults(document));
 }
 
 }   // namespace

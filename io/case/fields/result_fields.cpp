@@ -281,6 +281,9 @@ StoredField<core::View> resultField()
         storedList("history", Json::object(), &RegistrationResult::history, Json::object(), iterationFields()));
     Json schema = objectSchema(propertiesOf(rows),
                                {"method", "pose", "metrics", "uncertainty", "trustworthy", "messages", "stopReason"});
+    schema["properties"]["savedWith"] =
+        about(Json{{"type", "object"}, {"additionalProperties", textSchema()}},
+              "Digests of what the result stood beside when it was saved. Where one differs, the result is left out.");
     return {"result", about(std::move(schema), "Of the run that found the current pose; absent: found otherwise."),
             [rows](const Json& value, core::View& view, Reading& reading) {
                 RegistrationResult result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/angiogram.h"
+#include "core/support/message.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@ struct ViewNotes {
     bool hasCurrentPose = false;
     std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
+    core::Messages changedBesideResult;   ///< in the file, since the view's result was saved; see result_seal.h
 };
 
 }   // namespace angiopose::io

@@ -1,0 +1,177 @@
+#include "io/case/result_seal.h"
+
+#include "io/file_hash.h"
+#include "io/messages/says.h"
+
+#include <array>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::io {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* sealKey = "savedWith";
+constexpr std::size_t digestLength = 16;
+
+/// What `json` has under `keys`, one in the other; null where there is nothing.
+Json memberAt(const Json& json, std::initializer_list<const char*> keys)
+{
+    const Json* found = &json;
+    for (const char* key : keys) {
+        const auto member = found->find(key);
+        if (member == found->end()) {
+            return {};
+        }
+        found = &*member;
+    }
+    return *found;
+}
+
+Json withoutMembers(Json json, std::initializer_list<const char*> keys)
+{
+    for (const char* key : keys) {
+        if (json.is_object()) {
+            json.erase(key);
+        }
+    }
+    return json;
+}
+
+/// One way to say it: keys in order, every number a double. Where a file lies is not what it is.
+nlohmann::json canonicalJson(const Json& json)
+{
+    if (json.is_number()) {
+        return json.get<double>();
+    }
+    if (!json.is_structured()) {
+        return nlohmann::json::parse(json.dump());
+    }
+    nlohmann::json same = json.is_object() ? nlohmann::json::object() : nlohmann::json::array();
+    for (const auto& item : json.items()) {
+        if (json.is_array()) {
+            same.push_back(canonicalJson(item.value()));
+        } else if (item.key() != "path") {
+            same[item.key()] = canonicalJson(item.value());
+        }
+    }
+    return same;
+}
+
+std::string partDigest(const Json& json)
+{
+    const auto hash = sha256OfText(canonicalJson(json).dump());
+    return hash ? hash.value().substr(0, digestLength) : std::string();
+}
+
+/// A part of the case that a result depends on.
+struct SealedPart {
+    const char* key;
+    core::Message name;
+    Json (*of)(const Json& theCase, const Json& view);
+};
+
+const auto& sealedParts()
+{
+    static const std::array parts{
+        SealedPart{"vessels", says::partVessels(),
+                   [](const Json& theCase, const Json&) {
+                       return withoutMembers(memberAt(theCase, {"vessel"}), {"auxiliaryBranches", "excludedBranches",
+                                                                             "hiddenBranches", "pivotInPatientMm"});
+                   }},
+        SealedPart{"auxiliaryBranches", says::partAuxiliaryBranches(),
+                   [](const Json& theCase, const Json&) {
+                       return memberAt(theCase, {"vessel", "auxiliaryBranches"});
+                   }},
+        SealedPart{"excludedBranches", says::partExcludedBranches(),
+                   [](const Json& theCase, const Json&) {
+                       return memberAt(theCase, {"vessel", "excludedBranches"});
+                   }},
+        SealedPart{"image", says::partImage(),
+                   [](const Json&, const Json& view) {
+                       return memberAt(view, {"angiogram", "image"});
+                   }},
+        SealedPart{"frame", says::partFrame(),
+                   [](const Json&, const Json& view) {
+                       return memberAt(view, {"angiogram", "frame"});
+                   }},
+        SealedPart{"subtraction", says::partSubtraction(),
+                   [](const Json&, const Json& view) {
+                       return memberAt(view, {"angiogram", "subtraction"});
+                   }},
+        SealedPart{"curves", says::partCurves(),
+                   [](const Json&, const Json& view) {
+                       return Json{memberAt(view, {"angiogram", "centerline"}), memberAt(view, {"angiogram", "trace"})};
+                   }},
+        SealedPart{"geometry", says::partGeometry(),
+                   [](const Json&, const Json& view) { return memberAt(view, {"geometry"}); }},
+        SealedPart{"start", says::partStartPose(),
+                   [](const Json&, const Json& view) {
+                       return memberAt(view, {"pose", "initial"});
+                   }},
+        SealedPart{
+            "locks", says::partLocks(),
+            [](const Json& theCase, const Json&) {
+                return Json{memberAt(theCase, {"pose", "locked"}), memberAt(theCase, {"vessel", "pivotInPatientMm"})};
+            }},
+        SealedPart{"method", says::partMethod(),
+                   [](const Json& theCase, const Json&) { return memberAt(theCase, {"method"}); }},
+        SealedPart{"options", says::partOptions(),
+                   [](const Json& theCase, const Json&) { return memberAt(theCase, {"options"}); }},
+    };
+    return parts;
+}
+
+void sealResultOf(const Json& theCase, Json& view)
+{
+    const auto result = view.find("result");
+    if (result == view.end()) {
+        return;
+    }
+    Json digests = Json::object();
+    for (const SealedPart& part : sealedParts()) {
+        digests[part.key] = partDigest(part.of(theCase, view));
+    }
+    (*result)[sealKey] = std::move(digests);
+}
+
+core::Messages changedBeside(const Json& theCase, const Json& view)
+{
+    const Json digests = memberAt(view, {"result", sealKey});
+    core::Messages changed;
+    for (const SealedPart& part : sealedParts()) {
+        const auto digest = digests.find(part.key);
+        if (digest != digests.end() && *digest != partDigest(part.of(theCase, view))) {
+            changed.push_back(part.name);
+        }
+    }
+    return changed;
+}
+
+}   // namespace
+
+std::string withSealedResults(std::string_view caseJson)
+{
+    const Json theCase = Json::parse(caseJson);
+    Json sealed = theCase;
+    sealResultOf(theCase, sealed);
+    if (const auto views = sealed.find("views"); views != sealed.end()) {
+        for (Json& view : *views) {
+            sealResultOf(theCase, view);
+        }
+    }
+    return sealed.dump();
+}
+
+std::vector<core::Messages> changedBesideResults(std::string_view caseJson)
+{
+    const Json theCase = Json::parse(caseJson);
+    std::vector<core::Messages> changed{changedBeside(theCase, theCase)};
+    for (const Json& view : memberAt(theCase, {"views"})) {
+        changed.push_back(changedBeside(theCase, view));
+    }
+    return changed;
+}
+
+}   // namespace angiopose::io
