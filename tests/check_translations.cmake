@@ -18,6 +18,13 @@ foreach(translation ${translations})
     string(REGEX REPLACE "<source>([^<]*)</source>.*" "\\1" words "${message}")
     message(SEND_ERROR "${name}: not translated: ${words}")
   endforeach()
+  # What English calls a view has one German name.
+  string(REGEX MATCHALL "<source>[^<]*[Vv]iews? ?[^<]*</source>[^<]*(<comment>[^<]*</comment>[^<]*)?<translation>[^<]*Projektion"
+    twoNames "${committed}")
+  foreach(message ${twoNames})
+    string(REGEX REPLACE "<source>([^<]*)</source>.*" "\\1" words "${message}")
+    message(SEND_ERROR "${name}: a view is an Ansicht, not a Projektion: ${words}")
+  endforeach()
   string(REGEX MATCHALL "<source>" before "${committed}")
   string(REGEX MATCHALL "<source>" after "${current}")
   list(LENGTH before before)

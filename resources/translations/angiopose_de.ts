@@ -603,7 +603,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>view %1</source>
-        <translation>Projektion %1</translation>
+        <translation>Ansicht %1</translation>
     </message>
     <message>
         <source>angiogram</source>
@@ -3412,7 +3412,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>A joint registration needs at least two views.</source>
         <comment>views.too-few</comment>
-        <translation>Eine gemeinsame Registrierung braucht mindestens zwei Projektionen.</translation>
+        <translation>Eine gemeinsame Registrierung braucht mindestens zwei Ansichten.</translation>
     </message>
     <message>
         <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
@@ -3422,17 +3422,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>View %1 uses another vessel tree or other branches than view %2. Give all views the same.</source>
         <comment>views.other-tree</comment>
-        <translation>Projektion %1 verwendet einen anderen Gefäßbaum oder andere Äste als Projektion %2. Allen dasselbe geben.</translation>
+        <translation>Ansicht %1 verwendet einen anderen Gefäßbaum oder andere Äste als Ansicht %2. Allen dasselbe geben.</translation>
     </message>
     <message>
         <source>View %1 does not agree with the joint pose.</source>
         <comment>views.disagrees</comment>
-        <translation>Projektion %1 passt nicht zur gemeinsamen Lage.</translation>
+        <translation>Ansicht %1 passt nicht zur gemeinsamen Lage.</translation>
     </message>
     <message>
         <source>The geometry of view %1 is far from its header: check angles and distances.</source>
         <comment>views.far-from-header</comment>
-        <translation>Die Geometrie der Projektion %1 weicht weit von ihrem Header ab: Winkel und Abstände prüfen.</translation>
+        <translation>Die Geometrie der Ansicht %1 weicht weit von ihrem Header ab: Winkel und Abstände prüfen.</translation>
     </message>
     <message>
         <source>There is only one frame: nothing to follow. Open a run of several frames.</source>
@@ -3447,7 +3447,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
         <comment>follow.gantry-turns</comment>
-        <translation>Der C-Bogen dreht sich während der Serie: die Bilder zeigen andere Projektionen, nicht nur Bewegung. Bilder einzeln oder gemeinsam als Projektionen registrieren.</translation>
+        <translation>Der C-Bogen dreht sich während der Serie: die Bilder zeigen andere Ansichten, nicht nur Bewegung. Bilder einzeln oder gemeinsam als Ansichten registrieren.</translation>
     </message>
     <message>
         <source>Only %1 of the vessel tree lies inside the image.</source>
@@ -3517,12 +3517,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
         <comment>trust.depth-unknown</comment>
-        <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
+        <translation>Eine Ansicht allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
     </message>
     <message>
         <source>One view does not tell the depth here: the distance from the source is %1 off the start pose and may be wrong. Lock the depth, or add a view.</source>
         <comment>trust.depth-moved</comment>
-        <translation>Eine Projektion allein verrät die Tiefe hier nicht: der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder nehmen Sie eine Projektion hinzu.</translation>
+        <translation>Eine Ansicht allein verrät die Tiefe hier nicht: der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder nehmen Sie eine Ansicht hinzu.</translation>
     </message>
     <message>
         <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller).</source>
@@ -3582,7 +3582,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The table moved during this run (%1). That is not used: a pose holds for its own frame only, and frames are not views of one place.</source>
         <comment>dicom.table-moved</comment>
-        <translation>Der Tisch bewegte sich während dieser Serie (%1). Das wird nicht verwendet: eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Projektionen desselben Ortes.</translation>
+        <translation>Der Tisch bewegte sich während dieser Serie (%1). Das wird nicht verwendet: eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Ansichten desselben Ortes.</translation>
     </message>
     <message>
         <source>the header does not say how far</source>
@@ -3592,7 +3592,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Bent vessels need at least one registered view.</source>
         <comment>bend.no-view</comment>
-        <translation>Verbogene Gefäße brauchen mindestens eine registrierte Projektion.</translation>
+        <translation>Verbogene Gefäße brauchen mindestens eine registrierte Ansicht.</translation>
     </message>
     <message>
         <source>The traced vessels are single points. Order them to curves before the tree is bent onto them.</source>
@@ -3632,7 +3632,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>One view does not tell how the vessels moved along the ray.</source>
         <comment>bend.depth-unknown</comment>
-        <translation>Eine Projektion sagt nicht, wie sich die Gefäße entlang des Strahls bewegten.</translation>
+        <translation>Eine Ansicht sagt nicht, wie sich die Gefäße entlang des Strahls bewegten.</translation>
     </message>
     <message>
         <source>front</source>
@@ -8416,7 +8416,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Depth ±%1 mm: one view cannot tell it.</source>
-        <translation>Tiefe ±%1 mm: eine Projektion allein verrät sie nicht.</translation>
+        <translation>Tiefe ±%1 mm: eine Ansicht allein verrät sie nicht.</translation>
     </message>
     <message>
         <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
