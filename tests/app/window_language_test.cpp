@@ -2,7 +2,7 @@
 #include "app/preferences/settings.h"
 #include "app/window_host.h"
 #include "tests/app/open_window.h"
-#include "tests/app/words_of_window.h"
+#include "tests/app/session/words_of_window.h"
 #include "ui/controls/number_field.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"

@@ -12,8 +12,10 @@
 namespace angiopose::test {
 namespace {
 
-/// By the names in the settings: what ends the session, opens another case, or writes over the one that was opened.
-constexpr std::array leadingAway{"quit", "open-", "open-dicom-folder-", "open-sample-case", "save"};
+/// By the names in the settings: what ends the session, opens or closes a case, starts this program once more, or
+/// writes over the case that was opened.
+constexpr std::array leadingAway{"quit",       "open-", "open-dicom-folder-", "open-sample-case", "new-window",
+                                 "close-case", "save"};
 
 bool commandLeadsAway(const QAction& action)
 {

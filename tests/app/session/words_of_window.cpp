@@ -1,4 +1,4 @@
-#include "tests/app/words_of_window.h"
+#include "tests/app/session/words_of_window.h"
 
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/welcome_page.h"
