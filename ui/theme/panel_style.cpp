@@ -38,7 +38,7 @@ QLineEdit[role="number"] { background: @field@; border: 1px solid @line@; border
   color: @textStrong@; selection-background-color: @accent@; }
 QLineEdit[role="number"][asking="true"] { background: @attentionBack@; border-color: @attention@; }
 QLineEdit[role="number"]:focus { border-color: @accent@; }
-QLineEdit[role="number"]:disabled, QLineEdit[role="number"][readOnly="true"] { color: @hint@; }
+QLineEdit[role="number"]:disabled, QLineEdit[role="number"]:read-only { color: @hint@; }
 QPushButton[role="primary"] { background: @accent@; border-color: @accent@; color: @onAccent@; font-weight: 600; }
 QPushButton[role="primary"]:hover { background: @accentHover@; }
 QPushButton[role="primary"]:focus { border-color: @textStrong@; }

@@ -31,6 +31,20 @@ TEST(PosePanel, ReportsTheWholeOffsetAfterTyping)
     EXPECT_EQ(reported, (core::PoseOffset{.rightMm = 1.0, .upMm = 4.0, .rollDeg = 2.0}));
 }
 
+TEST(PosePanel, ShowsAtOnceThatALockedValueCannotBeTyped)
+{
+    PosePanel panel;
+    panel.showOffset(core::PoseOffset{});
+    panel.show();
+    auto* field = panel.findChild<NumberField*>();
+    const QImage open = field->grab().toImage();
+    panel.showLocks({true});
+    const QImage locked = field->grab().toImage();
+    EXPECT_NE(locked, open);
+    field->setEnabled(false);   // as grey
+    EXPECT_EQ(locked, field->grab().toImage());
+}
+
 TEST(PosePanel, TogglesALockByItsDot)
 {
     PosePanel panel;
