@@ -26,15 +26,24 @@ std::optional<TraceRequest> requestFor(const core::Case& theCase)
 
 TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
-    connect(&job_, &TraceJob::finished, this, [this](const SharedTrace& traced) {
+    const auto goOn = [this] {
+        const SharedCenterline before = current_;
+        if (wanted_) {   // else curves were given meanwhile, or the image is gone
+            startWanted();
+        }
+        if (current_ == before) {
+            emit changed();   // whoever asks whether it is traced still
+        }
+    };
+    connect(&job_, &TraceJob::finished, this, [this, goOn](const SharedTrace& traced) {
         remember(*std::exchange(asked_, std::nullopt), traced);
-        startWanted();
+        goOn();
     });
-    connect(&job_, &TraceJob::failed, this, [this](const core::Message& reason) {
+    connect(&job_, &TraceJob::failed, this, [this, goOn](const core::Message& reason) {
         if (wanted_ == std::exchange(asked_, std::nullopt)) {
             settle(SharedTrace(), reason);
         } else {
-            startWanted();
+            goOn();
         }
     });
 }
