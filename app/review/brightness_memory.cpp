@@ -5,6 +5,8 @@
 
 #include <QCryptographicHash>
 
+#include <algorithm>
+
 namespace angiopose::app {
 namespace {
 
@@ -23,6 +25,17 @@ QString seriesKey(const core::View& view)
     const QByteArray text(known.data(), static_cast<qsizetype>(known.size()));
     return known.empty() ? QString()
                          : QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex());
+}
+
+/// Of the fullest frame: the same whichever frame a case was left at.
+std::optional<core::DisplayRange> automaticRange(const core::View& view)
+{
+    if (!view.angiogram || view.angiogram->frames.empty()) {
+        return std::nullopt;
+    }
+    const core::Angiogram& run = *view.angiogram;
+    const int fullest = std::clamp(run.suggestedFrame, 0, run.frameCount() - 1);
+    return core::displayRange(run.frames[static_cast<std::size_t>(fullest)]);
 }
 
 }   // namespace
@@ -58,8 +71,6 @@ void BrightnessMemory::recall()
 {
     if (const auto range = rangeOf(document_.current().shown())) {
         view_.setWindowLevel(range->window(), range->level());
-    } else if (shown_) {
-        view_.autoWindowLevel();
     }
     series_ = seriesKey(document_.current().shown());
 }
@@ -75,7 +86,7 @@ std::optional<core::DisplayRange> BrightnessMemory::rangeOf(const core::View& vi
             return core::DisplayRange{level - 0.5 * window, level + 0.5 * window};
         }
     }
-    return std::nullopt;
+    return automaticRange(view);
 }
 
 void BrightnessMemory::keep(const core::View& view, double window, double level)

@@ -17,14 +17,14 @@ class AngiogramView;
 namespace angiopose::app {
 
 /// Remembers window and level per series: the next time it is opened it looks as it was left. Other images start with
-/// automatic brightness.
+/// automatic brightness, that of their fullest frame.
 class BrightnessMemory : public QObject {
     Q_OBJECT
 public:
     BrightnessMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent = nullptr);
     ~BrightnessMemory() override;
 
-    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< as its series was left, where known
+    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< see above; none without image
     void keep(const core::View& view, double window, double level);
 
 private:

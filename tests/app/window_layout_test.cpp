@@ -1,4 +1,6 @@
+#include "io/case/case_file.h"
 #include "tests/app/open_window.h"
+#include "tests/support/temporary_folder.h"
 
 #include <QScreen>
 #include <QSplitter>
@@ -79,6 +81,25 @@ TEST(WindowLayout, RemembersTheBrightnessOfASeries)
     QApplication::processEvents();
 
     EXPECT_NEAR(w.window.angiogramView().shownRange().window(), 0.5 * automatic, 1e-6 * automatic);
+}
+
+TEST(WindowLayout, StartsWithTheSameBrightnessWhicheverFrameACaseWasLeftAt)
+{
+    OpenWindow w;
+    w.openSample();
+    QApplication::processEvents();
+    const core::DisplayRange automatic = w.window.angiogramView().shownRange();
+    while (w.current().shown().frame > 0) {   // to one without contrast
+        w.press(Qt::Key_Down);
+    }
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("case.angiopose");
+    ASSERT_TRUE(io::saveCase(w.current(), path));
+    OpenWindow again;
+    again.drop({QString::fromStdString(path)});
+    QApplication::processEvents();
+    EXPECT_EQ(again.window.angiogramView().shownRange().window(), automatic.window());
+    EXPECT_EQ(again.window.angiogramView().shownRange().level(), automatic.level());
 }
 
 }   // namespace
