@@ -56,7 +56,7 @@ void dressScene(ui::OverlayScene& scene, const core::Case& theCase, const core::
     scene.setFrame(frame);
     setAutomaticWindow(scene, frame);
     scene.setCamera(camera);
-    scene.setTree(*theCase.vessels.tree);
+    scene.setTree(core::without(*theCase.vessels.tree, theCase.vessels.hiddenBranchIds));
     scene.setPose(theCase.shown().cameraFromPatient);
     ui::BranchMarks marks;
     marks.auxiliary = {theCase.vessels.auxiliaryBranchIds.begin(), theCase.vessels.auxiliaryBranchIds.end()};

@@ -65,6 +65,18 @@ TEST_F(OverlayPicture, ShowsNearAndFarWhereTheWindowDoes)
     EXPECT_GT(differing(plain, drawn(options), 0, plain.width), 200);
 }
 
+TEST_F(OverlayPicture, LeavesHiddenBranchesOutAsTheWindowDoes)
+{
+    const core::ColorImage plain = drawn(options);
+    for (const core::VesselBranch& branch : sample.vessels.tree->branches) {
+        sample.vessels.hiddenBranchIds.push_back(branch.id);
+    }
+    const core::ColorImage none = drawn(options);
+    EXPECT_GT(differing(plain, none, 0, plain.width), 200);
+    options.vessels = ui::OverlayMode::Hidden;
+    EXPECT_EQ(differing(drawn(options), none, 0, plain.width), 0);
+}
+
 TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)
 {
     const core::ColorImage plain = drawn(options);
