@@ -28,7 +28,8 @@ QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
 {
     const core::View& view = views[place];
     const QString title = view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
-    return QStringLiteral("%1 · %2").arg(place + 1).arg(title);
+    const QString number = QString::number(place + 1);
+    return title.isEmpty() ? number : number + QStringLiteral(" · ") + title;
 }
 
 }   // namespace angiopose::app

@@ -1,3 +1,4 @@
+#include "app/words/view_words.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
@@ -365,6 +366,11 @@ TEST(WindowViews, DeleteTakesTheShownOneOutAndShowsTheNext)
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().views.size(), 2U);
     EXPECT_NE(w.current().shown().imageFile.path.find("IM4"), std::string::npos);
+}
+
+TEST(ViewWords, NameAViewByItsNumberAloneWhereNothingElseIsKnown)
+{
+    EXPECT_EQ(numberedTitle(std::vector<core::View>(2), 1), QStringLiteral("2"));
 }
 
 }   // namespace

@@ -44,6 +44,16 @@ QRectF blockRect(const QSizeF& size, Corner corner, const QStringList& lines, co
     return {x, y, width, height};
 }
 
+/// Lines that would reach out of the image end in dots.
+QStringList fitted(QStringList lines, const QFont& font, double widthPx)
+{
+    const QFontMetricsF metrics(font);
+    for (QString& line : lines) {
+        line = metrics.elidedText(line, Qt::ElideRight, widthPx);
+    }
+    return lines;
+}
+
 /// The block, moved towards the middle where the opposite corner has taken its place.
 QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
 {
@@ -67,7 +77,8 @@ QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const Q
     const QFont small = sized(painter.font(), smallSizePx);
     const QStringList folded{isBottom(corner) ? lines.back() : lines.front()};
     const std::array<std::pair<QStringList, QFont>, 3> choices{{{lines, full}, {lines, small}, {folded, small}}};
-    for (const auto& [shown, font] : choices) {
+    for (const auto& [whole, font] : choices) {
+        const QStringList shown = fitted(whole, font, size.width() - 2.0 * annotationMarginPx);
         const QRectF block = clearOf(taken, blockRect(size, corner, shown, font), corner);
         const bool coversPicture = ground.hasPicture(block);
         if (ground.isTaken(block) || ground.hasVessels(block) || (coversPicture && font == full)) {
