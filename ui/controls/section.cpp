@@ -18,6 +18,7 @@ Section::Section(const char* name, const Words& title, Folding folding, QWidget*
         fold_ = new QToolButton;
         fold_->setProperty("role", "fold");
         fold_->setArrowType(Qt::DownArrow);
+        fold_->setFocusPolicy(Qt::TabFocus);   // a click leaves no mark
         withName(fold_, [title] { return tr("Fold %1").arg(title()); });
         connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
         title_->installEventFilter(this);
