@@ -161,6 +161,7 @@ void CaseController::followTarget()
 {
     sync_.showTarget(target_.current());
     judgement_.judge(document_.current().shown().cameraFromPatient);
+    judgement_.show();   // why there is none
     steps_.show();
 }
 

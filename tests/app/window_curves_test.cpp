@@ -1,8 +1,11 @@
+#include "app/document/edit_case.h"
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "io/case/case_file.h"
 #include "tests/app/open_window.h"
+#include "tests/app/session/words_of_window.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/curve_edit_bar.h"
+#include "ui/words/message_text.h"
 
 #include <QLabel>
 #include <QToolButton>
@@ -217,6 +220,17 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
     }
     w.drop({QString::fromStdString(path)});
     EXPECT_EQ(w.current().shown().target.editedFrame, w.current().shown().frame);
+}
+
+TEST_F(WindowCurves, SayWhyThereAreNoneAsSoonAsThatIsKnown)
+{
+    core::TraceOptions options = w.current().shown().traceOptions;
+    options.minComponentLengthPx = 100000;
+    w.controller.document().push(std::make_unique<ChangeTracing>(
+        w.controller.document(), ChangeTracing::Values{options, std::nullopt}, [] { return QString(); }));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().problem().has_value(); }, test::patienceMs));
+    const QString why = ui::messageText(*w.controller.target().problem());
+    EXPECT_TRUE(test::wordsOf(w.window.result()).join(QLatin1Char(' ')).contains(why));
 }
 
 TEST_F(WindowCurves, ButtonsChooseTheEdit)
