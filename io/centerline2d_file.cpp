@@ -148,7 +148,7 @@ core::Result<Centerline2d> readCenterline2d(const std::string& path)
     return centerline;
 }
 
-core::Status writeCenterline2d(const Centerline2d& centerline, const std::string& path)
+std::string centerline2dText(const Centerline2d& centerline)
 {
     const bool hasRadius = std::any_of(centerline.curves.begin(), centerline.curves.end(),
                                        [](const Curve2d& curve) { return !curve.radiusPx.empty(); });
@@ -163,7 +163,12 @@ core::Status writeCenterline2d(const Centerline2d& centerline, const std::string
             text += "\n";
         }
     }
-    return writeAtomically(path, text);
+    return text;
+}
+
+core::Status writeCenterline2d(const Centerline2d& centerline, const std::string& path)
+{
+    return writeAtomically(path, centerline2dText(centerline));
 }
 
 }   // namespace angiopose::io

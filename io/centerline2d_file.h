@@ -10,7 +10,10 @@ namespace angiopose::io {
 /// 2-D centreline from CSV (`x,y,branch,radius`) or a PNG mask (traced).
 core::Result<core::Centerline2d> readCenterline2d(const std::string& path);
 
-/// Writes CSV `x,y,branch,radius`, px, atomically.
+/// CSV `x,y,branch,radius`, px.
+std::string centerline2dText(const core::Centerline2d& centerline);
+
+/// Writes it atomically.
 core::Status writeCenterline2d(const core::Centerline2d& centerline, const std::string& path);
 
 }   // namespace angiopose::io

@@ -3,6 +3,7 @@
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
+#include "io/case/edited_curves.h"
 #include "io/case/fields/result_fields.h"
 #include "io/support/atomic_file.h"
 #include "io/support/deformable_json.h"
@@ -37,12 +38,15 @@ Json inputsJson(const core::Case& theCase)
     Json inputs = Json::object();
     const auto add = [&](const char* key, const core::InputFile& file) {
         if (!file.path.empty()) {
-            inputs[key] = {{"file", std::filesystem::path(file.path).filename().string()}, {"sha256", file.sha256}};
+            inputs[key]["file"] = std::filesystem::path(file.path).filename().string();
+        }
+        if (!file.path.empty() || !file.sha256.empty()) {
+            inputs[key]["sha256"] = file.sha256;
         }
     };
     add("vessel", theCase.vessels.file);
     add("angiogram", theCase.shown().imageFile);
-    add("centerline", theCase.shown().target.file);
+    add("centerline", exportedFileOf(theCase.shown().target));
     inputs["frame"] = theCase.shown().frame;
     return inputs;
 }

@@ -4,6 +4,7 @@
 #include "app/words/geometry_state.h"
 #include "app/words/view_words.h"
 #include "core/case/case_patients.h"
+#include "io/case/edited_curves.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/language.h"
@@ -241,9 +242,10 @@ QString inputPart(const CaseReport& report)
 {
     Rows rows;
     const auto add = [&rows](const QString& name, const core::InputFile& file) {
-        if (!file.path.empty()) {
-            rows.emplace_back(name, QFileInfo(fromCore(file.path)).fileName() + QStringLiteral(" · SHA-256 ") +
-                                        fromCore(file.sha256).left(16));
+        if (!file.path.empty() || !file.sha256.empty()) {
+            const QString known =
+                file.path.empty() ? ReportWords::tr("edited by hand") : QFileInfo(fromCore(file.path)).fileName();
+            rows.emplace_back(name, known + QStringLiteral(" · SHA-256 ") + fromCore(file.sha256).left(16));
         }
     };
     const core::Case& theCase = report.views.front().theCase;
@@ -252,7 +254,7 @@ QString inputPart(const CaseReport& report)
         const core::View& view = theCase.views[place];
         const QString number = theCase.views.size() > 1 ? QStringLiteral(" %1").arg(place + 1) : QString();
         add(ReportWords::tr("Angiogram") + number, view.imageFile);
-        add(ReportWords::tr("Traced vessels") + number, view.target.file);
+        add(ReportWords::tr("Traced vessels") + number, io::exportedFileOf(view.target));
     }
     rows.emplace_back(ReportWords::tr("Program"), QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
     rows.emplace_back(ReportWords::tr("Made"),

@@ -76,4 +76,13 @@ core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, 
     return hash ? core::Result<core::InputFile>(core::InputFile{path, std::move(hash).value()}) : hash.error();
 }
 
+core::InputFile exportedFileOf(const core::GivenTarget& target)
+{
+    if (!target.editedFrame || !target.centerline) {
+        return target.file;
+    }
+    const auto hash = sha256OfText(centerline2dText(*target.centerline));
+    return {{}, hash ? hash.value() : std::string()};
+}
+
 }   // namespace angiopose::io

@@ -16,4 +16,8 @@ namespace angiopose::io {
 core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
                                                std::optional<std::size_t> otherView = std::nullopt);
 
+/// The file a target comes from, as exports name it. Edited curves have no name, saved or not, and the hash of what
+/// would be saved.
+core::InputFile exportedFileOf(const core::GivenTarget& target);
+
 }   // namespace angiopose::io

@@ -175,6 +175,10 @@
         <translation>Lage von Hand gesetzt</translation>
     </message>
     <message>
+        <source>edited by hand</source>
+        <translation>von Hand bearbeitet</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>

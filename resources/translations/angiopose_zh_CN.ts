@@ -175,6 +175,10 @@
         <translation>手动设定的位姿</translation>
     </message>
     <message>
+        <source>edited by hand</source>
+        <translation>手动编辑</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>结果</translation>
     </message>

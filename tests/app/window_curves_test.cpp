@@ -1,6 +1,7 @@
 #include "app/document/edit_case.h"
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "io/case/case_file.h"
+#include "io/case/edited_curves.h"
 #include "tests/app/open_window.h"
 #include "tests/app/session/words_of_window.h"
 #include "tests/support/temporary_folder.h"
@@ -220,6 +221,21 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
     }
     w.drop({QString::fromStdString(path)});
     EXPECT_EQ(w.current().shown().target.editedFrame, w.current().shown().frame);
+}
+
+TEST_F(WindowCurves, AreNamedAlikeBeforeAndAfterSaving)
+{
+    clickAt(middle(loneCurve()));
+    const core::InputFile unsaved = io::exportedFileOf(w.current().shown().target);
+    EXPECT_TRUE(unsaved.path.empty());
+    const test::TemporaryFolder folder;
+    const QString path = QString::fromStdString(folder.file("case.angiopose"));
+    bool isSaved = false;
+    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    w.drop({path});
+    EXPECT_EQ(io::exportedFileOf(w.current().shown().target), unsaved);
+    EXPECT_EQ(w.current().shown().target.file.sha256, unsaved.sha256);
 }
 
 TEST_F(WindowCurves, SayWhyThereAreNoneAsSoonAsThatIsKnown)
