@@ -9,7 +9,8 @@ namespace {
 
 TEST(Section, FoldsAtAClickWithoutAMarkAndByTheKeysWithOne)
 {
-    Section section("test", [] { return QStringLiteral("Part"); }, Folding::Foldable);
+    Section section(
+        "test", [] { return QStringLiteral("Part"); }, Folding::Foldable);
     section.show();
     section.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&section));
