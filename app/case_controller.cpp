@@ -22,6 +22,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       pivot_(document_, {window.actions(), window.pose(), window.angiogramView(), window.treeView()}),
       landmarks_(document_,
                  {window.actions(), window.landmarks(), window.angiogramView(), window.treeView(), window.slices()}),
+      measure_(document_, sync_, preview_, {window.actions(), window.measure(), window.angiogramView()}),
       start_(document_, window.actions()),
       geometry_(document_, window.geometryPanel()),
       angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
@@ -115,6 +116,7 @@ void CaseController::connectNotes()
     connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
+    connect(&measure_, &MeasureController::refused, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::done, &notices_, &Notices::showNote);
 }

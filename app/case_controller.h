@@ -7,6 +7,7 @@
 #include "app/editing/geometry_controller.h"
 #include "app/editing/history_controller.h"
 #include "app/editing/landmark_controller.h"
+#include "app/editing/measure_controller.h"
 #include "app/editing/pivot_controller.h"
 #include "app/editing/pose_controller.h"
 #include "app/editing/start_pose_controller.h"
@@ -91,6 +92,7 @@ private:
     PoseController pose_;
     PivotController pivot_;
     LandmarkController landmarks_;
+    MeasureController measure_;
     StartPoseController start_;
     GeometryController geometry_;
     AngiogramController angiogram_;

@@ -60,6 +60,7 @@ MainWindow::MainWindow(QWidget* parent)
       geometry_(new GeometryPanel),
       pose_(new PosePanel),
       landmarks_(new LandmarkPanel),
+      measure_(new MeasurePanel),
       registration_(new RegistrationPanel),
       result_(new ResultPanel),
       snapshots_(new SnapshotPanel),
@@ -74,11 +75,17 @@ MainWindow::MainWindow(QWidget* parent)
     layOut();
     connectSlices();
     connectFrames();
-    connect(actions()[Command::Landmarks], &QAction::toggled, this, [this](bool on) {
-        if (on) {   // once the list has unfolded
-            QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(landmarks_); });
-        }
-    });
+    const auto showWith = [this](Command mode, QWidget* panel) {
+        connect(actions()[mode], &QAction::toggled, this, [this, panel](bool on) {
+            if (on) {   // once its list has unfolded
+                QTimer::singleShot(0, this, [this, panel] { rightColumn_->ensureWidgetVisible(panel); });
+            }
+        });
+    };
+    showWith(Command::Landmarks, landmarks_);
+    for (const Command mode : {Command::MeasureLength, Command::MeasureAngle, Command::MeasureArea}) {
+        showWith(mode, measure_);
+    }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
         if (!folded) {   // also when something is missing: what has to be filled in is in sight
             QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(geometry_); });
@@ -166,6 +173,7 @@ QWidget* MainWindow::makeRightColumn()
     auto* verdict = static_cast<QVBoxLayout*>(result_->layout());   // poses belong to it: above the plots
     verdict->insertWidget(verdict->indexOf(&result_->solutions()) + 1, snapshots_);
     layout->addWidget(landmarks_);
+    layout->addWidget(measure_);
     layout->addWidget(angiogramPanel_);
     layout->addWidget(geometry_);
     layout->addStretch(1);

@@ -7,6 +7,7 @@
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/header_bar.h"
 #include "ui/panels/landmark_panel.h"
+#include "ui/panels/measure_panel.h"
 #include "ui/panels/patient_bar.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/registration_panel.h"
@@ -61,6 +62,7 @@ public:
     AngiogramPanel& angiogramPanel() { return *angiogramPanel_; }
     GeometryPanel& geometryPanel() { return *geometry_; }
     LandmarkPanel& landmarks() { return *landmarks_; }
+    MeasurePanel& measure() { return *measure_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
     SnapshotPanel& snapshots() { return *snapshots_; }
@@ -133,6 +135,7 @@ private:
     GeometryPanel* geometry_;
     PosePanel* pose_;
     LandmarkPanel* landmarks_;
+    MeasurePanel* measure_;
     RegistrationPanel* registration_;
     ResultPanel* result_;
     SnapshotPanel* snapshots_;

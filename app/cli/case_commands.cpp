@@ -110,6 +110,16 @@ void addAngles(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runAngles(*arguments); });
 }
 
+void addMeasure(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("measure", "Print what was measured in the images of a case, as CSV");
+    auto arguments = std::make_shared<MeasureArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--output", arguments->outputPath, "Table to write, .csv (default: it is printed)");
+    command->footer("Example: angiopose-cli measure case.angiopose --output measurements.csv");
+    command->callback([arguments, &exitCode] { exitCode = runMeasure(*arguments); });
+}
+
 void addBatch(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand("batch", "Register many cases; one that fails never stops the others");

@@ -58,6 +58,12 @@ struct AnglesArguments {
 };
 int runAngles(const AnglesArguments& arguments);
 
+struct MeasureArguments {
+    std::string casePath;
+    std::string outputPath;   ///< empty: the table is printed
+};
+int runMeasure(const MeasureArguments& arguments);
+
 struct SimulateArguments {
     std::uint64_t seed = 1;
     std::string outputFolder;

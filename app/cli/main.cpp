@@ -30,6 +30,7 @@ int parseAndRun(int argc, char** argv)
     addTrack(app, exitCode);
     addProject(app, exitCode);
     addAngles(app, exitCode);
+    addMeasure(app, exitCode);
     addSimulate(app, exitCode);
     addTraceAngiogram(app, exitCode);
     addEvaluate(app, exitCode);

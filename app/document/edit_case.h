@@ -43,6 +43,7 @@ using ChangeViews = SetFields<&Case::views>;
 using ShowView = SetFields<&Case::views, &Case::shownView>;
 
 using ChangeLandmarks = SetFields<&View::landmarks>;
+using ChangeMeasurements = SetFields<&View::measurements>;
 
 /// A start pose found by hand or landmarks becomes the case's own.
 using PlaceVessels = SetFields<&View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;

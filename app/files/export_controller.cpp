@@ -10,6 +10,7 @@
 #include "core/case/registration_input.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
+#include "io/measurement_table.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
 #include "io/support/atomic_file.h"
@@ -21,6 +22,7 @@
 #include <QApplication>
 #include <QFileDialog>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -214,6 +216,19 @@ void ExportController::askTrace()
     askFile({tr("Export traced vessels"), tr("2-D centrelines (*.csv)"), QStringLiteral("csv")},
             [target = target_.current()](const QString& path) {
                 return io::writeCenterline2d(*target, path.toStdString());
+            });
+}
+
+void ExportController::askMeasurements()
+{
+    const auto isMeasured = [](const core::View& view) { return !view.measurements.empty(); };
+    if (std::ranges::none_of(document_.current().views, isMeasured)) {
+        emit failed(tr("Nothing has been measured in the images yet."));
+        return;
+    }
+    askFile({tr("Export measurements"), tr("Tables (*.csv)"), QStringLiteral("measurements.csv")},
+            [snapshot = document_.current()](const QString& path) {
+                return io::writeMeasurements(snapshot, path.toStdString());
             });
 }
 

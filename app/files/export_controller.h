@@ -42,6 +42,7 @@ public:
     void askResult();
     void askPose();
     void askTrace();
+    void askMeasurements();
     void askVessels(const Then& then = {});
 
 signals:

@@ -1,5 +1,6 @@
 #include "app/files/report_page.h"
 
+#include "app/files/report_measures.h"
 #include "app/messages/says.h"
 #include "app/words/geometry_state.h"
 #include "app/words/view_words.h"
@@ -32,7 +33,7 @@ struct ReportWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
 };
 
-using Rows = std::vector<std::pair<QString, QString>>;
+using Rows = ReportRows;
 
 QString fromCore(const std::string& text)
 {
@@ -191,6 +192,12 @@ QString branchPart(const ReportedView& view)
     return heading(name) + table(rows);
 }
 
+QString measuredPart(const core::Case& theCase)
+{
+    const Rows rows = measuredRows(theCase);
+    return rows.empty() ? QString() : heading(ReportWords::tr("Measured in the image")) + table(rows);
+}
+
 QString geometryPart(const core::Case& theCase)
 {
     const ui::GeometryState state = geometryState(theCase);
@@ -235,7 +242,8 @@ QString viewPart(const ReportedView& view, const QString& picture, bool isAlone)
         return title + card({ui::messageText(*view.problem)}, "#fbefd9", "#7a4a00");
     }
     return title + QStringLiteral("<p>%1</p>").arg(picture) +
-           beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase));
+           beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase)) +
+           measuredPart(theCase);
 }
 
 QString inputPart(const CaseReport& report)

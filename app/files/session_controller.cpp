@@ -128,6 +128,8 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
     connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
+    connect(actions[ui::Command::ExportMeasurements], &QAction::triggered, &export_,
+            &ExportController::askMeasurements);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
     connect(&export_, &ExportController::exported, this, [this](const QString& path) {

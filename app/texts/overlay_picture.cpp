@@ -1,10 +1,12 @@
 #include "app/texts/overlay_picture.h"
 
 #include "app/messages/says.h"
+#include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
 #include "core/case/case_patients.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
+#include "ui/scenes/burn_marks.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
 
@@ -106,6 +108,16 @@ double styleScene(ui::OverlayScene& scene, const core::Case& theCase, const core
     return maximumPx;
 }
 
+/// What was measured on the frame, in the words of the picture.
+std::vector<ui::ImageMark> marksIn(const core::Case& theCase, const OverlayPictureOptions& options)
+{
+    return marksOf({theCase.shown(), theCase.vessels.tree.get()}, theCase.shown().frame,
+                   [&options](const core::Message& message) {
+                       return options.texts({.topLeft = {message}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
+                           .topLeft.front();
+                   });
+}
+
 core::Result<core::ColorImage> drawOne(const core::Case& theCase, const core::Centerline2d& target,
                                        const OverlayPictureOptions& options,
                                        const std::optional<core::Message>& heading)
@@ -129,8 +141,14 @@ core::Result<core::ColorImage> drawOne(const core::Case& theCase, const core::Ce
         }
         scene.setRadiograph(radiograph.value());
     }
-    return ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(theCase, options, heading),
-                               scaleMaximumPx, residualScaleMaximumMm);
+    auto rendered = ui::renderOffscreen(scene, width, height, wholeImage(frame), exportTexts(theCase, options, heading),
+                                        scaleMaximumPx, residualScaleMaximumMm);
+    if (!rendered) {
+        return rendered.error();
+    }
+    core::ColorImage picture = std::move(rendered).value();
+    ui::burnMarks(picture, marksIn(theCase, options), wholeImage(frame), ui::burnSizes(width, height));
+    return picture;
 }
 
 /// Two pictures of one size with a dark line between them.
@@ -166,6 +184,7 @@ core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core
     core::Case before = theCase;
     before.shown().cameraFromPatient = start.value();
     before.shown().result.reset();
+    before.shown().measurements.clear();   // they would have other values there
     const auto left = drawOne(before, target, options, says::beforeAtStart());
     const auto right = drawOne(theCase, target, options, says::afterAtPose());
     if (!left) {

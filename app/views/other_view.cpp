@@ -2,6 +2,7 @@
 
 #include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
+#include "app/words/measure_words.h"
 #include "core/case/registration_input.h"
 #include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
@@ -91,6 +92,7 @@ void OtherView::showPose()
 {
     pose_ = on_.preview.poseIn(place_);
     on_.pane.image().setPose(pose_);
+    on_.pane.image().setMarks(windowMarks({view(), tree_.get(), pose_}, frame_));
     showColors();
 }
 
@@ -152,6 +154,7 @@ void OtherView::clear()
     ui::AngiogramView& image = on_.pane.image();
     image.scene().setTree({});
     image.scene().setTracedCenterline({});
+    image.setMarks({});
     image.setFrame({});
 }
 

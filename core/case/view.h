@@ -2,6 +2,7 @@
 
 #include "core/case/input_file.h"
 #include "core/geometry/camera_spread.h"
+#include "core/geometry/image_measurement.h"
 #include "core/geometry/landmark.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/pose_snapshot.h"
@@ -51,6 +52,7 @@ struct View {
     std::optional<RigidTransform> initialCameraFromPatient;   ///< none: the start pose follows from the angles
     RigidTransform cameraFromPatient;   ///< where the tree is now
     std::vector<Landmark> landmarks;   ///< pairs the start pose can be found from
+    std::vector<ImageMeasurement> measurements;   ///< drawn on its frames
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
     std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 

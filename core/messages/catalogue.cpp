@@ -12,6 +12,7 @@ std::span<const MessageEntry* const> messageCatalogue()
 #define MESSAGE(name, id, english) &says::name,
 #include "core/messages/evaluation.def"
 #include "core/messages/geometry.def"
+#include "core/messages/measuring.def"
 #include "core/messages/registration.def"
 #include "core/messages/tracing.def"
 #include "core/messages/vessels.def"

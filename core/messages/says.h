@@ -9,6 +9,7 @@ namespace angiopose::core::says {
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};
 #include "core/messages/evaluation.def"
 #include "core/messages/geometry.def"
+#include "core/messages/measuring.def"
 #include "core/messages/registration.def"
 #include "core/messages/tracing.def"
 #include "core/messages/vessels.def"

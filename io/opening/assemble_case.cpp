@@ -91,6 +91,9 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         view.result.reset();
         view.initialCameraFromPatient.reset();
         view.landmarks.clear();   // of other vessels, or in another image
+        if (inputs.angiogram) {
+            view.measurements.clear();
+        }
         goToStart(base);
     }
     if (base.title.empty()) {

@@ -230,6 +230,10 @@
         <source>Signature</source>
         <translation>Unterschrift</translation>
     </message>
+    <message>
+        <source>Measured in the image</source>
+        <translation>Im Bild gemessen</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -410,6 +414,18 @@
     <message>
         <source>Reports (*.pdf *.html)</source>
         <translation>Berichte (*.pdf *.html)</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured in the images yet.</source>
+        <translation>In den Bildern ist noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>Messungen exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -5513,6 +5529,116 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <comment>labels.volume-holds-labels</comment>
         <translation>Das Volumen enthält Labels: die Gefäße gelten, wie sie markiert sind.</translation>
     </message>
+    <message>
+        <source>A length at the vessels needs their depth: open the vessels, or measure at the detector or in pixels.</source>
+        <comment>measure.needs-vessels</comment>
+        <translation>Eine Länge an den Gefäßen braucht deren Tiefe: die Gefäße öffnen oder am Detektor oder in Pixeln messen.</translation>
+    </message>
+    <message>
+        <source>The vessels lie behind the source: nothing can be measured at them. Correct the pose, or measure in pixels.</source>
+        <comment>measure.behind-source</comment>
+        <translation>Die Gefäße liegen hinter der Quelle: an ihnen lässt sich nichts messen. Die Lage berichtigen oder in Pixeln messen.</translation>
+    </message>
+    <message>
+        <source>The pixel spacing of the detector is not known. Type it in the geometry, or measure in pixels.</source>
+        <comment>measure.needs-spacing</comment>
+        <translation>Der Pixelabstand des Detektors ist nicht bekannt. In der Geometrie eingeben oder in Pixeln messen.</translation>
+    </message>
+    <message>
+        <source>A measurement of this kind has %1 points at least; this one has %2. Draw it again.</source>
+        <comment>measure.points</comment>
+        <translation>Eine Messung dieser Art hat mindestens %1 Punkte; diese hat %2. Neu zeichnen.</translation>
+    </message>
+    <message>
+        <source>A point of the measurement is not a number. Draw it again.</source>
+        <comment>measure.not-finite</comment>
+        <translation>Ein Punkt der Messung ist keine Zahl. Neu zeichnen.</translation>
+    </message>
+    <message>
+        <source>The angle has a leg without length. Move its points apart.</source>
+        <comment>measure.angle-open</comment>
+        <translation>Der Winkel hat einen Schenkel ohne Länge. Seine Punkte auseinanderziehen.</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself: its area means nothing. Move its points.</source>
+        <comment>measure.crossed</comment>
+        <translation>Der Umriss kreuzt sich selbst: seine Fläche sagt nichts. Seine Punkte verschieben.</translation>
+    </message>
+    <message>
+        <source>%1 at the vessels</source>
+        <comment>measure.at-vessels</comment>
+        <translation>%1 an den Gefäßen</translation>
+    </message>
+    <message>
+        <source>%1 at the detector</source>
+        <comment>measure.at-detector</comment>
+        <translation>%1 am Detektor</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <comment>measure.plain</comment>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1 (scale assumed)</source>
+        <comment>measure.assumed</comment>
+        <translation>%1 (Maßstab angenommen)</translation>
+    </message>
+    <message>
+        <source>At the depth of the vessels&apos; centroid, %1 from the source, a pixel is %2. What runs towards the source or away from it is longer than it looks.</source>
+        <comment>measure.basis-vessels</comment>
+        <translation>In der Tiefe des Schwerpunkts der Gefäße, %1 von der Quelle, ist ein Pixel %2. Was zur Quelle hin oder von ihr weg verläuft, ist länger als es aussieht.</translation>
+    </message>
+    <message>
+        <source>On the detector a pixel is %1; in the patient everything is smaller, by the magnification.</source>
+        <comment>measure.basis-detector</comment>
+        <translation>Auf dem Detektor ist ein Pixel %1; im Patienten ist alles kleiner, um die Vergrößerung.</translation>
+    </message>
+    <message>
+        <source>In pixels of the image: nothing is said of the patient.</source>
+        <comment>measure.basis-pixels</comment>
+        <translation>In Pixeln des Bildes: über den Patienten ist damit nichts gesagt.</translation>
+    </message>
+    <message>
+        <source>As projected: in space the angle is another one.</source>
+        <comment>measure.basis-angle</comment>
+        <translation>Wie projiziert: im Raum ist der Winkel ein anderer.</translation>
+    </message>
+    <message>
+        <source>Pixels are taken to be square.</source>
+        <comment>measure.square-pixels</comment>
+        <translation>Pixel gelten als quadratisch.</translation>
+    </message>
+    <message>
+        <source>The geometry behind this scale is assumed, not measured: the number may be wrong by the same share.</source>
+        <comment>measure.scale-assumed</comment>
+        <translation>Die Geometrie hinter diesem Maßstab ist angenommen, nicht gemessen: die Zahl kann um denselben Anteil falsch sein.</translation>
+    </message>
+    <message>
+        <source>The geometry behind this scale was typed.</source>
+        <comment>measure.scale-typed</comment>
+        <translation>Die Geometrie hinter diesem Maßstab wurde eingegeben.</translation>
+    </message>
+    <message>
+        <source>No registration found this pose: how deep the vessels lie is as it was set.</source>
+        <comment>measure.depth-unchecked</comment>
+        <translation>Keine Registrierung hat diese Lage gefunden: die Tiefe der Gefäße ist, wie sie gesetzt wurde.</translation>
+    </message>
+    <message>
+        <source>The registration behind this pose is not trustworthy: nor is the depth of the vessels.</source>
+        <comment>measure.pose-doubtful</comment>
+        <translation>Die Registrierung hinter dieser Lage ist nicht vertrauenswürdig: die Tiefe der Gefäße auch nicht.</translation>
+    </message>
+    <message>
+        <source>Their depth is known to ±%1 (1-σ): ±%2 of the length.</source>
+        <comment>measure.depth-spread</comment>
+        <translation>Ihre Tiefe ist auf ±%1 (1-σ) bekannt: ±%2 der Länge.</translation>
+    </message>
+    <message>
+        <source>a measurement of this kind has %1 points at least, not %2. Add them or remove the measurement.</source>
+        <comment>case.measurement-points</comment>
+        <translation>eine Messung dieser Art hat mindestens %1 Punkte, nicht %2. Ergänzen oder die Messung entfernen.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -6678,6 +6804,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Export report …</source>
         <translation>Bericht exportieren …</translation>
     </message>
+    <message>
+        <source>Export measurements …</source>
+        <translation>Messungen exportieren …</translation>
+    </message>
+    <message>
+        <source>Measure a length</source>
+        <translation>Länge messen</translation>
+    </message>
+    <message>
+        <source>Measure an angle</source>
+        <translation>Winkel messen</translation>
+    </message>
+    <message>
+        <source>Measure an area</source>
+        <translation>Fläche messen</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ConvergencePlot</name>
@@ -7575,6 +7717,38 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>back to the centroid</source>
         <translation>zurück zum Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>While measuring</source>
+        <translation>Beim Messen</translation>
+    </message>
+    <message>
+        <source>click, drag</source>
+        <translation>Klick, Ziehen</translation>
+    </message>
+    <message>
+        <source>set a point, or move one that is there</source>
+        <translation>setzt einen Punkt oder verschiebt einen</translation>
+    </message>
+    <message>
+        <source>Enter, double click</source>
+        <translation>Eingabe, Doppelklick</translation>
+    </message>
+    <message>
+        <source>closes an area</source>
+        <translation>schließt eine Fläche</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>takes a point back</source>
+        <translation>nimmt einen Punkt zurück</translation>
+    </message>
+    <message>
+        <source>removes the chosen measurement, or the last</source>
+        <translation>entfernt die gewählte Messung oder die letzte</translation>
     </message>
 </context>
 <context>
@@ -9027,6 +9201,138 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Nothing has been told yet.</source>
         <translation>Noch keine Meldungen.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MeasureWords</name>
+    <message>
+        <source>Frame %1.</source>
+        <translation>Bild %1.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MeasureController</name>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>Erst ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Measure length</source>
+        <translation>Länge messen</translation>
+    </message>
+    <message>
+        <source>Measure angle</source>
+        <translation>Winkel messen</translation>
+    </message>
+    <message>
+        <source>Measure area</source>
+        <translation>Fläche messen</translation>
+    </message>
+    <message>
+        <source>Move point of measurement</source>
+        <translation>Messpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>Rename measurement</source>
+        <translation>Messung umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove measurement</source>
+        <translation>Messung entfernen</translation>
+    </message>
+    <message>
+        <source>Measure in another plane</source>
+        <translation>In anderer Ebene messen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MeasurePanel</name>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Measure in the image</source>
+        <translation>Im Bild messen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Table …</source>
+        <translation>Tabelle …</translation>
+    </message>
+    <message>
+        <source>Where it is measured</source>
+        <translation>Wo gemessen wird</translation>
+    </message>
+    <message>
+        <source>Lengths at the depth of the vessels, on the detector, or in pixels.</source>
+        <translation>Längen in der Tiefe der Gefäße, auf dem Detektor oder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measurements: Delete</source>
+        <translation>Gewählte Messungen entfernen: Entf</translation>
+    </message>
+    <message>
+        <source>Writes all measurements with their basis as a CSV table.</source>
+        <translation>Schreibt alle Messungen mit ihrer Grundlage als CSV-Tabelle.</translation>
+    </message>
+    <message>
+        <source>at the vessels</source>
+        <translation>an den Gefäßen</translation>
+    </message>
+    <message>
+        <source>at the detector</source>
+        <translation>am Detektor</translation>
+    </message>
+    <message>
+        <source>in pixels</source>
+        <translation>in Pixeln</translation>
+    </message>
+    <message>
+        <source>Measurements in the image</source>
+        <translation>Messungen im Bild</translation>
+    </message>
+    <message>
+        <source>%1 in this view</source>
+        <translation>%1 in dieser Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MeasureTool</name>
+    <message>
+        <source>Length: drag, or click both ends · points can be moved</source>
+        <translation>Länge: ziehen oder beide Enden anklicken · Punkte lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Angle: click an end, the vertex, the other end · points can be moved</source>
+        <translation>Winkel: ein Ende, den Scheitel, das andere Ende anklicken · Punkte lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Area: click around it; double click or Enter closes · points can be moved</source>
+        <translation>Fläche: ringsum klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
     </message>
 </context>
 </TS>

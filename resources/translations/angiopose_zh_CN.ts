@@ -230,6 +230,10 @@
         <source>Signature</source>
         <translation>签名</translation>
     </message>
+    <message>
+        <source>Measured in the image</source>
+        <translation>图像中的测量</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -410,6 +414,18 @@
     <message>
         <source>Reports (*.pdf *.html)</source>
         <translation>报告 (*.pdf *.html)</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured in the images yet.</source>
+        <translation>图像中尚无测量。</translation>
+    </message>
+    <message>
+        <source>Export measurements</source>
+        <translation>导出测量</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -5513,6 +5529,116 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <comment>labels.volume-holds-labels</comment>
         <translation>体数据为标签：血管按标记采用。</translation>
     </message>
+    <message>
+        <source>A length at the vessels needs their depth: open the vessels, or measure at the detector or in pixels.</source>
+        <comment>measure.needs-vessels</comment>
+        <translation>血管处的长度需要其深度：请打开血管，或在探测器处或以像素测量。</translation>
+    </message>
+    <message>
+        <source>The vessels lie behind the source: nothing can be measured at them. Correct the pose, or measure in pixels.</source>
+        <comment>measure.behind-source</comment>
+        <translation>血管位于射线源后方：无法在该处测量。请修正位姿，或以像素测量。</translation>
+    </message>
+    <message>
+        <source>The pixel spacing of the detector is not known. Type it in the geometry, or measure in pixels.</source>
+        <comment>measure.needs-spacing</comment>
+        <translation>探测器的像素间距未知。请在几何中输入，或以像素测量。</translation>
+    </message>
+    <message>
+        <source>A measurement of this kind has %1 points at least; this one has %2. Draw it again.</source>
+        <comment>measure.points</comment>
+        <translation>此类测量至少有 %1 个点；此处为 %2 个。请重新绘制。</translation>
+    </message>
+    <message>
+        <source>A point of the measurement is not a number. Draw it again.</source>
+        <comment>measure.not-finite</comment>
+        <translation>测量的某个点不是数字。请重新绘制。</translation>
+    </message>
+    <message>
+        <source>The angle has a leg without length. Move its points apart.</source>
+        <comment>measure.angle-open</comment>
+        <translation>该角有一条边长度为零。请移开各点。</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself: its area means nothing. Move its points.</source>
+        <comment>measure.crossed</comment>
+        <translation>轮廓自相交：面积没有意义。请移动各点。</translation>
+    </message>
+    <message>
+        <source>%1 at the vessels</source>
+        <comment>measure.at-vessels</comment>
+        <translation>%1（血管处）</translation>
+    </message>
+    <message>
+        <source>%1 at the detector</source>
+        <comment>measure.at-detector</comment>
+        <translation>%1（探测器处）</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <comment>measure.plain</comment>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>%1 (scale assumed)</source>
+        <comment>measure.assumed</comment>
+        <translation>%1（比例为假定）</translation>
+    </message>
+    <message>
+        <source>At the depth of the vessels&apos; centroid, %1 from the source, a pixel is %2. What runs towards the source or away from it is longer than it looks.</source>
+        <comment>measure.basis-vessels</comment>
+        <translation>在血管质心的深度（距射线源 %1），一个像素为 %2。朝向或背离射线源的走行比看起来更长。</translation>
+    </message>
+    <message>
+        <source>On the detector a pixel is %1; in the patient everything is smaller, by the magnification.</source>
+        <comment>measure.basis-detector</comment>
+        <translation>在探测器上一个像素为 %1；在患者体内一切更小，相差放大倍数。</translation>
+    </message>
+    <message>
+        <source>In pixels of the image: nothing is said of the patient.</source>
+        <comment>measure.basis-pixels</comment>
+        <translation>以图像像素计：不涉及患者体内尺寸。</translation>
+    </message>
+    <message>
+        <source>As projected: in space the angle is another one.</source>
+        <comment>measure.basis-angle</comment>
+        <translation>为投影角：空间中的角度不同。</translation>
+    </message>
+    <message>
+        <source>Pixels are taken to be square.</source>
+        <comment>measure.square-pixels</comment>
+        <translation>像素视为正方形。</translation>
+    </message>
+    <message>
+        <source>The geometry behind this scale is assumed, not measured: the number may be wrong by the same share.</source>
+        <comment>measure.scale-assumed</comment>
+        <translation>此比例所依据的几何是假定的，而非测得：数值可能有相同比例的误差。</translation>
+    </message>
+    <message>
+        <source>The geometry behind this scale was typed.</source>
+        <comment>measure.scale-typed</comment>
+        <translation>此比例所依据的几何为手动输入。</translation>
+    </message>
+    <message>
+        <source>No registration found this pose: how deep the vessels lie is as it was set.</source>
+        <comment>measure.depth-unchecked</comment>
+        <translation>此位姿并非由配准得到：血管深度为设定值。</translation>
+    </message>
+    <message>
+        <source>The registration behind this pose is not trustworthy: nor is the depth of the vessels.</source>
+        <comment>measure.pose-doubtful</comment>
+        <translation>此位姿背后的配准不可信：血管深度亦然。</translation>
+    </message>
+    <message>
+        <source>Their depth is known to ±%1 (1-σ): ±%2 of the length.</source>
+        <comment>measure.depth-spread</comment>
+        <translation>其深度的不确定度为 ±%1（1-σ）：长度的 ±%2。</translation>
+    </message>
+    <message>
+        <source>a measurement of this kind has %1 points at least, not %2. Add them or remove the measurement.</source>
+        <comment>case.measurement-points</comment>
+        <translation>此类测量至少有 %1 个点，而非 %2 个。请补充或移除该测量。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -6678,6 +6804,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Export report …</source>
         <translation>导出报告…</translation>
     </message>
+    <message>
+        <source>Export measurements …</source>
+        <translation>导出测量…</translation>
+    </message>
+    <message>
+        <source>Measure a length</source>
+        <translation>测量长度</translation>
+    </message>
+    <message>
+        <source>Measure an angle</source>
+        <translation>测量角度</translation>
+    </message>
+    <message>
+        <source>Measure an area</source>
+        <translation>测量面积</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ConvergencePlot</name>
@@ -7575,6 +7717,38 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>back to the centroid</source>
         <translation>恢复为质心</translation>
+    </message>
+    <message>
+        <source>While measuring</source>
+        <translation>测量时</translation>
+    </message>
+    <message>
+        <source>click, drag</source>
+        <translation>单击、拖动</translation>
+    </message>
+    <message>
+        <source>set a point, or move one that is there</source>
+        <translation>放置点，或移动已有的点</translation>
+    </message>
+    <message>
+        <source>Enter, double click</source>
+        <translation>回车、双击</translation>
+    </message>
+    <message>
+        <source>closes an area</source>
+        <translation>闭合区域</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>退格</translation>
+    </message>
+    <message>
+        <source>takes a point back</source>
+        <translation>撤回一个点</translation>
+    </message>
+    <message>
+        <source>removes the chosen measurement, or the last</source>
+        <translation>移除所选测量，或最后一个</translation>
     </message>
 </context>
 <context>
@@ -9026,6 +9200,138 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Nothing has been told yet.</source>
         <translation>尚无消息。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MeasureWords</name>
+    <message>
+        <source>Frame %1.</source>
+        <translation>第 %1 帧。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MeasureController</name>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>请先打开血管造影。</translation>
+    </message>
+    <message>
+        <source>Measure length</source>
+        <translation>测量长度</translation>
+    </message>
+    <message>
+        <source>Measure angle</source>
+        <translation>测量角度</translation>
+    </message>
+    <message>
+        <source>Measure area</source>
+        <translation>测量面积</translation>
+    </message>
+    <message>
+        <source>Move point of measurement</source>
+        <translation>移动测量点</translation>
+    </message>
+    <message>
+        <source>Rename measurement</source>
+        <translation>重命名测量</translation>
+    </message>
+    <message>
+        <source>Remove measurement</source>
+        <translation>移除测量</translation>
+    </message>
+    <message>
+        <source>Measure in another plane</source>
+        <translation>在另一平面测量</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MeasurePanel</name>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Measure in the image</source>
+        <translation>图像测量</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Table …</source>
+        <translation>表格…</translation>
+    </message>
+    <message>
+        <source>Where it is measured</source>
+        <translation>测量位置</translation>
+    </message>
+    <message>
+        <source>Lengths at the depth of the vessels, on the detector, or in pixels.</source>
+        <translation>长度取血管深度处、探测器上或像素。</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measurements: Delete</source>
+        <translation>移除所选测量：Delete</translation>
+    </message>
+    <message>
+        <source>Writes all measurements with their basis as a CSV table.</source>
+        <translation>将所有测量及其依据写为 CSV 表格。</translation>
+    </message>
+    <message>
+        <source>at the vessels</source>
+        <translation>血管处</translation>
+    </message>
+    <message>
+        <source>at the detector</source>
+        <translation>探测器处</translation>
+    </message>
+    <message>
+        <source>in pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Measurements in the image</source>
+        <translation>图像中的测量</translation>
+    </message>
+    <message>
+        <source>%1 in this view</source>
+        <translation>此视图中 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MeasureTool</name>
+    <message>
+        <source>Length: drag, or click both ends · points can be moved</source>
+        <translation>长度：拖动，或单击两端 · 点可移动</translation>
+    </message>
+    <message>
+        <source>Angle: click an end, the vertex, the other end · points can be moved</source>
+        <translation>角度：单击一端、顶点、另一端 · 点可移动</translation>
+    </message>
+    <message>
+        <source>Area: click around it; double click or Enter closes · points can be moved</source>
+        <translation>面积：沿边界单击；双击或回车闭合 · 点可移动</translation>
     </message>
 </context>
 </TS>

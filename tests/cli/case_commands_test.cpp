@@ -108,6 +108,19 @@ TEST_F(CliOnSimulatedCase, ProjectsBeforeAndAfterWithDepthCueAndSwipe)
     EXPECT_EQ(runCli({"project", casePath_, "--output", folder_.file("x.png"), "--swipe", "left"}).exitCode, 2);
 }
 
+TEST_F(CliOnSimulatedCase, MeasuresInTheImage)
+{
+    EXPECT_EQ(runCli({"measure", casePath_}).output.find("view,frame,kind,name,value,unit,plane"), 0U);
+    std::ifstream file(casePath_);
+    nlohmann::json json = nlohmann::json::parse(file);
+    json["measurements"] = {
+        {{"kind", "length"}, {"plane", "vessels"}, {"pixels", {{100, 100}, {110, 100}}}, {"name", "neck"}}};
+    std::ofstream(casePath_) << json;
+    const auto measured = runCli({"measure", casePath_});
+    EXPECT_EQ(measured.exitCode, 0) << measured.messages;
+    EXPECT_NE(measured.output.find("\n1,0,length,neck,"), std::string::npos) << measured.output;
+}
+
 TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
 {
     const std::string csv = folder_.file("traced.csv");

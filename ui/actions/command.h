@@ -18,6 +18,7 @@ enum class Command {
     ExportVessels,
     ExportReport,
     ExportFollowed,
+    ExportMeasurements,
     SaveWindow,
     CloseCase,
     Close,
@@ -45,6 +46,9 @@ enum class Command {
     // Angiogram
     EditVessels,
     TraceAgain,
+    MeasureLength,
+    MeasureAngle,
+    MeasureArea,
     AddView,
     NextView,
     SideBySide,

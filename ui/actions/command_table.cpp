@@ -28,6 +28,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
         {Command::ExportVessels, QT_TR_NOOP("Export vessel tree …")},
         {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
+        {Command::ExportMeasurements, QT_TR_NOOP("Export measurements …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
         {Command::CloseCase, QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
         {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q"},
@@ -73,6 +74,9 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
     static constexpr CommandRow rows[]{
         {Command::EditVessels, QT_TR_NOOP("Edit traced vessels"), "E", Switch},
         {Command::TraceAgain, QT_TR_NOOP("Trace this frame again")},
+        {Command::MeasureLength, QT_TR_NOOP("Measure a length"), "Shift+D", Switch | StartsGroup},
+        {Command::MeasureAngle, QT_TR_NOOP("Measure an angle"), "Shift+G", Switch},
+        {Command::MeasureArea, QT_TR_NOOP("Measure an area"), "Shift+O", Switch},
         {Command::AddView, QT_TR_NOOP("Add a view …"), "Ctrl+Shift+V", StartsGroup},
         {Command::NextView, QT_TR_NOOP("Show the next view"), "Ctrl+Tab"},
         {Command::SideBySide, QT_TR_NOOP("Views side by side"), "6", Switch},

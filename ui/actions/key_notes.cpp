@@ -63,6 +63,11 @@ void KeyNotes::addModes(std::vector<KeyLine>& lines)
          {tr("drag"), tr("a node of the vessels to its place, or a cross elsewhere")},
          {tr("Enter"), tr("place the vessels by the pairs")},
          {tr("Del"), tr("remove the last pair")}});
+    add(lines, tr("While measuring"),
+        {{tr("click, drag"), tr("set a point, or move one that is there")},
+         {tr("Enter, double click"), tr("closes an area")},
+         {tr("Backspace"), tr("takes a point back")},
+         {tr("Del"), tr("removes the chosen measurement, or the last")}});
     add(lines, tr("While editing vessels"),
         {{tr("X"), tr("click curves that are no vessels")},
          {tr("E"), tr("erase with a brush; [ ] its size")},

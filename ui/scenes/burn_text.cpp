@@ -91,6 +91,15 @@ void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSi
     draw(texts.bottomRight, TextAlign::Right, Edge::Bottom);
 }
 
+void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes)
+{
+    const core::Mask2d mask = textMask({text}, sizes.textPx, TextAlign::Left);
+    const auto inside = [](double wanted, int most) {
+        return static_cast<int>(std::lround(std::clamp(wanted, 4.0, std::max(4.0, most - 4.0))));
+    };
+    drawMask(picture, mask, inside(at.x(), picture.width - mask.width), inside(at.y(), picture.height - mask.height));
+}
+
 void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes)
 {
     const int barWidth = sizes.textPx;

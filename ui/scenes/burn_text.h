@@ -16,6 +16,9 @@ BurnSizes burnSizes(int width, int height);
 
 void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes);
 
+/// One line with its upper left corner at a place, moved as far as it takes to stay in the picture.
+void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
+
 /// Where the residual ramp ends.
 struct BurnScale {
     double maximumPx = 0.0;

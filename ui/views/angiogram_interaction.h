@@ -27,6 +27,7 @@ struct AngiogramView::Interaction {
     std::optional<Eigen::Vector3d> pickedPivot;
     double lineWidth = 2.4;
     ImageCrosshair crosshair;
+    std::vector<ImageMark> marks;
     QString absence;
 
     QPointer<ImageTool> tool;

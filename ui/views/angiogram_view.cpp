@@ -111,6 +111,19 @@ void AngiogramView::setLineWidth(double px)
     update();
 }
 
+void AngiogramView::setMarks(std::vector<ImageMark> marks)
+{
+    if (!marks.empty() || !interaction_->marks.empty()) {
+        interaction_->marks = std::move(marks);
+        update();
+    }
+}
+
+const std::vector<ImageMark>& AngiogramView::marks() const
+{
+    return interaction_->marks;
+}
+
 void AngiogramView::setCrosshair(const ImageCrosshair& crosshair)
 {
     const ImageCrosshair& former = interaction_->crosshair;

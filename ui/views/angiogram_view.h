@@ -3,6 +3,7 @@
 #include "core/geometry/epipolar_line.h"
 #include "core/imaging/display_range.h"
 #include "ui/actions/mouse_preset.h"
+#include "ui/scenes/image_mark.h"
 #include "ui/scenes/overlay_painter.h"
 #include "ui/scenes/render_offscreen.h"
 
@@ -56,6 +57,8 @@ public:
     void setLineWidth(double px);   ///< device-independent px
     void setCrosshair(const ImageCrosshair& crosshair);
     const ImageCrosshair& crosshair() const;
+    void setMarks(std::vector<ImageMark> marks);   ///< drawn above everything but the tool's
+    const std::vector<ImageMark>& marks() const;
     void setAbsence(const QString& words);   ///< said in place of an image
     void takeLookOf(const AngiogramView& other);   ///< lines, marks, mirror, mouse: not what is shown, nor how bright
     void setCutout(Cutout::Shape shape);   ///< follows the mouse

@@ -7,6 +7,7 @@
 #include "ui/views/cutout_edge.h"
 #include "ui/views/gl_driver.h"
 #include "ui/views/gl_overlay.h"
+#include "ui/views/paint_marks.h"
 #include "ui/views/pivot_mark.h"
 
 #include <QPainter>
@@ -193,6 +194,12 @@ void AngiogramView::paintEvent(QPaintEvent*)
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
     paintPivot(painter);
     paintCrosshair(painter);
+    if (!isVeiled) {
+        paintMarks(painter, interaction_->marks, [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+            const QPointF place = widgetFromImage(pixel);
+            return {place.x(), place.y()};
+        });
+    }
     if (interaction_->tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         interaction_->tool->paint(painter);

@@ -3,6 +3,7 @@
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/json_values.h"
+#include "io/case/fields/measurement_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/fields/snapshot_fields.h"
 #include "io/case/fields/subtraction_fields.h"
@@ -178,6 +179,7 @@ const StoredFields<View>& viewFields()
                            imageField(), frameField(), targetField(), subtractionField(), traceField()}),
         storedPart("geometry", Json::object(), &View::geometry, geometryFields()),
         storedGroup<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
+        measurementsField(),
         resultField(),
         snapshotsField(),
     };

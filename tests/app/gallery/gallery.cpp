@@ -1,6 +1,7 @@
 #include "tests/app/gallery/gallery.h"
 
 #include "app/case_controller.h"
+#include "app/document/edit_case.h"
 #include "app/files/sample_case.h"
 #include "tests/app/gallery/clipped_texts.h"
 #include "tests/support/simulated_views.h"
@@ -19,6 +20,7 @@
 #include <QTest>
 
 #include <array>
+#include <memory>
 #include <utility>
 
 namespace angiopose::test {
@@ -90,6 +92,8 @@ void Gallery::run()
     showWindow(window, QStringLiteral("start"));
     runRegistration(controller);
     showWindow(window, QStringLiteral("registered"));
+    measure(controller);
+    showWindow(window, QStringLiteral("measured"));
     window.resize(1024, 720);
     showWindow(window, QStringLiteral("small"));
     window.resize(1440, 900);
@@ -99,6 +103,22 @@ void Gallery::run()
     showRareDialogs(window);
     showTrial(window, controller);
     showViews(window, controller);
+}
+
+/// A length, an angle and an area in the image.
+void Gallery::measure(app::CaseController& controller)
+{
+    using enum core::MeasurementKind;
+    const core::Case& current = controller.document().current();
+    const int frame = current.shown().frame;
+    const auto at = core::MeasurementPlane::Vessels;
+    std::vector<core::ImageMeasurement> measurements{
+        {Length, at, {{130, 150}, {215, 190}}, frame, "ostium"},
+        {Angle, at, {{330, 170}, {270, 250}, {370, 290}}, frame, ""},
+        {Area, core::MeasurementPlane::Detector, {{120, 330}, {200, 320}, {220, 380}, {150, 410}}, frame, ""}};
+    controller.document().push(std::make_unique<app::ChangeMeasurements>(
+        controller.document(), app::ChangeMeasurements::Values{std::move(measurements)},
+        [] { return QStringLiteral("Measure"); }));
 }
 
 /// What commands open.

@@ -27,6 +27,7 @@ public:
     int pictureCount() const { return pictureCount_; }
 
 private:
+    static void measure(app::CaseController& controller);
     void showDialogs(ui::MainWindow& window);
     void showRareDialogs(ui::MainWindow& window);
     void showTrial(ui::MainWindow& window, app::CaseController& controller);

@@ -1,0 +1,188 @@
+#include "app/editing/measure_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/words/measure_words.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::app {
+
+using core::ImageMeasurement;
+using core::MeasurementKind;
+using core::MeasurementPlane;
+
+MeasureController::MeasureController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview,
+                                     const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
+{
+    connectTool(MeasurementKind::Length, *ui_.actions[ui::Command::MeasureLength]);
+    connectTool(MeasurementKind::Angle, *ui_.actions[ui::Command::MeasureAngle]);
+    connectTool(MeasurementKind::Area, *ui_.actions[ui::Command::MeasureArea]);
+    connectPanel();
+    connect(&document_, &CaseDocument::changed, this, &MeasureController::show);
+    connect(&preview_, &PosePreview::changed, this, &MeasureController::show);
+    connect(&sync_, &ViewSync::frameShown, this, &MeasureController::show);
+    ui::speak(this, [this] { show(); });
+}
+
+void MeasureController::connectTool(MeasurementKind kind, QAction& action)
+{
+    auto* tool = new ui::MeasureTool(kind, ui_.view);
+    tools_[static_cast<std::size_t>(kind)] = tool;
+    tool->setWords([this, kind](const std::vector<Eigen::Vector2d>& pixels) {
+        return measureLabel({kind, planeOfNext(), pixels, sync_.shownFrame(), {}}, seen());
+    });
+    ui::bindTool(action, ui_.view, *tool);
+    ui_.panel.bindMode(kind, action);
+    connect(&action, &QAction::toggled, this, [this, &action](bool on) {
+        if (on && !document_.current().shown().angiogram) {
+            action.setChecked(false);
+            emit refused(tr("Open an angiogram first."));
+        }
+    });
+    connect(tool, &ui::MeasureTool::drawn, this,
+            [this, kind](const std::vector<Eigen::Vector2d>& pixels) { add(kind, pixels); });
+    connect(tool, &ui::MeasureTool::pointMoved, this, [this](int measurement, int point, const Eigen::Vector2d& pixel) {
+        movePoint(static_cast<std::size_t>(measurement), static_cast<std::size_t>(point), pixel);
+    });
+    connect(tool, &ui::MeasureTool::removeRequested, this, &MeasureController::removeChosenOrLast);
+}
+
+void MeasureController::connectPanel()
+{
+    const ui::MeasurePanel& panel = ui_.panel;
+    connect(&panel, &ui::MeasurePanel::planePicked, this, &MeasureController::pickPlane);
+    connect(&panel, &ui::MeasurePanel::choiceChanged, this, &MeasureController::show);
+    connect(&panel, &ui::MeasurePanel::renamed, this,
+            [this](int place, const QString& name) { rename(static_cast<std::size_t>(place), name); });
+    connect(&panel, &ui::MeasurePanel::removeRequested, this, &MeasureController::remove);
+    connect(&panel, &ui::MeasurePanel::exportRequested, ui_.actions[ui::Command::ExportMeasurements],
+            &QAction::trigger);
+}
+
+const std::vector<ImageMeasurement>& MeasureController::measurements() const
+{
+    return document_.current().shown().measurements;
+}
+
+core::MeasuredView MeasureController::seen() const
+{
+    const core::Case& current = document_.current();
+    return {current.shown(), current.vessels.tree.get(),
+            preview_.shown() ? preview_.pose() : current.shown().cameraFromPatient};
+}
+
+MeasurementPlane MeasureController::planeOfNext() const
+{
+    return plane_.value_or(core::bestPlaneOf(seen()));
+}
+
+void MeasureController::add(MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels)
+{
+    std::vector<ImageMeasurement> all = measurements();
+    all.push_back({kind, planeOfNext(), pixels, sync_.shownFrame(), {}});
+    change(std::move(all), [kind] {
+        return kind == MeasurementKind::Length  ? tr("Measure length")
+               : kind == MeasurementKind::Angle ? tr("Measure angle")
+                                                : tr("Measure area");
+    });
+}
+
+void MeasureController::movePoint(std::size_t measurement, std::size_t point, const Eigen::Vector2d& pixel)
+{
+    std::vector<ImageMeasurement> all = measurements();
+    all.at(measurement).pixels.at(point) = pixel;
+    change(std::move(all), [] { return tr("Move point of measurement"); });
+}
+
+void MeasureController::rename(std::size_t place, const QString& name)
+{
+    std::vector<ImageMeasurement> all = measurements();
+    const QString trimmed = name.trimmed();
+    if (place >= all.size() || trimmed == measureRow(all[place], seen()).name) {
+        show();   // what was typed may be blank around the name
+        return;
+    }
+    all[place].name = trimmed.toStdString();
+    change(std::move(all), [] { return tr("Rename measurement"); });
+}
+
+void MeasureController::remove(const std::set<int>& places)
+{
+    std::vector<ImageMeasurement> kept;
+    for (std::size_t i = 0; i < measurements().size(); ++i) {
+        if (!places.contains(static_cast<int>(i))) {
+            kept.push_back(measurements()[i]);
+        }
+    }
+    if (kept.size() != measurements().size()) {
+        change(std::move(kept), [] { return tr("Remove measurement"); });
+    }
+}
+
+void MeasureController::removeChosenOrLast()
+{
+    const std::set<int> chosen = ui_.panel.chosen();
+    remove(chosen.empty() ? std::set<int>{static_cast<int>(measurements().size()) - 1} : chosen);
+}
+
+void MeasureController::pickPlane(MeasurementPlane plane)
+{
+    plane_ = plane;
+    std::vector<ImageMeasurement> all = measurements();
+    for (const int place : ui_.panel.chosen()) {
+        all[static_cast<std::size_t>(place)].plane = plane;
+    }
+    if (all != measurements()) {
+        change(std::move(all), [] { return tr("Measure in another plane"); });
+    }
+    show();
+}
+
+void MeasureController::change(std::vector<ImageMeasurement> measurements, const ui::Words& name)
+{
+    document_.push(
+        std::make_unique<ChangeMeasurements>(document_, ChangeMeasurements::Values{std::move(measurements)}, name));
+    show();   // also what was refused
+}
+
+void MeasureController::show()
+{
+    ui::MeasureState state;
+    for (const ImageMeasurement& measurement : measurements()) {
+        state.rows.push_back(measureRow(measurement, seen()));
+    }
+    const std::set<int> chosen = ui_.panel.chosen();
+    const bool isOne = !chosen.empty() && *chosen.begin() < static_cast<int>(measurements().size());
+    state.plane = isOne ? measurements()[static_cast<std::size_t>(*chosen.begin())].plane : planeOfNext();
+    state.basis = document_.current().shown().angiogram ? planeBasis(state.plane, seen()) : QString();
+    ui_.panel.showMeasurements(state);
+    showMarks();
+}
+
+void MeasureController::showMarks()
+{
+    const int frame = sync_.shownFrame();
+    std::vector<ui::ImageMark> marks = windowMarks(seen(), frame);
+    std::vector<ImageMeasurement> there = measurements();
+    const std::set<int> chosen = ui_.panel.chosen();
+    std::size_t mark = 0;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+        if (there[i].frame != frame) {
+            there[i].pixels.clear();
+        } else {
+            marks[mark++].isChosen = chosen.contains(static_cast<int>(i));
+        }
+    }
+    ui_.view.setMarks(std::move(marks));
+    for (ui::MeasureTool* tool : tools_) {
+        tool->showMeasurements(there);
+    }
+}
+
+}   // namespace angiopose::app

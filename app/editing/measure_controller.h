@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/showing/pose_preview.h"
+#include "app/showing/view_sync.h"
+#include "core/measuring/image_scale.h"
+#include "ui/views/tools/measure_tool.h"
+#include "ui/words/spoken.h"
+
+#include <array>
+#include <set>
+
+namespace angiopose::ui {
+class AngiogramView;
+class MeasurePanel;
+class WindowActions;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// Measurements in the shown image: drawn by the mouse, listed with their basis, renamed, moved and removed, each a
+/// step of undo. Values follow the pose that is shown.
+class MeasureController : public QObject {
+    Q_OBJECT
+public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::MeasurePanel& panel;
+        ui::AngiogramView& view;
+    };
+    MeasureController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview, const Ui& ui,
+                      QObject* parent = nullptr);
+
+signals:
+    void refused(const QString& reason);
+
+private:
+    void connectTool(core::MeasurementKind kind, QAction& action);
+    void connectPanel();
+    void add(core::MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels);
+    void movePoint(std::size_t measurement, std::size_t point, const Eigen::Vector2d& pixel);
+    void rename(std::size_t place, const QString& name);
+    void remove(const std::set<int>& places);
+    void pickPlane(core::MeasurementPlane plane);
+    void removeChosenOrLast();
+    void change(std::vector<core::ImageMeasurement> measurements, const ui::Words& name);
+    void show();
+    void showMarks();
+    core::MeasurementPlane planeOfNext() const;
+    core::MeasuredView seen() const;
+    const std::vector<core::ImageMeasurement>& measurements() const;
+
+    CaseDocument& document_;
+    const ViewSync& sync_;
+    const PosePreview& preview_;
+    Ui ui_;
+    std::array<ui::MeasureTool*, 3> tools_{};   ///< by core::MeasurementKind
+    std::optional<core::MeasurementPlane> plane_;   ///< picked by the user; else the best there is
+};
+
+}   // namespace angiopose::app

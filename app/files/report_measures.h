@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/case/case.h"
+
+#include <QString>
+
+#include <utility>
+#include <vector>
+
+namespace angiopose::app {
+
+/// What it is, and what it is here.
+using ReportRows = std::vector<std::pair<QString, QString>>;
+
+/// What was measured in the image of the shown view: value and basis of each.
+ReportRows measuredRows(const core::Case& theCase);
+
+}   // namespace angiopose::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/measuring/image_scale.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/scenes/image_mark.h"
+
+namespace angiopose::app {
+
+/// A measurement as the window lists it.
+ui::MeasureRow measureRow(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
+
+/// What a plane of a view rests on, or why nothing can be measured in it.
+QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen);
+
+/// Its value alone, as it is drawn beside it.
+QString measureLabel(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
+
+/// The marks of a frame in the language of the window.
+std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame);
+
+}   // namespace angiopose::app

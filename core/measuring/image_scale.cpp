@@ -1,0 +1,92 @@
+#include "core/measuring/image_scale.h"
+
+#include "core/messages/says.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+/// The one that says least for its value.
+Origin leastCertain(const std::vector<Origin>& origins)
+{
+    constexpr std::array order{Origin::Header, Origin::Derived, Origin::User, Origin::Assumed, Origin::Missing};
+    const auto rank = [&order](Origin origin) { return std::ranges::find(order, origin); };
+    return *std::ranges::max_element(origins, {}, rank);
+}
+
+Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
+{
+    const View& view = seen.view;
+    const VesselTree* tree = seen.tree;
+    const auto camera = cameraOf(view);
+    if (!camera) {
+        return camera.error();
+    }
+    if (!tree || tree->pointCount() == 0) {
+        return Error(says::measureNeedsVessels());
+    }
+    const double depthMm = (seen.cameraFromPatient * centroidInPatient(*tree)).z();
+    if (!(depthMm >= minProjectableDepthMm)) {   // NaN too
+        return Error(says::measureBehindSource());
+    }
+    const CArm& cArm = view.geometry.cArm;
+    const Origin origin =
+        view.geometry.cameraOverride
+            ? Origin::User
+            : leastCertain({cArm.sourceToDetectorMm.origin, cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin});
+    return ImageScale{MeasurementPlane::Vessels,
+                      {depthMm / std::abs(camera.value().fx), depthMm / std::abs(camera.value().fy)},
+                      depthMm,
+                      origin};
+}
+
+Result<ImageScale> scaleAtDetector(const View& view)
+{
+    const CArm& cArm = view.geometry.cArm;
+    const auto isLength = [](const Sourced<double>& length) {
+        return length.value && std::isfinite(*length.value) && *length.value > 0.0;
+    };
+    if (!isLength(cArm.columnSpacingMm) || !isLength(cArm.rowSpacingMm)) {
+        return Error(says::measureNeedsSpacing());
+    }
+    return ImageScale{MeasurementPlane::Detector,
+                      {*cArm.columnSpacingMm.value, *cArm.rowSpacingMm.value},
+                      0.0,
+                      leastCertain({cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin})};
+}
+
+}   // namespace
+
+const RegistrationResult* MeasuredView::result() const
+{
+    const bool isOwn = cameraFromPatient.matrix() == view.cameraFromPatient.matrix();
+    return isOwn && view.result ? &*view.result : nullptr;
+}
+
+Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane)
+{
+    switch (plane) {
+        case MeasurementPlane::Vessels:
+            return scaleAtVessels(seen);
+        case MeasurementPlane::Detector:
+            return scaleAtDetector(seen.view);
+        case MeasurementPlane::Pixels:
+            break;
+    }
+    return ImageScale{};
+}
+
+MeasurementPlane bestPlaneOf(const MeasuredView& seen)
+{
+    for (const MeasurementPlane plane : {MeasurementPlane::Vessels, MeasurementPlane::Detector}) {
+        if (imageScaleOf(seen, plane)) {
+            return plane;
+        }
+    }
+    return MeasurementPlane::Pixels;
+}
+
+}   // namespace angiopose::core

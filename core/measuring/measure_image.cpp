@@ -1,0 +1,167 @@
+#include "core/measuring/measure_image.h"
+
+#include "core/geometry/angle_units.h"
+#include "core/messages/says.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// True where the segments a–b and c–d have an inner point in common.
+bool doCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
+{
+    return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
+}
+
+bool crossesItself(const Polyline<2>& outline)
+{
+    const std::size_t count = outline.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = i + 1; j < count; ++j) {
+            if (doCross(outline[i], outline[(i + 1) % count], outline[j], outline[(j + 1) % count])) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+Result<Quantity> angleAt(const Polyline<2>& points)
+{
+    const Eigen::Vector2d one = points[0] - points[1];
+    const Eigen::Vector2d other = points[2] - points[1];
+    if (!(one.norm() > 0.0) || !(other.norm() > 0.0)) {
+        return Error(says::measureAngleOpen());
+    }
+    return Quantity{degreesPerRadian * std::abs(std::atan2(cross(one, other), one.dot(other))), 1, "°"};
+}
+
+Result<Quantity> areaOf(const Polyline<2>& outline, bool isInMm)
+{
+    if (crossesItself(outline)) {
+        return Error(says::measureCrossed());
+    }
+    double twice = 0.0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        twice += cross(outline[i] - outline[0], outline[(i + 1) % outline.size()] - outline[0]);
+    }
+    return Quantity{0.5 * std::abs(twice), isInMm ? 1 : 0, isInMm ? "mm²" : "px²"};
+}
+
+Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
+{
+    const ImageScale& scale = measured.scale;
+    const Quantity pixel{std::sqrt(scale.unitsPerPx.prod()), 3, "mm"};
+    if (kind == MeasurementKind::Angle) {
+        return says::measureBasisAngle();
+    }
+    switch (scale.plane) {
+        case MeasurementPlane::Vessels:
+            return says::measureBasisVessels(Quantity{scale.depthMm, 0, "mm"}, pixel);
+        case MeasurementPlane::Detector:
+            return says::measureBasisDetector(pixel);
+        case MeasurementPlane::Pixels:
+            break;
+    }
+    return says::measureBasisPixels();
+}
+
+/// What is not sure of the depth that a length at the vessels follows from.
+void addDepthDoubt(Messages& basis, const ImageScale& scale, const RegistrationResult* result)
+{
+    if (!result) {
+        basis.push_back(says::measureDepthUnchecked());
+        return;
+    }
+    if (!result->trustworthy) {
+        basis.push_back(says::measurePoseDoubtful());
+    }
+    const double spreadMm = result->uncertainty.depthMm;
+    if (std::isfinite(spreadMm) && spreadMm > 0.0) {
+        basis.push_back(
+            says::measureDepthSpread(Quantity{spreadMm, 1, "mm"}, Quantity{100.0 * spreadMm / scale.depthMm, 1, "%"}));
+    }
+}
+
+}   // namespace
+
+std::size_t leastPoints(MeasurementKind kind)
+{
+    return kind == MeasurementKind::Length ? 2 : 3;
+}
+
+Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale)
+{
+    if (measurement.pixels.size() < leastPoints(measurement.kind)) {
+        return Error(says::measurePoints(leastPoints(measurement.kind), measurement.pixels.size()));
+    }
+    Polyline<2> points;
+    for (const Eigen::Vector2d& pixel : measurement.pixels) {
+        points.push_back(pixel.cwiseProduct(scale.unitsPerPx));
+        if (!points.back().allFinite()) {
+            return Error(says::measureNotFinite());
+        }
+    }
+    switch (measurement.kind) {
+        case MeasurementKind::Angle:
+            return angleAt(points);
+        case MeasurementKind::Area:
+            return areaOf(points, scale.isInMm());
+        case MeasurementKind::Length:
+            break;
+    }
+    return Quantity{polylineLength<2>(points), 1, scale.isInMm() ? "mm" : "px"};
+}
+
+Result<MeasuredImage> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen)
+{
+    const auto scale = imageScaleOf(seen, measurement.plane);
+    if (!scale) {
+        return scale.error();
+    }
+    const auto value = valueOf(measurement, scale.value());
+    if (!value) {
+        return value.error();
+    }
+    return MeasuredImage{value.value(), scale.value()};
+}
+
+Message labelOf(const MeasuredImage& measured, MeasurementKind kind)
+{
+    if (kind == MeasurementKind::Angle || !measured.scale.isInMm()) {
+        return says::measuredPlain(measured.value);
+    }
+    const Message label = measured.scale.plane == MeasurementPlane::Vessels ? says::measuredAtVessels(measured.value)
+                                                                            : says::measuredAtDetector(measured.value);
+    return measured.scale.origin == Origin::Assumed ? says::measuredAssumed(label) : label;
+}
+
+Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const MeasuredView& seen)
+{
+    Messages basis{basisSentence(measured, kind)};
+    if (kind == MeasurementKind::Angle) {
+        if (!measured.scale.isInMm()) {
+            basis.push_back(says::measureSquarePixels());
+        }
+        return basis;
+    }
+    if (measured.scale.isInMm() && measured.scale.origin == Origin::Assumed) {
+        basis.push_back(says::measureScaleAssumed());
+    } else if (measured.scale.isInMm() && measured.scale.origin == Origin::User) {
+        basis.push_back(says::measureScaleTyped());
+    }
+    if (measured.scale.plane == MeasurementPlane::Vessels) {
+        addDepthDoubt(basis, measured.scale, seen.result());
+    }
+    return basis;
+}
+
+}   // namespace angiopose::core

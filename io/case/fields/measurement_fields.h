@@ -1,0 +1,10 @@
+#pragma once
+
+#include "io/case/fields/stored_field.h"
+
+namespace angiopose::io {
+
+/// The row of what was measured in the image of a view.
+StoredField<core::View> measurementsField();
+
+}   // namespace angiopose::io

@@ -1,0 +1,102 @@
+#include "io/measurement_table.h"
+
+#include "core/measuring/measure_image.h"
+#include "io/support/atomic_file.h"
+#include "io/support/csv_table.h"
+#include "io/support/measurement_words.h"
+#include "io/support/numbers.h"
+
+#include <string_view>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::string_view measurementHeader =
+    "view,frame,kind,name,value,unit,plane,mm_per_px_u,mm_per_px_v,depth_mm,geometry,notes,points\n";
+
+/// Units as plain letters.
+std::string_view unitInTable(std::string_view unit)
+{
+    return unit == "°" ? "deg" : unit == "mm²" ? "mm2" : unit == "px²" ? "px2" : unit;
+}
+
+std::string_view originInTable(core::Origin origin)
+{
+    switch (origin) {
+        case core::Origin::Header:
+            return "header";
+        case core::Origin::Derived:
+            return "derived";
+        case core::Origin::User:
+            return "user";
+        case core::Origin::Assumed:
+            return "assumed";
+        case core::Origin::Missing:
+            break;
+    }
+    return "missing";
+}
+
+std::string scaleCells(const core::ImageScale& scale)
+{
+    if (!scale.isInMm()) {
+        return ",,,";
+    }
+    return toText(scale.unitsPerPx.x()) + "," + toText(scale.unitsPerPx.y()) + "," +
+           (scale.plane == core::MeasurementPlane::Vessels ? toText(scale.depthMm) : "") + "," +
+           std::string(originInTable(scale.origin));
+}
+
+std::string notesOf(const core::Messages& messages)
+{
+    std::string notes;
+    for (const core::Message& message : messages) {
+        notes += (notes.empty() ? "" : " ") + message.text();
+    }
+    return notes;
+}
+
+std::string pointsOf(const core::ImageMeasurement& measurement)
+{
+    std::string points;
+    for (const Eigen::Vector2d& pixel : measurement.pixels) {
+        points += (points.empty() ? "" : ";") + toText(pixel.x()) + " " + toText(pixel.y());
+    }
+    return points;
+}
+
+void addMeasurementRow(std::string& table, std::size_t place, const core::MeasuredView& seen,
+                       const core::ImageMeasurement& measurement)
+{
+    const std::string plane = measurementPlanes[static_cast<std::size_t>(measurement.plane)];
+    table += std::to_string(place + 1) + "," + std::to_string(measurement.frame) + "," +
+             measurementKinds[static_cast<std::size_t>(measurement.kind)] + "," + csvCell(measurement.name) + ",";
+    if (const auto measured = core::measureImage(measurement, seen)) {
+        const core::MeasuredImage& found = measured.value();
+        table += toText(found.value.value) + "," + std::string(unitInTable(found.value.unit)) + "," + plane + "," +
+                 scaleCells(found.scale) + "," + csvCell(notesOf(core::basisOf(found, measurement.kind, seen)));
+    } else {
+        table += ",," + plane + ",,,,," + csvCell(measured.error().message.text());
+    }
+    table += "," + pointsOf(measurement) + "\n";
+}
+
+}   // namespace
+
+std::string measurementTable(const core::Case& theCase)
+{
+    std::string table(measurementHeader);
+    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
+        for (const core::ImageMeasurement& measurement : theCase.views[place].measurements) {
+            addMeasurementRow(table, place, {theCase.views[place], theCase.vessels.tree.get()}, measurement);
+        }
+    }
+    return table;
+}
+
+core::Status writeMeasurements(const core::Case& theCase, const std::string& path)
+{
+    return writeAtomically(path, measurementTable(theCase));
+}
+
+}   // namespace angiopose::io

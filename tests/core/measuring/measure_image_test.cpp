@@ -1,0 +1,166 @@
+#include "core/measuring/measure_image.h"
+
+#include "core/messages/says.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+
+namespace angiopose::core {
+namespace {
+
+/// A straight vessel 800 mm from the source, on a detector 1200 mm from it with pixels of 0.4 × 0.2 mm.
+struct Seen {
+    Seen()
+    {
+        auto run = std::make_shared<Angiogram>();
+        run->frames.emplace_back(512, 512);
+        view.angiogram = run;
+        view.geometry.cArm.sourceToDetectorMm = {1200.0, Origin::Header, ""};
+        view.geometry.cArm.columnSpacingMm = {0.4, Origin::Header, ""};
+        view.geometry.cArm.rowSpacingMm = {0.2, Origin::Header, ""};
+        view.cameraFromPatient.translation = {0.0, 0.0, 800.0};
+        tree.branches.push_back({1, "", {{-10, 0, 0}, {10, 0, 0}}, {}, 0});
+    }
+    Result<MeasuredImage> measure(MeasurementKind kind, MeasurementPlane plane,
+                                  const std::vector<Eigen::Vector2d>& pixels) const
+    {
+        return measureImage({kind, plane, pixels, 0, ""}, {view, &tree});
+    }
+    double value(MeasurementKind kind, MeasurementPlane plane, const std::vector<Eigen::Vector2d>& pixels) const
+    {
+        const auto measured = measure(kind, plane, pixels);
+        return measured ? measured.value().value.value : std::numeric_limits<double>::quiet_NaN();
+    }
+    View view;
+    VesselTree tree;
+};
+
+using enum MeasurementKind;
+using enum MeasurementPlane;
+
+bool isAmong(const Messages& messages, const MessageEntry& entry)
+{
+    return std::ranges::any_of(messages, [&entry](const Message& message) { return message.is(entry); });
+}
+
+}   // namespace
+
+TEST(MeasureImage, LengthsAreThoseOfThePlaneTheyLieIn)
+{
+    const Seen seen;
+    const std::vector<Eigen::Vector2d> along{{100, 100}, {130, 100}};
+    const std::vector<Eigen::Vector2d> down{{100, 100}, {100, 130}};
+    EXPECT_NEAR(seen.value(Length, Detector, along), 12.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, Detector, down), 6.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, Vessels, along), 12.0 * 800.0 / 1200.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, Vessels, down), 6.0 * 800.0 / 1200.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, Pixels, {{0, 0}, {3, 4}, {3, 14}}), 15.0, 1e-12);
+}
+
+TEST(MeasureImage, ALengthAtTheVesselsIsThatOfWhatLiesThere)
+{
+    const Seen seen;   // the vessel itself: 20 mm long
+    const auto camera = cameraOf(seen.view).value();
+    std::vector<Eigen::Vector2d> ends;
+    for (const Eigen::Vector3d& point : seen.tree.branches[0].pointsInPatient) {
+        ends.push_back(*project(camera, seen.view.cameraFromPatient * point));
+    }
+    EXPECT_NEAR(seen.value(Length, Vessels, ends), 20.0, 1e-9);
+}
+
+TEST(MeasureImage, AnglesKnowTheShapeOfPixels)
+{
+    const Seen seen;
+    const std::vector<Eigen::Vector2d> pixels{{10, 0}, {0, 0}, {10, 10}};
+    EXPECT_NEAR(seen.value(Angle, Pixels, pixels), 45.0, 1e-9);
+    EXPECT_NEAR(seen.value(Angle, Vessels, pixels), std::atan2(0.2, 0.4) * 180.0 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(seen.value(Angle, Pixels, {{10, 0}, {0, 0}, {-10, 0}}), 180.0, 1e-9);
+    const auto inPixels = seen.measure(Angle, Pixels, pixels).value();
+    EXPECT_TRUE(isAmong(basisOf(inPixels, Angle, {seen.view, &seen.tree}), says::measureSquarePixels));
+}
+
+TEST(MeasureImage, AreasOfOutlinesInEitherSense)
+{
+    const Seen seen;
+    std::vector<Eigen::Vector2d> corner{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}};
+    EXPECT_NEAR(seen.value(Area, Pixels, corner), 300.0, 1e-9);
+    EXPECT_NEAR(seen.value(Area, Detector, corner), 300.0 * 0.08, 1e-9);
+    std::ranges::reverse(corner);
+    EXPECT_NEAR(seen.value(Area, Pixels, corner), 300.0, 1e-9);
+}
+
+TEST(MeasureImage, WhatMeansNothingIsSaidNotInvented)
+{
+    const Seen seen;
+    const auto why = [&](MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels) {
+        const auto measured = seen.measure(kind, Pixels, pixels);
+        EXPECT_FALSE(measured);
+        return measured ? Message("a number") : measured.error().message;
+    };
+    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}).is(says::measureCrossed));
+    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}}).is(says::measurePoints));
+    EXPECT_TRUE(why(Length, {{0, 0}}).is(says::measurePoints));
+    EXPECT_TRUE(why(Angle, {{0, 0}, {0, 0}, {1, 1}}).is(says::measureAngleOpen));
+    EXPECT_TRUE(why(Length, {{0, 0}, {std::nan(""), 1}}).is(says::measureNotFinite));
+}
+
+TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimetres)
+{
+    Seen seen;
+    const std::vector<Eigen::Vector2d> line{{0, 0}, {10, 0}};
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), Vessels);
+    EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), Detector);
+    seen.view.cameraFromPatient.translation.z() = -800.0;
+    EXPECT_TRUE(seen.measure(Length, Vessels, line).error().message.is(says::measureBehindSource));
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), Detector);
+    seen.view.geometry.cArm.rowSpacingMm = {};
+    EXPECT_TRUE(seen.measure(Length, Detector, line).error().message.is(says::measureNeedsSpacing));
+    EXPECT_FALSE(seen.measure(Length, Vessels, line));
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), Pixels);
+    EXPECT_NEAR(seen.value(Length, Pixels, line), 10.0, 1e-12);
+    seen.view.geometry.cArm.rowSpacingMm = {-0.2, Origin::User, ""};
+    EXPECT_FALSE(seen.measure(Length, Detector, line));
+}
+
+TEST(MeasureImage, SaysWhereTheScaleComesFrom)
+{
+    Seen seen;
+    const std::vector<Eigen::Vector2d> line{{0, 0}, {10, 0}};
+    const auto basis = [&] {
+        return basisOf(seen.measure(Length, Vessels, line).value(), Length, {seen.view, &seen.tree});
+    };
+    EXPECT_TRUE(isAmong(basis(), says::measureDepthUnchecked)) << "no run found this pose";
+    EXPECT_FALSE(isAmong(basis(), says::measureScaleAssumed));
+    seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::Assumed;
+    EXPECT_TRUE(isAmong(basis(), says::measureScaleAssumed));
+    const auto measured = seen.measure(Length, Vessels, line).value();
+    EXPECT_EQ(labelOf(measured, Length).text(), "2.7 mm at the vessels (scale assumed)");
+    EXPECT_EQ(labelOf(seen.measure(Length, Detector, line).value(), Length).text(), "4.0 mm at the detector");
+    EXPECT_EQ(labelOf(seen.measure(Length, Pixels, line).value(), Length).text(), "10.0 px");
+
+    seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::User;
+    EXPECT_TRUE(isAmong(basis(), says::measureScaleTyped));
+    seen.view.result.emplace();
+    seen.view.result->trustworthy = false;
+    seen.view.result->uncertainty.depthMm = 8.0;
+    EXPECT_TRUE(isAmong(basis(), says::measurePoseDoubtful));
+    const Messages found = basis();
+    const auto spread = std::ranges::find_if(found, [](const Message& m) { return m.is(says::measureDepthSpread); });
+    ASSERT_NE(spread, found.end());
+    EXPECT_EQ(spread->text(), "Their depth is known to ±8.0 mm (1-σ): ±1.0 % of the length.");
+}
+
+TEST(MeasureImage, APoseLookedAtForAWhileHasNoRunBehindIt)
+{
+    Seen seen;
+    seen.view.result.emplace();
+    RigidTransform nearer = seen.view.cameraFromPatient;
+    nearer.translation.z() = 400.0;
+    const MeasuredView preview{seen.view, &seen.tree, nearer};
+    const auto measured = measureImage({Length, Vessels, {{0, 0}, {10, 0}}, 0, ""}, preview).value();
+    EXPECT_NEAR(measured.value.value, 10.0 * 0.4 * 400.0 / 1200.0, 1e-12);
+    EXPECT_TRUE(isAmong(basisOf(measured, Length, preview), says::measureDepthUnchecked));
+}
+
+}   // namespace angiopose::core

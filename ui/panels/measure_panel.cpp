@@ -1,0 +1,215 @@
+#include "ui/panels/measure_panel.h"
+
+#include "ui/actions/key_hint.h"
+#include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int shownMeasurements = 6;
+enum MeasureColumn { MeasureName, MeasureValue, MeasureColumnCount };
+
+Command commandOf(core::MeasurementKind kind)
+{
+    return kind == core::MeasurementKind::Length  ? Command::MeasureLength
+           : kind == core::MeasurementKind::Angle ? Command::MeasureAngle
+                                                  : Command::MeasureArea;
+}
+
+QString kindWord(core::MeasurementKind kind)
+{
+    return kind == core::MeasurementKind::Length  ? MeasurePanel::tr("Length")
+           : kind == core::MeasurementKind::Angle ? MeasurePanel::tr("Angle")
+                                                  : MeasurePanel::tr("Area");
+}
+
+QPushButton* modeButton(core::MeasurementKind kind)
+{
+    auto* button = withText(new QPushButton, [kind] { return withKey(kindWord(kind), commandOf(kind)); });
+    button->setCheckable(true);
+    return button;
+}
+
+}   // namespace
+
+MeasurePanel::MeasurePanel(QWidget* parent)
+    : Section(
+          "measure", [] { return tr("Measure in the image"); }, Folding::Foldable, parent),
+      plane_(new QComboBox),
+      list_(new QTreeWidget),
+      basis_(roleLabel("hint")),
+      modes_{modeButton(core::MeasurementKind::Length), modeButton(core::MeasurementKind::Angle),
+             modeButton(core::MeasurementKind::Area)},
+      remove_(withText(new QPushButton, [] { return tr("Remove"); })),
+      export_(withText(new QPushButton, [] { return tr("Table …"); }))
+{
+    withName(plane_, [] { return tr("Where it is measured"); });
+    withTip(plane_, [] { return tr("Lengths at the depth of the vessels, on the detector, or in pixels."); });
+    withTip(remove_, [] { return tr("Remove the chosen measurements: Delete"); });
+    withTip(export_, [] { return tr("Writes all measurements with their basis as a CSV table."); });
+    remove_->setProperty("role", "quiet");
+    basis_->setWordWrap(true);
+    setUpList();
+    auto* modes = new QHBoxLayout;
+    modes->setSpacing(8);
+    for (QPushButton* mode : modes_) {
+        modes->addWidget(mode);
+    }
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(remove_);
+    buttons->addWidget(export_);
+    contentLayout()->addLayout(modes);
+    contentLayout()->addWidget(plane_);
+    contentLayout()->addWidget(list_);
+    contentLayout()->addWidget(basis_);
+    contentLayout()->addLayout(buttons);
+    setFolded(true);
+    connectParts();
+    speak(this, [this] {
+        const QSignalBlocker quiet(plane_);
+        setWords(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels")});
+    });
+    showMeasurements({});
+}
+
+void MeasurePanel::setUpList()
+{
+    withName(list_, [] { return tr("Measurements in the image"); });
+    list_->setColumnCount(MeasureColumnCount);
+    list_->setHeaderHidden(true);
+    list_->setRootIsDecorated(false);
+    list_->setFrameShape(QFrame::NoFrame);
+    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->header()->setStretchLastSection(false);
+    list_->header()->setSectionResizeMode(MeasureName, QHeaderView::Stretch);
+    list_->header()->setSectionResizeMode(MeasureValue, QHeaderView::ResizeToContents);
+    list_->installEventFilter(this);
+}
+
+void MeasurePanel::connectParts()
+{
+    connect(plane_, &QComboBox::activated, this,
+            [this](int index) { emit planePicked(static_cast<core::MeasurementPlane>(index)); });
+    connect(remove_, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
+    connect(export_, &QPushButton::clicked, this, &MeasurePanel::exportRequested);
+    connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
+        if (!showing_) {
+            showBasis();
+            emit choiceChanged();
+        }
+    });
+    connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        if (!showing_ && column == MeasureName) {
+            emit renamed(list_->indexOfTopLevelItem(item), item->text(MeasureName));
+        }
+    });
+}
+
+void MeasurePanel::bindMode(core::MeasurementKind kind, QAction& action)
+{
+    QPushButton* mode = modes_[static_cast<std::size_t>(kind)];
+    connect(mode, &QPushButton::clicked, &action, [&action](bool on) { action.setChecked(on); });
+    connect(&action, &QAction::toggled, this, [this, mode](bool on) {
+        mode->setChecked(on);
+        if (on) {
+            setFolded(false);
+        }
+    });
+}
+
+std::set<int> MeasurePanel::chosen() const
+{
+    std::set<int> places;
+    for (QTreeWidgetItem* item : list_->selectedItems()) {
+        places.insert(list_->indexOfTopLevelItem(item));
+    }
+    return places;
+}
+
+void MeasurePanel::showMeasurements(const MeasureState& state)
+{
+    const QScopedValueRollback quiet(showing_, true);
+    state_ = state;
+    const auto count = static_cast<int>(state.rows.size());
+    while (list_->topLevelItemCount() > count) {
+        delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
+    }
+    for (int place = 0; place < count; ++place) {
+        QTreeWidgetItem* item = list_->topLevelItem(place);
+        if (!item) {
+            item = new QTreeWidgetItem(list_);
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
+        }
+        const MeasureRow& row = state.rows[static_cast<std::size_t>(place)];
+        item->setText(MeasureName, row.name);
+        item->setText(MeasureValue, row.value);
+        item->setTextAlignment(MeasureValue, Qt::AlignRight | Qt::AlignVCenter);
+        item->setForeground(MeasureValue, toQColor(row.isDoubtful ? activePalette().attention : activePalette().text));
+        for (int column = 0; column < MeasureColumnCount; ++column) {
+            item->setToolTip(column, row.basis);
+        }
+    }
+    const int rows = std::min(count, shownMeasurements);
+    list_->setVisible(rows > 0);
+    list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
+    plane_->setCurrentIndex(static_cast<int>(state.plane));
+    setHint(count == 0 ? QString() : tr("%1 in this view").arg(count));
+    showBasis();
+}
+
+/// Of the one that is chosen, else of the plane.
+void MeasurePanel::showBasis()
+{
+    const std::set<int> places = chosen();
+    const bool isOne = places.size() == 1;
+    const QString basis = isOne ? state_.rows[static_cast<std::size_t>(*places.begin())].basis : state_.basis;
+    basis_->setText(basis);
+    basis_->setVisible(!basis.isEmpty());
+    remove_->setEnabled(!places.empty());
+    export_->setEnabled(!state_.rows.empty());
+}
+
+void MeasurePanel::removeChosen()
+{
+    if (const std::set<int> places = chosen(); !places.empty()) {
+        emit removeRequested(places);
+    }
+}
+
+void MeasurePanel::changeEvent(QEvent* event)
+{
+    Section::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        showMeasurements(MeasureState(state_));
+    }
+}
+
+bool MeasurePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (watched == list_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();
+        if (event->type() == QEvent::KeyPress) {
+            removeChosen();
+        }
+        return true;
+    }
+    return Section::eventFilter(watched, event);
+}
+
+}   // namespace angiopose::ui

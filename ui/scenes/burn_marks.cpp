@@ -1,0 +1,81 @@
+#include "ui/scenes/burn_marks.h"
+
+#include "ui/scenes/fill_strokes.h"
+#include "ui/theme/theme.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int markBandHeight = 1024;
+
+/// Each line twice: dark and wide, then in its tone.
+void addMarkLine(StrokeMesh& mesh, const PixelLine& line, int heightPx, const Color& tone, const BurnSizes& sizes)
+{
+    const double widthPx = std::max(1.2, sizes.textPx / 9.0);
+    const auto stroke = [&](const Color& color, const Pen& pen) {
+        StrokeLine points;
+        for (const Eigen::Vector2d& at : line) {
+            points.push_back({{at.x(), heightPx - at.y()}, color});
+        }
+        addLine(mesh, points, pen);
+    };
+    stroke(palette(ThemeMode::Dark).canvas, {.widthPx = 2.4 * widthPx, .opacity = 0.6});
+    stroke(tone, {.widthPx = widthPx});
+}
+
+StrokeMesh meshOf(const std::vector<ImageMark>& marks, const MarkPlace& placeOf, int heightPx, const BurnSizes& sizes)
+{
+    const Palette& tones = palette(ThemeMode::Dark);
+    StrokeMesh mesh;
+    for (const ImageMark& mark : marks) {
+        for (const PixelLine& line : linesOf(mark, placeOf, 0.4 * sizes.textPx)) {
+            addMarkLine(mesh, line, heightPx, mark.isChosen ? tones.accent : tones.textStrong, sizes);
+        }
+    }
+    return mesh;
+}
+
+/// Rows from `top` on, through a canvas of their own.
+void fillBand(core::ColorImage& picture, const StrokeMesh& mesh, int top, std::vector<std::uint32_t>& band)
+{
+    const Canvas canvas{band.data(), picture.width, std::min(markBandHeight, picture.height - top)};
+    std::uint8_t* rgb =
+        picture.rgb.data() + 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(top);
+    for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {
+        band[i] = packed(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+    }
+    fillStrokes(mesh, picture.height - top, canvas);
+    for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {
+        rgb[3 * i] = static_cast<std::uint8_t>(band[i] >> 16U);
+        rgb[3 * i + 1] = static_cast<std::uint8_t>(band[i] >> 8U);
+        rgb[3 * i + 2] = static_cast<std::uint8_t>(band[i]);
+    }
+}
+
+}   // namespace
+
+void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
+               const BurnSizes& sizes)
+{
+    if (marks.empty()) {
+        return;
+    }
+    const Eigen::Vector2d scale(picture.width / part.width(), picture.height / part.height());
+    const MarkPlace placeOf = [&](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+        return (pixel - Eigen::Vector2d(part.left, part.top)).cwiseProduct(scale);
+    };
+    const StrokeMesh mesh = meshOf(marks, placeOf, picture.height, sizes);
+    std::vector<std::uint32_t> band(static_cast<std::size_t>(picture.width) *
+                                    static_cast<std::size_t>(std::min(picture.height, markBandHeight)));
+    for (int top = 0; top < picture.height; top += markBandHeight) {
+        fillBand(picture, mesh, top, band);
+    }
+    for (const ImageMark& mark : marks) {
+        burnLabel(picture, mark.label, labelPlace(mark, placeOf, 0.4 * sizes.textPx), sizes);
+    }
+}
+
+}   // namespace angiopose::ui

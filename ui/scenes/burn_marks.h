@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "ui/scenes/burn_text.h"
+#include "ui/scenes/image_mark.h"
+#include "ui/scenes/view_rect.h"
+
+namespace angiopose::ui {
+
+/// Draws marks with their labels onto a picture that shows `part` of the image. Labels stay inside the picture.
+void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
+               const BurnSizes& sizes);
+
+}   // namespace angiopose::ui

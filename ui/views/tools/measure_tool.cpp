@@ -1,0 +1,255 @@
+#include "ui/views/tools/measure_tool.h"
+
+#include "ui/views/angiogram_view.h"
+#include "ui/views/paint_marks.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <cmath>
+#include <utility>
+
+namespace angiopose::ui {
+namespace {
+
+using core::MeasurementKind;
+
+constexpr double measureReachPx = 8.0;
+constexpr std::size_t mostOutlinePoints = 1000;   // as many as a case keeps
+
+double awayPx(const QPointF& a, const QPointF& b)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+MarkShape shapeOf(MeasurementKind kind)
+{
+    return kind == MeasurementKind::Length  ? MarkShape::Length
+           : kind == MeasurementKind::Angle ? MarkShape::Angle
+                                            : MarkShape::Outline;
+}
+
+}   // namespace
+
+MeasureTool::MeasureTool(MeasurementKind kind, AngiogramView& view) : ImageTool(view), kind_(kind) {}
+
+void MeasureTool::showMeasurements(const std::vector<core::ImageMeasurement>& there)
+{
+    if (there == there_) {
+        return;
+    }
+    there_ = there;
+    held_.reset();
+    if (view().tool() == this) {
+        view().update();
+    }
+}
+
+void MeasureTool::setWords(std::function<QString(const std::vector<Eigen::Vector2d>&)> words)
+{
+    words_ = std::move(words);
+}
+
+QString MeasureTool::caption() const
+{
+    switch (kind_) {
+        case MeasurementKind::Length:
+            return tr("Length: drag, or click both ends · points can be moved");
+        case MeasurementKind::Angle:
+            return tr("Angle: click an end, the vertex, the other end · points can be moved");
+        case MeasurementKind::Area:
+            break;
+    }
+    return tr("Area: click around it; double click or Enter closes · points can be moved");
+}
+
+std::optional<MeasureTool::Held> MeasureTool::heldAt(const QPointF& position) const
+{
+    std::optional<Held> nearest;
+    double nearestPx = measureReachPx;
+    for (std::size_t m = 0; m < there_.size(); ++m) {
+        const std::vector<Eigen::Vector2d>& pixels = there_[m].pixels;
+        for (std::size_t p = 0; p < pixels.size(); ++p) {
+            const double away = awayPx(view().widgetFromImage(pixels[p]), position);
+            if (away < nearestPx) {
+                nearestPx = away;
+                nearest = Held{m, p, pixels[p]};
+            }
+        }
+    }
+    return nearest;
+}
+
+bool MeasureTool::isAtFirst(const QPointF& position) const
+{
+    return !points_.empty() && awayPx(view().widgetFromImage(points_.front()), position) < measureReachPx;
+}
+
+bool MeasureTool::startDrag(const ToolPoint& pressed)
+{
+    held_ = points_.empty() ? heldAt(pressed.position) : std::nullopt;
+    isDrawing_ = !held_ && points_.empty() && kind_ == MeasurementKind::Length;
+    if (isDrawing_) {
+        points_ = {pressed.imagePx};
+    }
+    return true;   // a drag while measuring must not change the grey values
+}
+
+void MeasureTool::drag(const ToolPoint& point)
+{
+    mousePx_ = point.imagePx;
+    if (held_) {
+        held_->pixel = point.imagePx;
+    }
+    view().update();
+}
+
+void MeasureTool::finishDrag(const ToolPoint& point)
+{
+    if (const auto held = std::exchange(held_, std::nullopt)) {
+        emit pointMoved(static_cast<int>(held->measurement), static_cast<int>(held->point), point.imagePx);
+    } else if (std::exchange(isDrawing_, false)) {
+        points_.push_back(point.imagePx);
+        finish();
+    } else {
+        click(point);   // a hand that shook between press and release
+    }
+}
+
+void MeasureTool::cancelDrag()
+{
+    held_.reset();
+    if (std::exchange(isDrawing_, false)) {
+        points_.clear();
+    }
+    view().update();
+}
+
+bool MeasureTool::click(const ToolPoint& point)
+{
+    if (kind_ == MeasurementKind::Area && points_.size() > 2 && isAtFirst(point.position)) {
+        finish();
+        return true;
+    }
+    if (points_.empty() || points_.back() != point.imagePx) {
+        points_.push_back(point.imagePx);
+    }
+    const std::size_t whole = kind_ == MeasurementKind::Length  ? 2
+                              : kind_ == MeasurementKind::Angle ? 3
+                                                                : mostOutlinePoints;
+    if (points_.size() == whole) {
+        finish();
+    }
+    return true;
+}
+
+bool MeasureTool::doubleClick(const ToolPoint&)
+{
+    if (kind_ == MeasurementKind::Area) {
+        finish();
+    }
+    return true;
+}
+
+void MeasureTool::hover(const ToolPoint& point)
+{
+    mousePx_ = point.imagePx;
+    if (!points_.empty()) {
+        view().update();
+    }
+}
+
+void MeasureTool::leave()
+{
+    mousePx_.reset();
+    view().update();
+}
+
+bool MeasureTool::takesKey(const QKeyEvent& event) const
+{
+    const bool isPlain = (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    const int key = event.key();
+    const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    return isPlain && (key == Qt::Key_Delete || (!points_.empty() && (isEnter || key == Qt::Key_Backspace)));
+}
+
+void MeasureTool::keyPress(const QKeyEvent& event)
+{
+    if (event.key() == Qt::Key_Delete) {
+        emit removeRequested();
+    } else if (event.key() == Qt::Key_Backspace) {
+        points_.pop_back();
+    } else if (kind_ == MeasurementKind::Area) {
+        finish();
+    }
+    view().update();
+}
+
+bool MeasureTool::takeBack()
+{
+    const bool hadPoints = !points_.empty();
+    drop();
+    return hadPoints;
+}
+
+/// Too few points are left as they are: the next click goes on.
+void MeasureTool::finish()
+{
+    if (points_.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {
+        return;
+    }
+    const std::vector<Eigen::Vector2d> points = std::exchange(points_, {});
+    emit drawn(points);
+    view().update();
+}
+
+void MeasureTool::drop()
+{
+    held_.reset();
+    isDrawing_ = false;
+    points_.clear();
+    view().update();
+}
+
+std::optional<QCursor> MeasureTool::cursor(bool isDragging) const
+{
+    return QCursor(isDragging && held_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
+}
+
+std::vector<Eigen::Vector2d> MeasureTool::seen() const
+{
+    std::vector<Eigen::Vector2d> points = held_ ? there_[held_->measurement].pixels : points_;
+    if (held_) {
+        points[held_->point] = held_->pixel;
+    } else if (!points.empty() && mousePx_ && points.back() != *mousePx_) {
+        points.push_back(*mousePx_);
+    }
+    return points;
+}
+
+void MeasureTool::paint(QPainter& painter) const
+{
+    const auto placeOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+        const QPointF place = view().widgetFromImage(pixel);
+        return {place.x(), place.y()};
+    };
+    painter.save();
+    for (const core::ImageMeasurement& measurement : there_) {
+        for (const Eigen::Vector2d& pixel : measurement.pixels) {
+            paintHandle(painter, placeOf(pixel), false);
+        }
+    }
+    const std::vector<Eigen::Vector2d> points = seen();
+    if (points.size() > 1) {
+        const QString words = words_ && !held_ ? words_(points) : QString();
+        const MarkShape whole = shapeOf(held_ ? there_[held_->measurement].kind : kind_);
+        const bool isOpen = whole == MarkShape::Outline && points.size() < 3;
+        paintMarks(painter, {{isOpen ? MarkShape::Length : whole, points, words.toStdString(), true}}, placeOf);
+    }
+    for (const Eigen::Vector2d& point : points) {
+        paintHandle(painter, placeOf(point), true);
+    }
+    painter.restore();
+}
+
+}   // namespace angiopose::ui

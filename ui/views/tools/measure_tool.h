@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/geometry/image_measurement.h"
+#include "ui/views/image_tool.h"
+
+#include <functional>
+#include <vector>
+
+namespace angiopose::ui {
+
+/// Measures in the image. Clicks set points: two make a length, three an angle (its vertex in the middle); an area is
+/// closed by a click on its first point, a double click or Enter. A drag draws a length at once, or moves a point of
+/// what is there. Backspace takes a point back, Delete removes the chosen measurement.
+class MeasureTool : public ImageTool {
+    Q_OBJECT
+public:
+    MeasureTool(core::MeasurementKind kind, AngiogramView& view);
+
+    /// Those whose points a drag may take; without points where one is not in sight. A drag under way ends.
+    void showMeasurements(const std::vector<core::ImageMeasurement>& there);
+    /// What to write beside points that are being set.
+    void setWords(std::function<QString(const std::vector<Eigen::Vector2d>& pixels)> words);
+
+    core::MeasurementKind kind() const { return kind_; }
+    QString caption() const override;
+    void end() override { drop(); }
+    bool startDrag(const ToolPoint& pressed) override;
+    void drag(const ToolPoint& point) override;
+    void finishDrag(const ToolPoint& point) override;
+    void cancelDrag() override;
+    bool click(const ToolPoint& point) override;
+    bool doubleClick(const ToolPoint& point) override;
+    void hover(const ToolPoint& point) override;
+    void leave() override;
+    bool takesKey(const QKeyEvent& event) const override;
+    void keyPress(const QKeyEvent& event) override;
+    bool takeBack() override;
+    bool picksBranches() const override { return false; }
+    std::optional<QCursor> cursor(bool isDragging) const override;
+    void paint(QPainter& painter) const override;
+
+signals:
+    void drawn(const std::vector<Eigen::Vector2d>& pixels);
+    void pointMoved(int measurement, int point, const Eigen::Vector2d& pixel);
+    void removeRequested();   ///< what is chosen, or the last
+
+private:
+    struct Held {
+        std::size_t measurement = 0;
+        std::size_t point = 0;
+        Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+    };
+    std::optional<Held> heldAt(const QPointF& position) const;
+    bool isAtFirst(const QPointF& position) const;
+    void finish();
+    void drop();
+    std::vector<Eigen::Vector2d> seen() const;   ///< the points, with the one under the mouse
+
+    core::MeasurementKind kind_;
+    std::function<QString(const std::vector<Eigen::Vector2d>&)> words_;
+    std::vector<core::ImageMeasurement> there_;
+    std::vector<Eigen::Vector2d> points_;   ///< set so far
+    std::optional<Eigen::Vector2d> mousePx_;
+    std::optional<Held> held_;
+    bool isDrawing_ = false;   ///< a length by a drag
+};
+
+}   // namespace angiopose::ui
