@@ -30,6 +30,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       registration_(document_, target_),
       session_(document_, target_, registration_, notices_,
                {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
+      profile_(document_, branches_, session_.exporting(),
+               {window.actions(), window.profile(), window.angiogramView(), window.treeView(), window.slices()}),
       title_(document_, session_.saving(), window.header(), window.strip(), window),
       patient_(document_, window.patient(), *window.actions()[ui::Command::HideIdentity]),
       review_(document_, sync_, preview_,
@@ -116,6 +118,7 @@ void CaseController::connectNotes()
     connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
+    connect(&profile_, &ProfileController::refused, &notices_, &Notices::showNote);
     connect(&measure_, &MeasureController::refused, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::done, &notices_, &Notices::showNote);

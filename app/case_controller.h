@@ -24,6 +24,7 @@
 #include "app/review/look_controller.h"
 #include "app/review/pose_gestures.h"
 #include "app/review/pose_tools.h"
+#include "app/review/profile_controller.h"
 #include "app/review/radiograph_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/slice_controller.h"
@@ -98,6 +99,7 @@ private:
     AngiogramController angiogram_;
     RegistrationController registration_;
     SessionController session_;
+    ProfileController profile_;
     TitleController title_;
     PatientController patient_;
     ReviewController review_;

@@ -61,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
       pose_(new PosePanel),
       landmarks_(new LandmarkPanel),
       measure_(new MeasurePanel),
+      profile_(new ProfilePanel),
       registration_(new RegistrationPanel),
       result_(new ResultPanel),
       snapshots_(new SnapshotPanel),
@@ -174,6 +175,7 @@ QWidget* MainWindow::makeRightColumn()
     verdict->insertWidget(verdict->indexOf(&result_->solutions()) + 1, snapshots_);
     layout->addWidget(landmarks_);
     layout->addWidget(measure_);
+    layout->addWidget(profile_);
     layout->addWidget(angiogramPanel_);
     layout->addWidget(geometry_);
     layout->addStretch(1);

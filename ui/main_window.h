@@ -10,6 +10,7 @@
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/patient_bar.h"
 #include "ui/panels/pose_panel.h"
+#include "ui/panels/profile_panel.h"
 #include "ui/panels/registration_panel.h"
 #include "ui/panels/result_panel.h"
 #include "ui/panels/snapshot_panel.h"
@@ -63,6 +64,7 @@ public:
     GeometryPanel& geometryPanel() { return *geometry_; }
     LandmarkPanel& landmarks() { return *landmarks_; }
     MeasurePanel& measure() { return *measure_; }
+    ProfilePanel& profile() { return *profile_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
     SnapshotPanel& snapshots() { return *snapshots_; }
@@ -136,6 +138,7 @@ private:
     PosePanel* pose_;
     LandmarkPanel* landmarks_;
     MeasurePanel* measure_;
+    ProfilePanel* profile_;
     RegistrationPanel* registration_;
     ResultPanel* result_;
     SnapshotPanel* snapshots_;

@@ -112,11 +112,16 @@ void addAngles(CLI::App& app, int& exitCode)
 
 void addMeasure(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("measure", "Print what was measured in the images of a case, as CSV");
+    auto* command =
+        app.add_subcommand("measure", "Print what was measured in the images of a case, or along its branches, as CSV");
     auto arguments = std::make_shared<MeasureArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--output", arguments->outputPath, "Table to write, .csv (default: it is printed)");
-    command->footer("Example: angiopose-cli measure case.angiopose --output measurements.csv");
+    auto* branches = command->add_flag("--branches", arguments->areBranchesWanted,
+                                       "Length, diameters, narrowest place, tortuosity and bends of every branch");
+    command->add_option("--profile", arguments->profiledBranch, "Diameter and curvature along this branch, by its id")
+        ->excludes(branches);
+    command->footer("Example: angiopose-cli measure case.angiopose --branches --output branches.csv");
     command->callback([arguments, &exitCode] { exitCode = runMeasure(*arguments); });
 }
 

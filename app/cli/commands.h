@@ -61,6 +61,8 @@ int runAngles(const AnglesArguments& arguments);
 struct MeasureArguments {
     std::string casePath;
     std::string outputPath;   ///< empty: the table is printed
+    bool areBranchesWanted = false;   ///< measures along every branch instead of those in the images
+    std::optional<int> profiledBranch;   ///< places along this branch instead
 };
 int runMeasure(const MeasureArguments& arguments);
 

@@ -1,10 +1,34 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
+#include "core/messages/says.h"
+#include "io/branch_table.h"
 #include "io/measurement_table.h"
+#include "io/support/atomic_file.h"
 
 #include <cstdio>
 
 namespace angiopose::app {
+namespace {
+
+core::Result<std::string> profileOfBranch(const core::VesselTree& tree, int branchId)
+{
+    const core::VesselBranch* branch = tree.find(branchId);
+    if (!branch) {
+        return core::Error(core::says::noSuchBranch(branchId));
+    }
+    const auto profile = core::profileOf(*branch);
+    return profile ? core::Result<std::string>(io::profileTable(profile.value())) : profile.error();
+}
+
+core::Result<std::string> wantedTable(const MeasureArguments& arguments, const core::Case& theCase)
+{
+    if (arguments.profiledBranch) {
+        return profileOfBranch(*theCase.vessels.tree, *arguments.profiledBranch);
+    }
+    return arguments.areBranchesWanted ? io::branchTable(*theCase.vessels.tree) : io::measurementTable(theCase);
+}
+
+}   // namespace
 
 int runMeasure(const MeasureArguments& arguments)
 {
@@ -12,11 +36,15 @@ int runMeasure(const MeasureArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
+    const auto table = wantedTable(arguments, loaded.value());
+    if (!table) {
+        return failInput(table.error().about(arguments.casePath));
+    }
     if (arguments.outputPath.empty()) {
-        std::fputs(io::measurementTable(loaded.value()).c_str(), stdout);
+        std::fputs(table.value().c_str(), stdout);
         return exitDone;
     }
-    if (const auto status = io::writeMeasurements(loaded.value(), arguments.outputPath); !status) {
+    if (const auto status = io::writeAtomically(arguments.outputPath, table.value()); !status) {
         return failInput(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());

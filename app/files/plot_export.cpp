@@ -5,6 +5,7 @@
 #include "ui/plots/frame_bars.h"
 #include "ui/plots/histogram_plot.h"
 #include "ui/plots/motion_plot.h"
+#include "ui/plots/profile_plot.h"
 #include "ui/theme/active_theme.h"
 
 #include <QBuffer>
@@ -29,6 +30,9 @@ QList<QWidget*> plotsOf(const QWidget& window)
         plots << plot;
     }
     for (auto* plot : window.findChildren<ui::MotionPlot*>()) {
+        plots << plot;
+    }
+    for (auto* plot : window.findChildren<ui::ProfilePlot*>()) {
         plots << plot;
     }
     for (auto* plot : window.findChildren<ui::FrameBars*>()) {

@@ -1,8 +1,21 @@
 #include "app/files/report_measures.h"
 
 #include "app/words/measure_words.h"
+#include "core/measuring/branch_profile.h"
+#include "ui/words/number.h"
+
+#include <QCoreApplication>
 
 namespace angiopose::app {
+namespace {
+
+/// The words of this file.
+struct MeasureReportWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
+};
+
+}   // namespace
+
 ReportRows measuredRows(const core::Case& theCase)
 {
     const core::View& view = theCase.shown();
@@ -12,6 +25,20 @@ ReportRows measuredRows(const core::Case& theCase)
         rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
     }
     return rows;
+}
+
+QString widthWords(const core::VesselBranch& branch)
+{
+    const auto profile = core::profileOf(branch);
+    if (!profile || !profile.value().meanDiameterMm) {
+        return {};
+    }
+    const core::BranchProfile& along = profile.value();
+    const QString mean = QStringLiteral(" · ⌀ %1 mm").arg(ui::numberText(*along.meanDiameterMm, 1));
+    return along.narrowing ? mean + MeasureReportWords::tr(", narrowest %1 mm (−%2 %)")
+                                        .arg(ui::numberText(along.narrowing->diameterMm, 1),
+                                             ui::numberText(along.narrowing->percent, 0))
+                           : mean;
 }
 
 }   // namespace angiopose::app

@@ -15,4 +15,7 @@ using ReportRows = std::vector<std::pair<QString, QString>>;
 /// What was measured in the image of the shown view: value and basis of each.
 ReportRows measuredRows(const core::Case& theCase);
 
+/// " · ⌀ 3.1 mm, narrowest 1.2 mm (−60 %)", by the tree's radii; nothing without.
+QString widthWords(const core::VesselBranch& branch);
+
 }   // namespace angiopose::app

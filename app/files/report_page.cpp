@@ -182,8 +182,9 @@ QString branchPart(const ReportedView& view)
         if (const core::VesselBranch* branch = view.theCase.vessels.tree->find(residual.branchId)) {
             rows.emplace_back(ui::displayName(*branch),
                               ReportWords::tr("%1 mm median · %2 mm long")
-                                  .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.theCase), 2),
-                                       ui::numberText(branch->lengthMm(), 0)));
+                                      .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.theCase), 2),
+                                           ui::numberText(branch->lengthMm(), 0)) +
+                                  widthWords(*branch));
         }
     }
     const QString name = worstFirst.size() > count

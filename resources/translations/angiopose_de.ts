@@ -234,6 +234,10 @@
         <source>Measured in the image</source>
         <translation>Im Bild gemessen</translation>
     </message>
+    <message>
+        <source>, narrowest %1 mm (−%2 %)</source>
+        <translation>, engste Stelle %1 mm (−%2 %)</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -5639,6 +5643,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <comment>case.measurement-points</comment>
         <translation>eine Messung dieser Art hat mindestens %1 Punkte, nicht %2. Ergänzen oder die Messung entfernen.</translation>
     </message>
+    <message>
+        <source>Branch %1 has no length that could be measured along. Trace it again.</source>
+        <comment>measure.branch-no-length</comment>
+        <translation>Ast %1 hat keine Länge, entlang der sich messen ließe. Neu verfolgen.</translation>
+    </message>
+    <message>
+        <source>This branch has no radii: its diameter is not known. Trace a scan, or open a tree with radii.</source>
+        <comment>measure.branch-no-radii</comment>
+        <translation>Dieser Ast hat keine Radien: sein Durchmesser ist nicht bekannt. Eine Aufnahme verfolgen oder einen Gefäßbaum mit Radien öffnen.</translation>
+    </message>
+    <message>
+        <source>No part of this branch is even enough to be a reference: no narrowing is given.</source>
+        <comment>measure.branch-no-reference</comment>
+        <translation>Kein Teil dieses Astes ist gleichmäßig genug für eine Referenz: keine Verengung wird angegeben.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -6819,6 +6838,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Measure an area</source>
         <translation>Fläche messen</translation>
+    </message>
+    <message>
+        <source>Export measures of the branches …</source>
+        <translation>Maße der Äste exportieren …</translation>
     </message>
 </context>
 <context>
@@ -9333,6 +9356,123 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Area: click around it; double click or Enter closes · points can be moved</source>
         <translation>Fläche: ringsum klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ProfileController</name>
+    <message>
+        <source>Choose one branch, in the list or in a view.</source>
+        <translation>Einen Ast wählen, in der Liste oder in einer Ansicht.</translation>
+    </message>
+    <message>
+        <source>Open the vessels first.</source>
+        <translation>Erst die Gefäße öffnen.</translation>
+    </message>
+    <message>
+        <source>Export measures of the branches</source>
+        <translation>Maße der Äste exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export profile</source>
+        <translation>Profil exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ProfilePanel</name>
+    <message>
+        <source>%1 % at %2 mm (%3 of %4 mm, %5 mm long)</source>
+        <translation>%1 % bei %2 mm (%3 von %4 mm, %5 mm lang)</translation>
+    </message>
+    <message>
+        <source>Along the branch</source>
+        <translation>Entlang des Astes</translation>
+    </message>
+    <message>
+        <source>All branches …</source>
+        <translation>Alle Äste …</translation>
+    </message>
+    <message>
+        <source>Profile …</source>
+        <translation>Profil …</translation>
+    </message>
+    <message>
+        <source>Writes length, diameters, narrowing and bends of all branches as a CSV table.</source>
+        <translation>Schreibt Länge, Durchmesser, Verengung und Biegungen aller Äste als CSV-Tabelle.</translation>
+    </message>
+    <message>
+        <source>Writes diameter and curvature along this branch as a CSV table.</source>
+        <translation>Schreibt Durchmesser und Krümmung entlang dieses Astes als CSV-Tabelle.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Mean diameter</source>
+        <translation>Mittlerer Durchmesser</translation>
+    </message>
+    <message>
+        <source>Least diameter</source>
+        <translation>Kleinster Durchmesser</translation>
+    </message>
+    <message>
+        <source>Narrowest place</source>
+        <translation>Engste Stelle</translation>
+    </message>
+    <message>
+        <source>Tortuosity</source>
+        <translation>Tortuosität</translation>
+    </message>
+    <message>
+        <source>Sharpest bend</source>
+        <translation>Stärkste Biegung</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>Radius %1 mm</translation>
+    </message>
+    <message>
+        <source>Diameters are twice the radii of the tree; the narrowest place is told against the rest of the branch.</source>
+        <translation>Durchmesser sind die doppelten Radien des Gefäßbaums; die engste Stelle gilt gegen den Rest des Astes.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ProfilePlot</name>
+    <message>
+        <source>Diameter and curvature along the branch</source>
+        <translation>Durchmesser und Krümmung entlang des Astes</translation>
+    </message>
+    <message>
+        <source>⌀ %1 mm</source>
+        <translation>⌀ %1 mm</translation>
+    </message>
+    <message>
+        <source>bend %1/mm</source>
+        <translation>Krümmung %1/mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>at %1 mm</source>
+        <translation>bei %1 mm</translation>
+    </message>
+    <message>
+        <source>reference %1 mm</source>
+        <translation>Referenz %1 mm</translation>
     </message>
 </context>
 </TS>

@@ -234,6 +234,10 @@
         <source>Measured in the image</source>
         <translation>图像中的测量</translation>
     </message>
+    <message>
+        <source>, narrowest %1 mm (−%2 %)</source>
+        <translation>，最窄 %1 mm（−%2 %）</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -5639,6 +5643,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <comment>case.measurement-points</comment>
         <translation>此类测量至少有 %1 个点，而非 %2 个。请补充或移除该测量。</translation>
     </message>
+    <message>
+        <source>Branch %1 has no length that could be measured along. Trace it again.</source>
+        <comment>measure.branch-no-length</comment>
+        <translation>分支 %1 没有可测量的长度。请重新提取。</translation>
+    </message>
+    <message>
+        <source>This branch has no radii: its diameter is not known. Trace a scan, or open a tree with radii.</source>
+        <comment>measure.branch-no-radii</comment>
+        <translation>此分支没有半径：直径未知。请提取扫描，或打开带半径的血管树。</translation>
+    </message>
+    <message>
+        <source>No part of this branch is even enough to be a reference: no narrowing is given.</source>
+        <comment>measure.branch-no-reference</comment>
+        <translation>此分支没有足够均匀的部分可作参考：不给出狭窄。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -6819,6 +6838,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Measure an area</source>
         <translation>测量面积</translation>
+    </message>
+    <message>
+        <source>Export measures of the branches …</source>
+        <translation>导出各分支的测量…</translation>
     </message>
 </context>
 <context>
@@ -9332,6 +9355,123 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Area: click around it; double click or Enter closes · points can be moved</source>
         <translation>面积：沿边界单击；双击或回车闭合 · 点可移动</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ProfileController</name>
+    <message>
+        <source>Choose one branch, in the list or in a view.</source>
+        <translation>在列表或视图中选择一个分支。</translation>
+    </message>
+    <message>
+        <source>Open the vessels first.</source>
+        <translation>请先打开血管。</translation>
+    </message>
+    <message>
+        <source>Export measures of the branches</source>
+        <translation>导出各分支的测量</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export profile</source>
+        <translation>导出轮廓</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ProfilePanel</name>
+    <message>
+        <source>%1 % at %2 mm (%3 of %4 mm, %5 mm long)</source>
+        <translation>%1 %，位于 %2 mm（%4 mm 中的 %3，长 %5 mm）</translation>
+    </message>
+    <message>
+        <source>Along the branch</source>
+        <translation>沿分支</translation>
+    </message>
+    <message>
+        <source>All branches …</source>
+        <translation>所有分支…</translation>
+    </message>
+    <message>
+        <source>Profile …</source>
+        <translation>轮廓…</translation>
+    </message>
+    <message>
+        <source>Writes length, diameters, narrowing and bends of all branches as a CSV table.</source>
+        <translation>将所有分支的长度、直径、狭窄和弯曲写为 CSV 表格。</translation>
+    </message>
+    <message>
+        <source>Writes diameter and curvature along this branch as a CSV table.</source>
+        <translation>将沿此分支的直径和曲率写为 CSV 表格。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Mean diameter</source>
+        <translation>平均直径</translation>
+    </message>
+    <message>
+        <source>Least diameter</source>
+        <translation>最小直径</translation>
+    </message>
+    <message>
+        <source>Narrowest place</source>
+        <translation>最窄处</translation>
+    </message>
+    <message>
+        <source>Tortuosity</source>
+        <translation>迂曲度</translation>
+    </message>
+    <message>
+        <source>Sharpest bend</source>
+        <translation>最大弯曲</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>直</translation>
+    </message>
+    <message>
+        <source>radius %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+    <message>
+        <source>Diameters are twice the radii of the tree; the narrowest place is told against the rest of the branch.</source>
+        <translation>直径为血管树半径的两倍；最窄处相对于该分支其余部分。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ProfilePlot</name>
+    <message>
+        <source>Diameter and curvature along the branch</source>
+        <translation>沿分支的直径和曲率</translation>
+    </message>
+    <message>
+        <source>⌀ %1 mm</source>
+        <translation>⌀ %1 mm</translation>
+    </message>
+    <message>
+        <source>bend %1/mm</source>
+        <translation>曲率 %1/mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>at %1 mm</source>
+        <translation>位于 %1 mm</translation>
+    </message>
+    <message>
+        <source>reference %1 mm</source>
+        <translation>参考 %1 mm</translation>
     </message>
 </context>
 </TS>

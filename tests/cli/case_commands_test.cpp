@@ -5,6 +5,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -108,7 +109,7 @@ TEST_F(CliOnSimulatedCase, ProjectsBeforeAndAfterWithDepthCueAndSwipe)
     EXPECT_EQ(runCli({"project", casePath_, "--output", folder_.file("x.png"), "--swipe", "left"}).exitCode, 2);
 }
 
-TEST_F(CliOnSimulatedCase, MeasuresInTheImage)
+TEST_F(CliOnSimulatedCase, MeasuresInTheImageAndAlongBranches)
 {
     EXPECT_EQ(runCli({"measure", casePath_}).output.find("view,frame,kind,name,value,unit,plane"), 0U);
     std::ifstream file(casePath_);
@@ -119,6 +120,17 @@ TEST_F(CliOnSimulatedCase, MeasuresInTheImage)
     const auto measured = runCli({"measure", casePath_});
     EXPECT_EQ(measured.exitCode, 0) << measured.messages;
     EXPECT_NE(measured.output.find("\n1,0,length,neck,"), std::string::npos) << measured.output;
+
+    const std::string table = folder_.file("branches.csv");
+    EXPECT_EQ(runCli({"measure", casePath_, "--branches", "--output", table}).exitCode, 0);
+    EXPECT_GT(fs::file_size(table), 300U);
+    const auto profile = runCli({"measure", casePath_, "--profile", "1"});
+    EXPECT_EQ(profile.exitCode, 0) << profile.messages;
+    EXPECT_GT(std::ranges::count(profile.output, '\n'), 20);
+    const auto none = runCli({"measure", casePath_, "--profile", "9999"});
+    EXPECT_EQ(none.exitCode, 3);
+    EXPECT_NE(none.messages.find("9999"), std::string::npos);
+    EXPECT_EQ(runCli({"measure", casePath_, "--profile", "1", "--branches"}).exitCode, 2);
 }
 
 TEST_F(CliOnSimulatedCase, TracesItsAngiogram)

@@ -19,6 +19,7 @@ enum class Command {
     ExportReport,
     ExportFollowed,
     ExportMeasurements,
+    ExportBranches,
     SaveWindow,
     CloseCase,
     Close,

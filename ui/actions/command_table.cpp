@@ -29,6 +29,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportVessels, QT_TR_NOOP("Export vessel tree …")},
         {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
         {Command::ExportMeasurements, QT_TR_NOOP("Export measurements …")},
+        {Command::ExportBranches, QT_TR_NOOP("Export measures of the branches …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
         {Command::CloseCase, QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
         {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q"},

@@ -19,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -105,7 +106,7 @@ void Gallery::run()
     showViews(window, controller);
 }
 
-/// A length, an angle and an area in the image.
+/// A length, an angle and an area in the image, and a branch along which is measured.
 void Gallery::measure(app::CaseController& controller)
 {
     using enum core::MeasurementKind;
@@ -119,6 +120,8 @@ void Gallery::measure(app::CaseController& controller)
     controller.document().push(std::make_unique<app::ChangeMeasurements>(
         controller.document(), app::ChangeMeasurements::Values{std::move(measurements)},
         [] { return QStringLiteral("Measure"); }));
+    const auto& branches = current.vessels.tree->branches;
+    controller.branches().select({std::ranges::max_element(branches, {}, &core::VesselBranch::lengthMm)->id});
 }
 
 /// What commands open.

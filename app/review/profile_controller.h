@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/editing/branch_controller.h"
+#include "app/files/export_controller.h"
+#include "core/measuring/branch_profile.h"
+
+#include <QObject>
+
+namespace angiopose::ui {
+class AngiogramView;
+class ProfilePanel;
+class SliceModel;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// Measures along the selected branch. A place on its profile is marked in the image and in 3-D; a click takes the
+/// slices there.
+class ProfileController : public QObject {
+    Q_OBJECT
+public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::ProfilePanel& panel;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::SliceModel& slices;
+    };
+    ProfileController(const CaseDocument& document, const BranchController& branches, ExportController& exporting,
+                      const Ui& ui, QObject* parent = nullptr);
+
+signals:
+    void refused(const QString& reason);
+
+private:
+    void show();
+    void showNothing();
+    void point(const std::optional<Eigen::Vector3d>& pointInPatient);
+    void askTable();
+    void askProfile();
+    const core::VesselBranch* selectedBranch() const;   ///< null unless it is one
+
+    const CaseDocument& document_;
+    const BranchController& branches_;
+    ExportController& exporting_;
+    Ui ui_;
+    std::shared_ptr<const core::VesselTree> tree_;   ///< that the panel shows a branch of
+    std::optional<int> shown_;
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,186 @@
+#include "core/measuring/branch_profile.h"
+
+#include "core/measuring/reference_line.h"
+#include "core/messages/says.h"
+#include "core/support/quantile.h"
+#include "core/vessel/polyline.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double profileSpacingMm = 0.5;
+constexpr double diameterReachMm = 1.0;
+constexpr double curvatureReachMm = 3.0;
+constexpr double leastBendMm = 2.0;   // shorter than that nothing bends measurably
+constexpr double narrowingEnds = 0.9;   // of the reference
+constexpr double unknownHere = std::numeric_limits<double>::quiet_NaN();
+
+/// A radius for every point, all of them lengths.
+bool hasAllRadii(const VesselBranch& branch)
+{
+    const auto isRadius = [](double radius) { return std::isfinite(radius) && radius > 0.0; };
+    return branch.radiusMm.size() == branch.pointsInPatient.size() && std::ranges::all_of(branch.radiusMm, isRadius);
+}
+
+/// The samples no farther than `reachMm` from one: first and past the last.
+std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSample>& samples, std::size_t middle,
+                                                  double reachMm)
+{
+    std::size_t first = middle;
+    std::size_t end = middle + 1;
+    while (first > 0 && samples[middle].arcMm - samples[first - 1].arcMm <= reachMm) {
+        --first;
+    }
+    while (end < samples.size() && samples[end].arcMm - samples[middle].arcMm <= reachMm) {
+        ++end;
+    }
+    return {first, end};
+}
+
+/// Of the parabola that fits the places around it best.
+double bendAt(const std::vector<ProfileSample>& samples, std::size_t middle)
+{
+    const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
+    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < leastBendMm) {
+        return unknownHere;
+    }
+    const auto count = static_cast<Eigen::Index>(end - first);
+    Eigen::MatrixXd powers(count, 3);
+    Eigen::MatrixXd points(count, 3);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const ProfileSample& sample = samples[first + static_cast<std::size_t>(i)];
+        const double arc = sample.arcMm - samples[middle].arcMm;
+        powers.row(i) << 1.0, arc, arc * arc;
+        points.row(i) = sample.pointInPatient.transpose();
+    }
+    const Eigen::MatrixXd fitted = powers.colPivHouseholderQr().solve(points);
+    const Eigen::Vector3d speed = fitted.row(1).transpose();
+    const Eigen::Vector3d bend = 2.0 * fitted.row(2).transpose();
+    return speed.cross(bend).norm() / std::pow(speed.norm(), 3.0);
+}
+
+std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
+{
+    const std::vector<PolylineStation> stations = evenStations<3>(branch.pointsInPatient, profileSpacingMm);
+    const Polyline<3> points = interpolate(branch.pointsInPatient, stations);
+    std::vector<ProfileSample> samples(points.size());
+    const double stepMm = branch.lengthMm() / static_cast<double>(points.size() - 1);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        samples[i] = {stepMm * static_cast<double>(i), points[i], unknownHere, unknownHere, unknownHere};
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        samples[i].curvaturePerMm = bendAt(samples, i);
+    }
+    if (!hasAllRadii(branch)) {
+        return samples;
+    }
+    const std::vector<double> radii = interpolate(branch.radiusMm, stations);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto [first, end] = samplesAround(samples, i, diameterReachMm);
+        samples[i].diameterMm = 2.0 * quantile({radii.begin() + static_cast<std::ptrdiff_t>(first),
+                                                radii.begin() + static_cast<std::ptrdiff_t>(end)},
+                                               0.5);
+    }
+    return samples;
+}
+
+double narrowness(const ProfileSample& sample)
+{
+    return sample.diameterMm / sample.referenceMm;
+}
+
+/// Among the samples from `first` to before `end`.
+Narrowing narrowestOf(const std::vector<ProfileSample>& samples, std::size_t first, std::size_t end)
+{
+    std::size_t least = first;
+    for (std::size_t i = first; i < end; ++i) {
+        least = narrowness(samples[i]) < narrowness(samples[least]) ? i : least;
+    }
+    std::size_t from = least;
+    std::size_t to = least;
+    while (from > 0 && narrowness(samples[from]) < narrowingEnds) {
+        --from;
+    }
+    while (to + 1 < samples.size() && narrowness(samples[to]) < narrowingEnds) {
+        ++to;
+    }
+    return {std::max(0.0, 100.0 * (1.0 - narrowness(samples[least]))),
+            samples[least].arcMm,
+            samples[from].arcMm,
+            samples[to].arcMm,
+            samples[least].diameterMm,
+            samples[least].referenceMm};
+}
+
+/// Reference and narrowest place; the ends of the branch, a diameter long, stay out.
+void addNarrowing(BranchProfile& profile)
+{
+    std::vector<ProfileSample>& samples = profile.samples;
+    const double endMm = std::min(*profile.meanDiameterMm, 0.25 * profile.lengthMm);
+    const auto isBefore = [](const ProfileSample& sample, double arcMm) { return sample.arcMm < arcMm; };
+    const auto at = [&](double arcMm) {
+        return static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), arcMm, isBefore) -
+                                        samples.begin());
+    };
+    const std::size_t first = at(endMm);
+    const std::size_t end = at(profile.lengthMm - endMm);
+    std::vector<Eigen::Vector2d> diameters;
+    for (std::size_t i = first; i < end; ++i) {
+        diameters.emplace_back(samples[i].arcMm, samples[i].diameterMm);
+    }
+    const auto line = referenceLine(diameters);
+    if (!line || !(line->at(0.0) > 0.0) || !(line->at(profile.lengthMm) > 0.0)) {   // or it would end within
+        profile.doubts.push_back(says::profileNoReference());
+        return;
+    }
+    for (ProfileSample& sample : samples) {
+        sample.referenceMm = line->at(sample.arcMm);
+    }
+    profile.narrowing = narrowestOf(samples, first, end);
+}
+
+void addDiameters(BranchProfile& profile)
+{
+    double sum = 0.0;
+    for (const ProfileSample& sample : profile.samples) {
+        sum += sample.diameterMm;
+    }
+    const auto [least, greatest] = std::ranges::minmax_element(profile.samples, {}, &ProfileSample::diameterMm);
+    profile.meanDiameterMm = sum / static_cast<double>(profile.samples.size());
+    profile.leastDiameterMm = least->diameterMm;
+    profile.greatestDiameterMm = greatest->diameterMm;
+    addNarrowing(profile);
+}
+
+}   // namespace
+
+Result<BranchProfile> profileOf(const VesselBranch& branch)
+{
+    const auto isFinite = [](const Eigen::Vector3d& point) { return point.allFinite(); };
+    if (!std::ranges::all_of(branch.pointsInPatient, isFinite) || !(branch.lengthMm() > 0.0)) {
+        return Error(says::profileNoLength(branch.id));
+    }
+    BranchProfile profile;
+    profile.branchId = branch.id;
+    profile.samples = profileSamples(branch);
+    profile.lengthMm = branch.lengthMm();
+    const double chordMm = (branch.pointsInPatient.back() - branch.pointsInPatient.front()).norm();
+    profile.tortuosity = chordMm > 1e-9 * profile.lengthMm ? profile.lengthMm / chordMm : unknownHere;
+    profile.greatestCurvaturePerMm = unknownHere;
+    for (const ProfileSample& sample : profile.samples) {
+        profile.greatestCurvaturePerMm = std::fmax(profile.greatestCurvaturePerMm, sample.curvaturePerMm);
+    }
+    if (hasAllRadii(branch)) {
+        addDiameters(profile);
+    } else {
+        profile.doubts.push_back(says::profileNoRadii());
+    }
+    return profile;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,117 @@
+#include "ui/panels/profile_panel.h"
+
+#include "ui/panels/result_sentences.h"
+#include "ui/plots/profile_plot.h"
+#include "ui/words/message_text.h"
+#include "ui/words/number.h"
+#include "ui/words/spoken.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <cmath>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr double straightFromMm = 200.0;   // no vessel is told from a straight one by so wide a bend
+
+QString numberOrNone(std::optional<double> value, int decimals, const QString& pattern)
+{
+    return value && std::isfinite(*value) ? pattern.arg(numberText(*value, decimals)) : QStringLiteral("–");
+}
+
+}   // namespace
+
+QString narrowingWords(const core::Narrowing& narrowing)
+{
+    return ProfilePanel::tr("%1 % at %2 mm (%3 of %4 mm, %5 mm long)")
+        .arg(numberText(narrowing.percent, 0), numberText(narrowing.atMm, 1), numberText(narrowing.diameterMm, 2),
+             numberText(narrowing.referenceMm, 2), numberText(narrowing.toMm - narrowing.fromMm, 1));
+}
+
+ProfilePanel::ProfilePanel(QWidget* parent)
+    : Section(
+          "profile", [] { return tr("Along the branch"); }, Folding::Foldable, parent),
+      grid_(makeNumbers()),
+      doubt_(roleLabel("hint")),
+      plot_(new ProfilePlot),
+      table_(withText(new QPushButton, [] { return tr("All branches …"); })),
+      profile_(withText(new QPushButton, [] { return tr("Profile …"); }))
+{
+    doubt_->setWordWrap(true);
+    withTip(table_, [] { return tr("Writes length, diameters, narrowing and bends of all branches as a CSV table."); });
+    withTip(profile_, [] { return tr("Writes diameter and curvature along this branch as a CSV table."); });
+    connect(table_, &QPushButton::clicked, this, &ProfilePanel::tableRequested);
+    connect(profile_, &QPushButton::clicked, this, &ProfilePanel::profileRequested);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(table_);
+    buttons->addWidget(profile_);
+    contentLayout()->addWidget(grid_);
+    contentLayout()->addWidget(plot_);
+    contentLayout()->addWidget(doubt_);
+    contentLayout()->addLayout(buttons);
+    setFolded(true);
+    showNothing({}, false);
+}
+
+QWidget* ProfilePanel::makeNumbers()
+{
+    const std::array<Words, NumberCount> names{
+        [] { return tr("Length"); },          [] { return tr("Mean diameter"); }, [] { return tr("Least diameter"); },
+        [] { return tr("Narrowest place"); }, [] { return tr("Tortuosity"); },    [] { return tr("Sharpest bend"); }};
+    auto* grid = new QWidget;
+    auto* layout = new QGridLayout(grid);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setHorizontalSpacing(10);
+    layout->setVerticalSpacing(2);
+    layout->setColumnStretch(1, 1);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        numbers_[i] = roleLabel("strong");
+        numbers_[i]->setWordWrap(true);
+        layout->addWidget(withText(roleLabel("label"), names[i]), static_cast<int>(i), 0, Qt::AlignTop);
+        layout->addWidget(numbers_[i], static_cast<int>(i), 1);
+    }
+    return grid;
+}
+
+void ProfilePanel::showProfile(const core::VesselBranch& branch, const core::BranchProfile& profile)
+{
+    setHint(displayName(branch));
+    const QString millimetres = tr("%1 mm");
+    numbers_[Length]->setText(numberOrNone(profile.lengthMm, 1, millimetres));
+    numbers_[Diameter]->setText(numberOrNone(profile.meanDiameterMm, 2, millimetres));
+    numbers_[LeastDiameter]->setText(numberOrNone(profile.leastDiameterMm, 2, millimetres));
+    numbers_[Narrowing]->setText(profile.narrowing ? narrowingWords(*profile.narrowing) : QStringLiteral("–"));
+    numbers_[Tortuosity]->setText(numberOrNone(profile.tortuosity, 3, QStringLiteral("%1")));
+    const double bendMm = 1.0 / profile.greatestCurvaturePerMm;
+    numbers_[Bend]->setText(bendMm > straightFromMm ? tr("straight") : numberOrNone(bendMm, 1, tr("radius %1 mm")));
+    const QString basis = profile.meanDiameterMm
+                              ? tr("Diameters are twice the radii of the tree; the narrowest place is told against "
+                                   "the rest of the branch.")
+                              : QString();
+    doubt_->setText(profile.doubts.empty() ? basis : messagesText(profile.doubts));
+    doubt_->show();
+    plot_->showProfile(profile);
+    grid_->show();
+    plot_->show();
+    table_->setEnabled(true);
+    profile_->setEnabled(true);
+}
+
+void ProfilePanel::showNothing(const QString& why, bool hasBranches)
+{
+    setHint({});
+    plot_->showProfile({});
+    grid_->hide();
+    plot_->hide();
+    doubt_->setText(why);
+    doubt_->setVisible(!why.isEmpty());
+    table_->setEnabled(hasBranches);
+    profile_->setEnabled(false);
+}
+
+}   // namespace angiopose::ui

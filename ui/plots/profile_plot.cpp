@@ -1,0 +1,216 @@
+#include "ui/plots/profile_plot.h"
+
+#include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
+#include "ui/words/spoken.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPolygonF>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int profileLabelHeight = 18;
+constexpr double leastHighestBend = 0.02;   // per mm: a straight vessel looks straight
+
+double diameterIn(const core::ProfileSample& sample)
+{
+    return sample.diameterMm;
+}
+
+double referenceIn(const core::ProfileSample& sample)
+{
+    return sample.referenceMm;
+}
+
+double bendIn(const core::ProfileSample& sample)
+{
+    return sample.curvaturePerMm;
+}
+
+double highestOf(const core::BranchProfile& profile, double (*value)(const core::ProfileSample&), double least)
+{
+    double highest = least;
+    for (const core::ProfileSample& sample : profile.samples) {
+        highest = std::fmax(highest, value(sample));   // of a number and none the number
+    }
+    return highest;
+}
+
+}   // namespace
+
+ProfilePlot::ProfilePlot(QWidget* parent) : QWidget(parent)
+{
+    setMinimumHeight(118);
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    withName(this, [] { return tr("Diameter and curvature along the branch"); });
+}
+
+void ProfilePlot::showProfile(const core::BranchProfile& profile)
+{
+    profile_ = profile;
+    pointedAt_.reset();
+    highestMm_ = std::fmax(highestOf(profile_, diameterIn, 0.0),
+                           profile_.narrowing ? highestOf(profile_, referenceIn, 0.0) : 0.0);
+    highestBend_ = highestOf(profile_, bendIn, leastHighestBend);
+    update();
+}
+
+QRectF ProfilePlot::area() const
+{
+    return QRectF(rect()).adjusted(4, profileLabelHeight, -4, -profileLabelHeight);
+}
+
+QPointF ProfilePlot::placeOf(const core::ProfileSample& sample, double share) const
+{
+    const QRectF plot = area();
+    return {plot.left() + plot.width() * sample.arcMm / profile_.lengthMm, plot.bottom() - share * plot.height()};
+}
+
+std::size_t ProfilePlot::indexAt(double x) const
+{
+    const double share = std::clamp((x - area().left()) / std::max(1.0, area().width()), 0.0, 1.0);
+    return static_cast<std::size_t>(std::lround(share * static_cast<double>(profile_.samples.size() - 1)));
+}
+
+void ProfilePlot::paintCurve(QPainter& painter, Value value, double highest, const QPen& pen) const
+{
+    QPolygonF line;
+    for (const core::ProfileSample& sample : profile_.samples) {
+        if (std::isfinite(value(sample))) {
+            line << placeOf(sample, value(sample) / highest);
+        }
+    }
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+}
+
+void ProfilePlot::paintLabels(QPainter& painter) const
+{
+    const Palette& tones = activePalette();
+    const QRectF plot = area();
+    const QRectF above(plot.left(), 0.0, plot.width(), profileLabelHeight);
+    const QRectF below(plot.left(), plot.bottom() + 2.0, plot.width(), profileLabelHeight - 2);
+    painter.setPen(toQColor(tones.accent));
+    if (highestMm_ > 0.0) {
+        painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter, tr("⌀ %1 mm").arg(numberText(highestMm_, 1)));
+    }
+    painter.setPen(toQColor(tones.label));
+    painter.drawText(above, Qt::AlignRight | Qt::AlignVCenter, tr("bend %1/mm").arg(numberText(highestBend_, 2)));
+    painter.setPen(toQColor(tones.hint));
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
+    painter.drawText(below, Qt::AlignRight | Qt::AlignTop, tr("%1 mm").arg(numberText(profile_.lengthMm, 0)));
+}
+
+void ProfilePlot::paintEvent(QPaintEvent*)
+{
+    const Palette& tones = activePalette();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF plot = area();
+    painter.setPen(toQColor(tones.line));
+    painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+    if (profile_.samples.size() < 2) {
+        return;
+    }
+    paintCurve(painter, bendIn, highestBend_, QPen(toQColor(tones.hint), 1.0));
+    if (highestMm_ > 0.0) {
+        paintCurve(painter, referenceIn, highestMm_, QPen(toQColor(tones.label), 1.2, Qt::DashLine));
+        paintCurve(painter, diameterIn, highestMm_, QPen(toQColor(tones.accent), 1.6));
+    }
+    if (profile_.narrowing) {
+        core::ProfileSample narrowest;
+        narrowest.arcMm = profile_.narrowing->atMm;
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(toQColor(tones.attention));
+        painter.drawEllipse(placeOf(narrowest, profile_.narrowing->diameterMm / highestMm_), 3.2, 3.2);
+    }
+    if (pointedAt_) {
+        const double x = placeOf(profile_.samples[*pointedAt_], 0.0).x();
+        painter.setPen(toQColor(tones.text));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    }
+    paintLabels(painter);
+    if (hasFocus()) {
+        painter.setPen(toQColor(tones.accent));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+QString ProfilePlot::wordsAt(std::size_t index) const
+{
+    const core::ProfileSample& sample = profile_.samples[index];
+    QStringList parts{tr("at %1 mm").arg(numberText(sample.arcMm, 1))};
+    if (std::isfinite(sample.diameterMm)) {
+        parts << tr("⌀ %1 mm").arg(numberText(sample.diameterMm, 2));
+    }
+    if (std::isfinite(sample.referenceMm)) {
+        parts << tr("reference %1 mm").arg(numberText(sample.referenceMm, 2));
+    }
+    if (std::isfinite(sample.curvaturePerMm)) {
+        parts << tr("bend %1/mm").arg(numberText(sample.curvaturePerMm, 3));
+    }
+    return parts.join(QStringLiteral(" · "));
+}
+
+void ProfilePlot::point(std::size_t index)
+{
+    if (pointedAt_ != index) {
+        pointedAt_ = index;
+        update();
+        emit pointed(profile_.samples[index].pointInPatient);
+    }
+}
+
+void ProfilePlot::mouseMoveEvent(QMouseEvent* event)
+{
+    if (profile_.samples.size() > 1) {
+        const std::size_t index = indexAt(event->position().x());
+        point(index);
+        QToolTip::showText(event->globalPosition().toPoint(), wordsAt(index), this);
+    }
+}
+
+void ProfilePlot::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton && profile_.samples.size() > 1) {
+        point(indexAt(event->position().x()));
+        emit placeRequested(profile_.samples[*pointedAt_].pointInPatient);
+    }
+}
+
+void ProfilePlot::leaveEvent(QEvent*)
+{
+    if (pointedAt_) {
+        pointedAt_.reset();
+        update();
+        emit pointed(std::nullopt);
+    }
+}
+
+void ProfilePlot::keyPressEvent(QKeyEvent* event)
+{
+    const bool isStep = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (profile_.samples.size() < 2 || !(isStep || (isEnter && pointedAt_))) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (isEnter) {
+        emit placeRequested(profile_.samples[*pointedAt_].pointInPatient);
+        return;
+    }
+    const std::size_t last = profile_.samples.size() - 1;
+    const std::size_t from = pointedAt_.value_or(0);
+    point(event->key() == Qt::Key_Right ? std::min(from + 1, last) : from - (from > 0 ? 1 : 0));
+}
+
+}   // namespace angiopose::ui

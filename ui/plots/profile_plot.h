@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/measuring/branch_profile.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace angiopose::ui {
+
+/// A branch from its beginning to its end: the diameter as a line over its dashed reference, the narrowest place as a
+/// dot, the curvature as a thin line on a scale of its own. The mouse or ← → points at a place, a click asks for it.
+class ProfilePlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit ProfilePlot(QWidget* parent = nullptr);
+
+    void showProfile(const core::BranchProfile& profile);   ///< without samples: nothing
+    QSize sizeHint() const override { return {240, 130}; }
+
+signals:
+    void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< nothing: no more
+    void placeRequested(const Eigen::Vector3d& pointInPatient);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    using Value = double (*)(const core::ProfileSample& sample);
+    QRectF area() const;
+    QPointF placeOf(const core::ProfileSample& sample, double share) const;
+    std::size_t indexAt(double x) const;
+    void point(std::size_t index);
+    void paintCurve(QPainter& painter, Value value, double highest, const QPen& pen) const;
+    void paintLabels(QPainter& painter) const;
+    QString wordsAt(std::size_t index) const;
+
+    core::BranchProfile profile_;
+    double highestMm_ = 0.0;   ///< 0: no diameters
+    double highestBend_ = 0.0;
+    std::optional<std::size_t> pointedAt_;
+};
+
+}   // namespace angiopose::ui
