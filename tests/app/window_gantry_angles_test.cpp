@@ -18,7 +18,7 @@ struct AnglesWindow : OpenWindow {
     {
         openSample();
         controller.branches().select({current().vessels.tree->branches[2].id});
-        press(Qt::Key_G, Qt::ShiftModifier);
+        press(Qt::Key_U, Qt::ShiftModifier);
         EXPECT_TRUE(QTest::qWaitFor([this] { return !dialogs("angleDialog").isEmpty(); }, patienceMs));
     }
     ui::AngleDialog& dialog() { return *qobject_cast<ui::AngleDialog*>(dialogs("angleDialog").front()); }

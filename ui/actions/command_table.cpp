@@ -145,7 +145,7 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::Flicker, QT_TR_NOOP("Flicker start pose and pose"), "F", Switch | StartsGroup},
         {Command::Replay, QT_TR_NOOP("Replay the last run"), "P", Switch},
         {Command::Swing, QT_TR_NOOP("Swing along what the image cannot tell"), "U", Switch},
-        {Command::GantryAngles, QT_TR_NOOP("C-arm angles for the branch …"), "Shift+G"},
+        {Command::GantryAngles, QT_TR_NOOP("C-arm angles for the branch …"), "Shift+U"},
         {Command::HideIdentity, QT_TR_NOOP("Hide patient identity"), "Shift+P", Switch | StartsGroup},
         {Command::ResetTreeView, QT_TR_NOOP("3-D view: everything, the vessels alone"), "3", StartsGroup},
         {Command::NextCornerView, QT_TR_NOOP("3-D, axial, coronal, sagittal below the branches"), "2"},
