@@ -14,7 +14,7 @@ namespace {
 
 core::Result<core::PartSight> sightFor(const core::VesselTree& tree, const AnglesArguments& arguments)
 {
-    std::vector<core::VesselPiece> all = core::piecesOf(tree);
+    std::vector<core::VesselPiece> all = core::vesselPiecesOf(tree);
     if (arguments.isTakeOff) {
         auto part = core::piecesOfTakeOff(tree, arguments.branchId);
         return part ? core::Result<core::PartSight>(core::PartSight(std::move(part).value(), std::move(all)))

@@ -66,7 +66,7 @@ core::Result<AngleController::Question> AngleController::question() const
     if (!camera || !poseAt) {
         return camera ? poseAt.error() : camera.error();
     }
-    std::vector<core::VesselPiece> all = core::piecesOf(*current.vessels.tree);
+    std::vector<core::VesselPiece> all = core::vesselPiecesOf(*current.vessels.tree);
     auto part = dialog_->isTakeOff() ? core::piecesOfTakeOff(*current.vessels.tree, branch->id)
                                      : core::Result(core::piecesOfBranch(all, branch->id));
     if (!part) {

@@ -38,7 +38,7 @@ const VesselNode* takeOffOf(const VesselBranch& branch, const std::vector<Vessel
 
 }   // namespace
 
-std::vector<VesselPiece> piecesOf(const VesselTree& tree)
+std::vector<VesselPiece> vesselPiecesOf(const VesselTree& tree)
 {
     std::vector<VesselPiece> pieces;
     for (const VesselBranch& branch : resampled(tree, pieceLengthMm).branches) {
@@ -67,7 +67,7 @@ Result<std::vector<VesselPiece>> piecesOfTakeOff(const VesselTree& tree, int bra
         return Error(says::noTakeOff(branchId));
     }
     std::vector<VesselPiece> found;
-    for (const VesselPiece& piece : piecesOf(tree)) {
+    for (const VesselPiece& piece : vesselPiecesOf(tree)) {
         const bool meetsThere = std::ranges::count(takeOff->branchIds, piece.branchId) > 0;
         if (meetsThere && (piece.middleInPatient - takeOff->pointInPatient).norm() <= reachMm) {
             found.push_back(piece);

@@ -19,7 +19,7 @@ struct VesselPiece {
 inline constexpr double assumedRadiusMm = 1.0;
 
 /// The tree in pieces of at most a millimetre.
-std::vector<VesselPiece> piecesOf(const VesselTree& tree);
+std::vector<VesselPiece> vesselPiecesOf(const VesselTree& tree);
 
 /// Those of one branch.
 std::vector<VesselPiece> piecesOfBranch(const std::vector<VesselPiece>& pieces, int branchId);

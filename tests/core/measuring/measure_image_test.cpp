@@ -96,7 +96,7 @@ TEST(MeasureImage, WhatMeansNothingIsSaidNotInvented)
     const auto why = [&](MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels) {
         const auto measured = seen.measure(kind, Pixels, pixels);
         EXPECT_FALSE(measured);
-        return measured ? Message("a number") : measured.error().message;
+        return measured ? Message::verbatim("a number") : measured.error().message;
     };
     EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}).is(says::measureCrossed));
     EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}}).is(says::measurePoints));

@@ -26,7 +26,7 @@ VesselTree straightTree(const Eigen::Vector3d& along)
 
 PartSight sightOfBranch(const VesselTree& tree, int branchId)
 {
-    const auto all = piecesOf(tree);
+    const auto all = vesselPiecesOf(tree);
     return {piecesOfBranch(all, branchId), all};
 }
 

@@ -26,7 +26,7 @@ RigidTransform fromTheFront(double deg = 0.0)
 
 SightQuality qualityOf(const VesselTree& tree, const RigidTransform& cameraFromPatient)
 {
-    const auto all = piecesOf(tree);
+    const auto all = vesselPiecesOf(tree);
     return PartSight(piecesOfBranch(all, 1), all).from(cameraFromPatient);
 }
 
