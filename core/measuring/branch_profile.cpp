@@ -17,6 +17,8 @@ constexpr double profileSpacingMm = 0.5;
 constexpr double diameterReachMm = 1.0;
 constexpr double curvatureReachMm = 3.0;
 constexpr double leastBendMm = 2.0;   // shorter than that nothing bends measurably
+constexpr double referenceReachMm = 30.0;   // beyond it bifurcations have made another vessel of it
+constexpr double recoveryReachMm = 20.0;
 constexpr double narrowingEnds = 0.9;   // of the reference
 constexpr double unknownHere = std::numeric_limits<double>::quiet_NaN();
 
@@ -94,12 +96,13 @@ double narrowness(const ProfileSample& sample)
     return sample.diameterMm / sample.referenceMm;
 }
 
-/// Among the samples from `first` to before `end`.
-Narrowing narrowestOf(const std::vector<ProfileSample>& samples, std::size_t first, std::size_t end)
+/// Among those that have a reference, of which there is one.
+Narrowing narrowestOf(const std::vector<ProfileSample>& samples)
 {
-    std::size_t least = first;
-    for (std::size_t i = first; i < end; ++i) {
-        least = narrowness(samples[i]) < narrowness(samples[least]) ? i : least;
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const bool isFirst = std::isnan(narrowness(samples[least]));
+        least = isFirst || narrowness(samples[i]) < narrowness(samples[least]) ? i : least;
     }
     std::size_t from = least;
     std::size_t to = least;
@@ -117,6 +120,42 @@ Narrowing narrowestOf(const std::vector<ProfileSample>& samples, std::size_t fir
             samples[least].referenceMm};
 }
 
+/// Of the samples from `first` to before `end`: by those around each, as many near an end as in the middle.
+void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::size_t end)
+{
+    const auto reach = static_cast<std::size_t>(referenceReachMm / profileSpacingMm);
+    for (std::size_t i = first; i < end; ++i) {
+        const std::size_t latest = end > first + 2 * reach ? end - 2 * reach : first;
+        const std::size_t from = std::clamp(i > reach ? i - reach : 0, first, latest);
+        std::vector<Eigen::Vector2d> diameters;
+        for (std::size_t k = from; k < std::min(from + 2 * reach, end); ++k) {
+            diameters.emplace_back(samples[k].arcMm, samples[k].diameterMm);
+        }
+        const auto line = referenceLine(diameters);
+        if (line && line->at(samples[i].arcMm) > 0.0) {
+            samples[i].referenceMm = line->at(samples[i].arcMm);
+        }
+    }
+}
+
+/// A vessel that stays as narrow as it becomes has given off a branch, or tapers: where it does not come back to its
+/// reference further on, the reference is what it comes back to.
+void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
+{
+    const auto reach = static_cast<std::size_t>(recoveryReachMm / profileSpacingMm);
+    std::vector<double> lowered;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        double recovered = narrowness(samples[i]);
+        for (std::size_t k = i; k < std::min(samples.size(), i + reach); ++k) {
+            recovered = std::fmax(recovered, narrowness(samples[k]));
+        }
+        lowered.push_back(samples[i].referenceMm * std::min(1.0, recovered));
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i].referenceMm = lowered[i];
+    }
+}
+
 /// Reference and narrowest place; the ends of the branch, a diameter long, stay out.
 void addNarrowing(BranchProfile& profile)
 {
@@ -127,21 +166,14 @@ void addNarrowing(BranchProfile& profile)
         return static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), arcMm, isBefore) -
                                         samples.begin());
     };
-    const std::size_t first = at(endMm);
-    const std::size_t end = at(profile.lengthMm - endMm);
-    std::vector<Eigen::Vector2d> diameters;
-    for (std::size_t i = first; i < end; ++i) {
-        diameters.emplace_back(samples[i].arcMm, samples[i].diameterMm);
-    }
-    const auto line = referenceLine(diameters);
-    if (!line || !(line->at(0.0) > 0.0) || !(line->at(profile.lengthMm) > 0.0)) {   // or it would end within
+    addReferences(samples, at(endMm), at(profile.lengthMm - endMm));
+    lowerWhereNothingRecovers(samples);
+    const auto hasReference = [](const ProfileSample& sample) { return std::isfinite(sample.referenceMm); };
+    if (std::ranges::any_of(samples, hasReference)) {
+        profile.narrowing = narrowestOf(samples);
+    } else {
         profile.doubts.push_back(says::profileNoReference());
-        return;
     }
-    for (ProfileSample& sample : samples) {
-        sample.referenceMm = line->at(sample.arcMm);
-    }
-    profile.narrowing = narrowestOf(samples, first, end);
 }
 
 void addDiameters(BranchProfile& profile)

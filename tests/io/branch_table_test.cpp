@@ -1,6 +1,7 @@
 #include "io/branch_table.h"
 
 #include "io/support/csv_table.h"
+#include "tests/support/quoted_table.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -23,13 +24,11 @@ core::VesselTree threeBranches()
 
 TEST(BranchTable, TellsEveryBranchAndWhatIsNotKnown)
 {
-    const std::string text = io::branchTable(threeBranches());
-    const auto table = io::parseCsv(text, "branches.csv");
-    ASSERT_TRUE(table) << table.error().message;
-    const auto cell = [&](std::size_t row, const char* column) {
-        return std::string(table.value().rows[row][*table.value().column(column)]);
-    };
-    ASSERT_EQ(table.value().rows.size(), 3U);
+    const test::QuotedTable table(io::branchTable(threeBranches()));
+    const auto cell = [&](std::size_t row, const char* column) { return table.cell(row, column); };
+    ASSERT_TRUE(table.isEven());
+    ASSERT_EQ(table.rowCount(), 3U);
+    EXPECT_EQ(cell(0, "name"), "LAD, proximal");
     EXPECT_NEAR(std::stod(cell(0, "length_mm")), 40.0, 1e-9);
     EXPECT_NEAR(std::stod(cell(0, "narrowing_percent")), 50.0, 1.0);
     EXPECT_NEAR(std::stod(cell(0, "narrowing_reference_mm")), 3.0, 0.05);

@@ -202,14 +202,18 @@ void MeasurePanel::changeEvent(QEvent* event)
 bool MeasurePanel::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (watched == list_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        event->accept();
-        if (event->type() == QEvent::KeyPress) {
-            removeChosen();
-        }
-        return true;
+    if (watched != list_ || !isKey) {
+        return Section::eventFilter(watched, event);
     }
-    return Section::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (event->type() == QEvent::ShortcutOverride) {   // in the list these keys are about measurements, not branches
+        event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
+        return event->isAccepted();
+    }
+    if (key == Qt::Key_Delete) {
+        removeChosen();
+    }
+    return key == Qt::Key_Delete;
 }
 
 }   // namespace angiopose::ui

@@ -46,6 +46,7 @@ TEST(BranchProfile, ASmoothTaperIsItsOwnReference)
     ASSERT_TRUE(profile.value().narrowing);
     EXPECT_LT(profile.value().narrowing->percent, 1.0);
     EXPECT_NEAR(profile.value().samples[60].referenceMm, 3.25, 0.02);
+    EXPECT_TRUE(std::isnan(profile.value().samples.front().referenceMm)) << "the ends do not count";
 }
 
 TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
@@ -77,6 +78,24 @@ TEST(BranchProfile, ALongLesionAndAnAneurysmAreNoReference)
     ASSERT_TRUE(wide && wide.value().narrowing);
     EXPECT_LT(wide.value().narrowing->percent, 3.0) << "nothing is narrower than a healthy vessel there";
     EXPECT_NEAR(*wide.value().greatestDiameterMm, 6.0, 1e-9);
+}
+
+/// Bifurcations take their share of the width: 6 to 2 mm over 160 mm, in steps.
+TEST(BranchProfile, AVesselThatGivesOffBranchesHasNoStenosisAtItsEnd)
+{
+    VesselBranch branch{3, "", {}, {}, 0};
+    for (int i = 0; i <= 160; ++i) {
+        branch.pointsInPatient.emplace_back(i, 0.0, 0.0);
+        branch.radiusMm.push_back(3.0 * std::pow(0.83, std::floor(i / 27.0)));
+    }
+    const auto profile = profileOf(branch);
+    ASSERT_TRUE(profile && profile.value().narrowing);
+    EXPECT_LT(profile.value().narrowing->percent, 12.0) << "at " << profile.value().narrowing->atMm;
+
+    for (std::size_t i = 0; i < branch.radiusMm.size(); ++i) {
+        branch.radiusMm[i] = i < 130 ? 1.6 : 0.9;
+    }
+    EXPECT_LT(profileOf(branch).value().narrowing->percent, 5.0) << "it stays as narrow as it becomes";
 }
 
 TEST(BranchProfile, EndsInTheParentOrAtTheTipAreNoStenosis)
