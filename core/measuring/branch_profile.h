@@ -13,7 +13,7 @@ struct ProfileSample {
     double arcMm = 0.0;   ///< from the branch's first point
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
     double diameterMm = 0.0;   ///< twice the tree's radius, the median over 2 mm
-    double referenceMm = 0.0;   ///< what the diameter would be here in a healthy vessel, see profileOf
+    double referenceMm = 0.0;   ///< what the diameter would be in a healthy vessel, see profileOf
     double curvaturePerMm = 0.0;   ///< one over the radius of the bend, over 6 mm
 };
 
@@ -41,10 +41,11 @@ struct BranchProfile {
     Messages doubts;   ///< what could not be measured, and why
 };
 
-/// Diameter, curvature, tortuosity and narrowest place of a branch. The reference is a line through the diameters of
-/// those parts that agree with each other (narrow and wide ones are left out step by step), so that a vessel may taper;
-/// one diameter at each end of the branch does not count, where traced radii run into the parent or out. Fails on a
-/// branch of less than two points or without length; without radii it measures the rest and says so.
+/// Diameter, curvature, tortuosity and narrowest place of a branch. The reference of a place is a line through the
+/// diameters of the 60 mm around it that agree with each other (narrow and wide ones are left out step by step), so
+/// that a vessel may taper; one diameter at each end of the branch does not count, where traced radii run into the
+/// parent or out. Fails on a branch of less than two points or without length; without radii it measures the rest and
+/// says so.
 Result<BranchProfile> profileOf(const VesselBranch& branch);
 
 }   // namespace angiopose::core

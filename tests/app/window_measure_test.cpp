@@ -155,7 +155,7 @@ TEST_F(WindowMeasure, PointsAreMovedAndMeasurementsRenamedAndRemoved)
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("neck"));
     QTest::keyClick(editor, Qt::Key_Return);
-    EXPECT_EQ(measurements()[0].name, "neck");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return measurements()[0].name == "neck"; }, test::patienceMs));
     EXPECT_EQ(view().marks()[0].label.rfind("neck ", 0), 0U);
     EXPECT_TRUE(view().marks()[0].isChosen);
 

@@ -37,7 +37,8 @@ QString kindWord(core::MeasurementKind kind)
 
 QPushButton* modeButton(core::MeasurementKind kind)
 {
-    auto* button = withText(new QPushButton, [kind] { return withKey(kindWord(kind), commandOf(kind)); });
+    auto* button = withText(new QPushButton, [kind] { return kindWord(kind); });   // three beside each other: no keys
+    withTip(button, [kind] { return withKey(kindWord(kind), commandOf(kind)); });
     button->setCheckable(true);
     return button;
 }
