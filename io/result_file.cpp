@@ -53,8 +53,7 @@ Json inputsJson(const core::Case& theCase)
 
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result,
-                       const core::DeformableResult* bent)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result)
 {
     Json root;
     root["format"] = "angiopose-result";
@@ -76,17 +75,16 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
-    if (bent != nullptr) {
-        root["deformable"] = Json::parse(deformableJson(*bent));
+    if (result.bent) {
+        root["deformable"] = Json::parse(deformableJson(*result.bent));
     }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path,
-                         const core::DeformableResult* bent)
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
 {
-    return writeAtomically(path, resultJson(theCase, result, bent));
+    return writeAtomically(path, resultJson(theCase, result));
 }
 
 namespace {
@@ -115,6 +113,7 @@ std::string jointJson(const core::RegisteredCase& registered)
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result));
+        view.erase("deformable");   // of all views together: below
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         if (k < joint.cameras.size()) {
@@ -132,8 +131,7 @@ std::string jointJson(const core::RegisteredCase& registered)
 
 std::string registeredJson(const core::RegisteredCase& registered)
 {
-    const core::DeformableResult* bent = registered.bent ? &*registered.bent : nullptr;
-    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result(), bent);
+    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result());
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path)

@@ -39,7 +39,8 @@ int exitCodeOf(const core::RegisteredCase& registered)
         (bent && bent->stopReason == core::StopReason::StoppedByUser)) {
         return exitStopped;
     }
-    const bool isUnsure = bent && bent->verdict == core::BendVerdict::Unsure;
+    const bool isUnsure = registered.theCase.options.bending == core::Bending::Always && bent &&
+                          bent->verdict == core::BendVerdict::Unsure;
     return registered.result().trustworthy && !isUnsure ? exitDone : exitNotTrustworthy;
 }
 
@@ -57,12 +58,14 @@ int runRegister(const RegisterArguments& arguments)
         printMessage(status.error().message.text());
         return exitUsage;
     }
+    if (arguments.isBending) {
+        theCase.options.bending = core::Bending::Always;
+    }
     if (const auto status = addOtherViews(theCase, arguments.otherViews); !status) {
         return failInput(status.error(), arguments.format);
     }
     core::RegistrationPlan plan;
     plan.readMs = watch.lapMs();
-    plan.isBending = arguments.isBending;
     const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {
         return failInput(registered.error().about(arguments.casePath), arguments.format);

@@ -33,8 +33,7 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName,
-                       const core::DeformableResult* bent)
+core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
 {
     const fs::path folder(folderName);
     std::error_code failure;
@@ -42,8 +41,7 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
     if (failure) {
         return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
-    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string(), bent);
-        !status) {
+    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string()); !status) {
         return status;
     }
     if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
@@ -54,6 +52,13 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
         return picture.error();
     }
     return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
+}
+
+/// Where nothing is bent there is nothing to write, unless the user asked for it.
+bool isBentWritten(const RegisteredCase& registered)
+{
+    return registered.bent && (registered.bent->verdict != core::BendVerdict::Rigid ||
+                               registered.theCase.options.bending == core::Bending::Always);
 }
 
 /// The tree as it was in the image, in patient coordinates, and how each of its points came there.
@@ -128,15 +133,14 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
 {
-    const core::DeformableResult* bent = registered.bent ? &*registered.bent : nullptr;
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        if (auto status = writeView(caseShowing(registered, k), registered.targets[k],
-                                    viewFolder(registered, folder, k), k == 0 ? bent : nullptr);
+        if (auto status =
+                writeView(caseShowing(registered, k), registered.targets[k], viewFolder(registered, folder, k));
             !status) {
             return status;
         }
     }
-    if (bent != nullptr) {
+    if (isBentWritten(registered)) {
         if (auto status = writeBent(registered, folder); !status) {
             return status;
         }

@@ -1,6 +1,7 @@
 #include "core/case/registration_input.h"
 
 #include "core/messages/says.h"
+#include "core/registration/problem/in_view.h"
 #include "core/registration/problem/registration_problem.h"
 #include "core/registration/register_views.h"
 

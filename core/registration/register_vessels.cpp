@@ -1,5 +1,6 @@
 #include "core/registration/registration.h"
 
+#include "core/registration/bending_doubt.h"
 #include "core/registration/frame_doubt.h"
 #include "core/registration/held_depth.h"
 #include "core/registration/judging/judge_pose.h"
@@ -35,6 +36,30 @@ RegistrationResult judgeWithCare(const RegistrationProblem& problem, const Regis
     return result;
 }
 
+bool isBendAsked(const RegistrationProblem& problem, const RegistrationOptions& options, const MethodSolution& solution,
+                 const RegistrationResult& result)
+{
+    if (result.stopReason == StopReason::StoppedByUser || options.bending != Bending::Auto) {
+        return result.stopReason != StopReason::StoppedByUser && options.bending == Bending::Always;
+    }
+    if (!solution.wantsCare || isAnyLocked(options.locks)) {
+        return false;
+    }
+    return result.unfilled.empty()
+               ? looksBent({problem, *solution.targetLines, result.cameraFromPatient})
+               : looksBent({partOf(problem, solution.isFilled), *solution.targetLines, result.cameraFromPatient});
+}
+
+/// What looks empty in the image does not speak for a bend.
+DeformableView bendView(const RegistrationInput& input, const RegistrationResult& result)
+{
+    DeformableView view{input, result.cameraFromPatient};
+    for (const UnfilledBranch& branch : result.unfilled) {
+        view.input.excludedBranchIds.push_back(branch.branchId);
+    }
+    return view;
+}
+
 }   // namespace
 
 Result<RegistrationResult> registerVessels(const RegistrationInput& input, const RegistrationOptions& options,
@@ -53,6 +78,11 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
 
     RegistrationResult result = solution.wantsCare ? judgeWithCare(problem.value(), options, solution, progress)
                                                    : judgePose(problem.value(), options, solution);
+    if (isBendAsked(problem.value(), options, solution, result)) {
+        const DeformableView view = bendView(input, result);
+        result.bent = judgeByBending({&view, 1}, options, {result.uncertainty, result.trustworthy, result.warnings},
+                                     [&](const IterationReport&) { return progress.askAgain("bend"); });
+    }
     result.method = options.method;
     result.history = progress.history();
     result.time.totalMs = stopwatch.lapMs();

@@ -4,9 +4,12 @@
 #include "core/messages/says.h"
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/joint_solve.h"
+#include "core/registration/bending_doubt.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/judging/pose_uncertainty.h"
+#include "core/registration/methods/method_info.h"
 #include "core/registration/pose/tree_shift.h"
+#include "core/registration/problem/in_view.h"
 #include "core/registration/problem/method_solution.h"
 
 namespace angiopose::core {
@@ -72,6 +75,14 @@ public:
         return pass(view, std::move(report));
     }
 
+    /// Asks whether to go on while the poses rest.
+    Verdict askAgain(std::string_view stage)
+    {
+        told_.stage = stage;
+        isStopped_ = isStopped_ || (observe_ && iterations_ > 0 && observe_(told_) == Verdict::Stop);
+        return isStopped_ ? Verdict::Stop : Verdict::Continue;
+    }
+
     bool isStopped() const { return isStopped_; }
 
 private:
@@ -79,6 +90,7 @@ private:
     {
         report.iteration = ++iterations_;
         report.progress = (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_);
+        told_ = report;
         isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
         return isStopped_ ? Verdict::Stop : Verdict::Continue;
     }
@@ -89,6 +101,7 @@ private:
     std::size_t viewCount_;
     const IterationObserver& observe_;
     std::vector<double> distances_;
+    IterationReport told_;   ///< the last one
     int iterations_ = 0;
     bool isStopped_ = false;
 };
@@ -121,6 +134,7 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
     std::vector<RigidTransform> aloneBest;
     RegistrationOptions ofOneView = options;
     ofOneView.geometry.otherFrames = false;   // all views together tell
+    ofOneView.bending = Bending::Off;
     for (std::size_t k = 0; k < inputs.size() && !progress.isStopped(); ++k) {
         const auto alone = registerVessels(inputs[k], ofOneView,
                                            [&](const IterationReport& report) { return progress.report(k, report); });
@@ -166,6 +180,31 @@ void addView(MultiViewResult& result, std::size_t number, const JointView& view,
     }
 }
 
+bool isBendAsked(const JointSolve::Views& views, const RegistrationOptions& options, const MultiViewResult& result)
+{
+    if (options.bending != Bending::Auto || options.method != methodInfos().front().id) {
+        return options.bending == Bending::Always;
+    }
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        if (looksBent({views[k]->problem, views[k]->lines, result.views[k].cameraFromPatient})) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// All views together tell how the vessels are bent.
+void hearBending(MultiViewResult& result, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
+                 const MultiViewOptions& multiView, JointProgress& progress)
+{
+    std::vector<DeformableView> views;
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+        views.push_back({inputs[k], result.views[k].cameraFromPatient, multiView.numberOf(k)});
+    }
+    result.bent = judgeByBending(views, options, {result.uncertainty, result.trustworthy, result.warnings},
+                                 [&](const IterationReport&) { return progress.askAgain("bend"); });
+}
+
 }   // namespace
 
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
@@ -207,12 +246,10 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
             result.warnings.push_back(says::inView(multiView.numberOf(k), said));
         }
     }
+    if (!progress.isStopped() && isBendAsked(views, options, result)) {
+        hearBending(result, inputs, options, multiView, progress);
+    }
     return result;
-}
-
-Error inView(std::size_t number, const Error& error)
-{
-    return error.isStop() ? error : Error(says::inView(number, error.message));
 }
 
 }   // namespace angiopose::core

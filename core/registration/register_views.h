@@ -25,6 +25,7 @@ struct MultiViewResult {
     std::vector<Vector6d> corrections;
     PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
     std::vector<CameraEvidence> cameras;   ///< from all views, one for each; empty: all cameras count as exact
+    std::shared_ptr<const DeformableResult> bent;   ///< see RegistrationResult
     bool trustworthy = false;   ///< every view is, and no correction is implausible
     Messages warnings;
 };
@@ -37,8 +38,5 @@ struct MultiViewResult {
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});
-
-/// What went wrong in the view of that number; Stop stays Stop.
-Error inView(std::size_t number, const Error& error);
 
 }   // namespace angiopose::core

@@ -4,7 +4,6 @@
 #include "core/case/registration_input.h"
 #include "core/messages/says.h"
 #include "core/support/stopwatch.h"
-#include "core/workflow/bend_case.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +12,6 @@ namespace angiopose::core {
 namespace {
 
 constexpr double tracingShare = 0.1;   // of the whole, where something has to be traced
-constexpr double bendingShare = 0.3;   // of the whole, where the vessels are bent afterwards
 
 Result<std::vector<std::size_t>> plannedViews(const Case& theCase, RegistrationPlan::Views views)
 {
@@ -67,11 +65,11 @@ Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_
     return traced;
 }
 
-/// What a solver says of the views at `places` goes to the course, as its part from `first` to `last`.
-IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, double first, double last)
+/// What a solver says of the views at `places` goes to the course, as its part from `first` to the end.
+IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, double first)
 {
-    return [&course, &places, first, last](const IterationReport& report) {
-        course.enter(first, last, places[report.view]);
+    return [&course, &places, first](const IterationReport& report) {
+        course.enter(first, 1.0, places[report.view]);
         return course.tell(report.stage, report.progress, &report);
     };
 }
@@ -81,6 +79,7 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
 {
     RegistrationResult result = joint.views.front();
     result.uncertainty = joint.uncertainty;
+    result.bent = joint.bent;
     result.camera = joint.cameras.empty() ? std::nullopt : std::optional(joint.cameras.front());
     result.trustworthy = joint.trustworthy;
     for (const Message& warning : joint.warnings) {
@@ -170,8 +169,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     }
     RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}, {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
-    const double end = plan.isBending ? 1.0 - bendingShare : 1.0;
-    const IterationObserver observer = solverObserver(course, run.places, begin, end);
+    const IterationObserver observer = solverObserver(course, run.places, begin);
     const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},
                          plan.readMs,
                          traced.value().tookMs};
@@ -180,13 +178,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!status) {
         return status.error();
     }
-    if (plan.isBending && !course.isStopped()) {
-        auto bent = bendCase(run, {}, solverObserver(course, run.places, end, 1.0));
-        if (!bent) {
-            return bent.error();
-        }
-        run.bent = std::move(bent).value();
-    }
+    run.bent = run.result().bent;
     return run;
 }
 

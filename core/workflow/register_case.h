@@ -18,7 +18,6 @@ struct RegistrationPlan {
 
     Views views = Views::All;
     std::optional<Centerline2d> shownTarget{};   ///< vessels of the shown view where they are known; else traced
-    bool isBending = false;   ///< afterwards the vessels are bent where evidence asks for it
     double readMs = StageTimes::notMeasured;   ///< what reading the case took; kept with the result
     std::string author{};   ///< who asks for it; kept with the result
     std::string time{};   ///< when, ISO 8601, UTC; kept with the result
@@ -30,7 +29,7 @@ struct RegisteredCase {
     std::vector<std::size_t> places;   ///< of the registered views in `theCase.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< what they were registered to, in the same order
     std::optional<MultiViewResult> joint;   ///< of several views
-    std::optional<DeformableResult> bent;   ///< where the plan asked for it and nobody stopped before
+    std::shared_ptr<const DeformableResult> bent;   ///< of the shown view's result; null where it was not asked
 
     const RegistrationResult& result() const { return *theCase.shown().result; }
 };
@@ -39,8 +38,8 @@ struct RegisteredCase {
 void takeOver(View& view, RegistrationResult result);
 
 /// The main job: traces the vessels in each view, registers the tree to one view (registerVessels) or to all together
-/// (registerViews), and takes over what was found; bends the vessels then if asked to (bendCase). Fails naming the view
-/// and what it lacks. Stopped before there is any pose it ends as stopped, later it keeps the best pose.
+/// (registerViews), and takes over what was found. Fails naming the view and what it lacks. Stopped before there is any
+/// pose it ends as stopped, later it keeps the best pose.
 Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan = {}, const WorkObserver& observe = {});
 
 }   // namespace angiopose::core

@@ -2413,6 +2413,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Sagt, wo eine Anpassung zweifelhaft ist, ob das Bild gespiegelt oder gedreht aussieht.</translation>
     </message>
     <message>
+        <source>Bent vessels</source>
+        <translation>Verbogene Gefäße</translation>
+    </message>
+    <message>
+        <source>Whether the vessels are bent onto the image after the rigid registration: never, where the fit looks as if they were bent (angiopose, nothing locked), or always.</source>
+        <translation>Ob die Gefäße nach der starren Registrierung auf das Bild gebogen werden: nie, wo die Anpassung so aussieht, als wären sie verbogen (angiopose, nichts festgehalten), oder immer.</translation>
+    </message>
+    <message>
         <source>Start rotation ±</source>
         <translation>Startdrehung ±</translation>
     </message>
@@ -3627,6 +3635,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The priors of the pose and the spacing of the knots must be positive numbers.</source>
         <comment>bend.options-unusable</comment>
         <translation>Die Vorannahmen der Lage und der Abstand der Stützstellen müssen positive Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>The vessels are bent against the tree: the rigid overlay lies %1 off in the mean, most at branch %3 (%2).</source>
+        <comment>bend.rigid-off</comment>
+        <translation>Die Gefäße sind gegen den Baum verbogen: Die starre Überlagerung liegt im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
         <source>Bending was stopped before its end: the rigid pose stays.</source>

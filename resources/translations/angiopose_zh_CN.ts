@@ -2413,6 +2413,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>结果可疑时，说明图像是否像被镜像或旋转。</translation>
     </message>
     <message>
+        <source>Bent vessels</source>
+        <translation>血管形变</translation>
+    </message>
+    <message>
+        <source>Whether the vessels are bent onto the image after the rigid registration: never, where the fit looks as if they were bent (angiopose, nothing locked), or always.</source>
+        <translation>刚性配准后是否将血管弯曲到图像上：从不、在拟合看起来像血管弯曲时（angiopose，且无锁定），或总是。</translation>
+    </message>
+    <message>
         <source>Start rotation ±</source>
         <translation>初始旋转 ±</translation>
     </message>
@@ -3627,6 +3635,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The priors of the pose and the spacing of the knots must be positive numbers.</source>
         <comment>bend.options-unusable</comment>
         <translation>位姿先验和节点间距必须是正数。</translation>
+    </message>
+    <message>
+        <source>The vessels are bent against the tree: the rigid overlay lies %1 off in the mean, most at branch %3 (%2).</source>
+        <comment>bend.rigid-off</comment>
+        <translation>血管相对于血管树发生了弯曲：刚性叠加平均偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
     <message>
         <source>Bending was stopped before its end: the rigid pose stays.</source>

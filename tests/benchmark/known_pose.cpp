@@ -18,13 +18,19 @@ std::vector<Eigen::Vector3d> allPoints(const core::VesselTree& tree)
 
 }   // namespace
 
+core::RigidTransform nearestPoseInSpace(const BentCase& bentCase)
+{
+    const std::vector<Eigen::Vector3d> points = allPoints(bentCase.tree);
+    return bentCase.views.front().truth *
+           core::nearestRigid(points, allPoints(bentCase.bent), std::vector<double>(points.size(), 1.0));
+}
+
 core::RigidTransform bestRigidPose(const BentCase& bentCase)
 {
     const BentView& view = bentCase.views.front();
     const std::vector<Eigen::Vector3d> points = allPoints(bentCase.tree);
     const std::vector<Eigen::Vector3d> truths = allPoints(bentCase.bent);
-    const core::RigidTransform inSpace =
-        view.truth * core::nearestRigid(points, truths, std::vector<double>(points.size(), 1.0));
+    const core::RigidTransform inSpace = nearestPoseInSpace(bentCase);
     if (bentCase.views.size() > 1) {
         return inSpace;
     }

@@ -8,4 +8,7 @@ namespace angiopose::benchmarks {
 /// image, of several in space. What no rigid registration can beat.
 core::RigidTransform bestRigidPose(const BentCase& bentCase);
 
+/// Likewise of the first view, nearest in space: what a rigid pose of bent vessels means.
+core::RigidTransform nearestPoseInSpace(const BentCase& bentCase);
+
 }   // namespace angiopose::benchmarks

@@ -126,6 +126,13 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
     return settleShift(alignment, prior, refined, scalePx, noise.rowVariance());
 }
 
+double likelyOffsetOf(const Alignment& alignment, const CentroidPose& pose)
+{
+    std::vector<ResidualRow> rows;
+    const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
+    return noise.hasOffsets() ? noise.offsetPx : 0.0;
+}
+
 NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose)
 {
     return tolerantEquations(alignment, pose, priorAt(prior, pose));

@@ -12,6 +12,9 @@ namespace angiopose::core {
 CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
                               double scalePx);
 
+/// Standard deviation of the field that the residuals at a pose show, px; 0 where whole stretches lie on their vessels.
+double likelyOffsetOf(const Alignment& alignment, const CentroidPose& pose);
+
 /// What the residuals at a pose tell about the pose, without the prior: normal equations in units of information.
 NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose);
 

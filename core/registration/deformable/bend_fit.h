@@ -26,6 +26,7 @@ struct BendProblem {
     Eigen::Vector3d centroidInPatient;
     CentroidPose start;   ///< in the first view
     MotionPrior prior;   ///< the motions' variances are those of a run
+    LinearBelief startStep;   ///< of the step from the rigid pose, by the start pose alone
 };
 
 /// Where a run is.

@@ -6,7 +6,8 @@
 #include "core/registration/deformable/bend_words.h"
 #include "core/registration/deformable/evidence_gain.h"
 #include "core/registration/deformable/motion_of_tree.h"
-#include "core/registration/register_views.h"
+#include "core/registration/problem/in_view.h"
+#include "core/registration/problem/registration_problem.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 
@@ -17,7 +18,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::array<double, 3> strainsTried{0.15, 0.08, 0.2};   // one run each
+constexpr std::array<double, 3> strainsTried{0.15, 0.08, 0.2};   // one run each at most
 constexpr int annealingSteps = 14;
 constexpr double firstAnnealingMm = 3.5;
 constexpr double lastAnnealingMm = 0.1;
@@ -25,6 +26,8 @@ constexpr int learningFrom = 6;
 constexpr double coarseAboveMm = 0.5;
 constexpr int settlingSteps = 4;   // of the best run
 constexpr double allSteps = annealingSteps * static_cast<double>(strainsTried.size()) + settlingSteps;
+constexpr double clearlyRigidGain = -1.0;   // log evidence of one run
+constexpr double runsAgreeMm = 0.1;   // rms in the image plane of the first view
 constexpr double startTurnDeg = 0.5;   // the runs start this far from the rigid pose
 constexpr double startShiftMm = 1.0;
 
@@ -56,6 +59,16 @@ Matrix6d independentVariances(double turnDeg, double shiftMm)
     return deviations.cwiseAbs2().asDiagonal();
 }
 
+/// What the start pose tells of the step from the rigid pose to the true one.
+LinearBelief stepByStart(const CentroidPose& rigid, const RegistrationInput& input, const DeformableOptions& options)
+{
+    Vector6d deviations;
+    deviations << Eigen::Vector3d::Constant(options.startDeg / degreesPerRadian), options.startLateralMm,
+        options.startLateralMm, options.startDepthMm;
+    return {stepBetween(rigid, aboutCentroid(input.initialCameraFromPatient, centroidInPatient(input.tree))),
+            deviations.cwiseAbs2().asDiagonal()};
+}
+
 TreeKnots knotsOf(const RegistrationInput& input, const DeformableOptions& options)
 {
     double lengthMm = 0.0;
@@ -71,7 +84,8 @@ Result<BendProblem> makeBendProblem(std::span<const DeformableView> views, const
     if (views.empty()) {
         return Error(says::bendNoView());
     }
-    if (!(options.posePriorDeg > 0.0 && options.posePriorMm > 0.0 && options.knotSpacingMm > 0.0 &&
+    if (!(options.posePriorDeg > 0.0 && options.posePriorMm > 0.0 && options.startDeg > 0.0 &&
+          options.startLateralMm > 0.0 && options.startDepthMm > 0.0 && options.knotSpacingMm > 0.0 &&
           options.mostKnots > 0 && options.geometryDeg >= 0.0 && options.geometryMm >= 0.0)) {
         return Error(says::bendOptionsUnusable());
     }
@@ -91,15 +105,16 @@ Result<BendProblem> makeBendProblem(std::span<const DeformableView> views, const
     TreeKnots knots = knotsOf(first.input, options);
     FieldKernel kernel(knots);
     const Eigen::Vector3d centroid = centroidInPatient(first.input.tree);
-    const MotionPrior prior{independentVariances(options.posePriorDeg, options.posePriorMm),
-                            independentVariances(options.geometryDeg, options.geometryMm),
-                            {}};
+    const CentroidPose rigid = aboutCentroid(first.rigidCameraFromPatient, centroid);
+    const MotionPrior prior{.pose = independentVariances(options.posePriorDeg, options.posePriorMm),
+                            .geometry = independentVariances(options.geometryDeg, options.geometryMm)};
     return BendProblem{std::move(knots),
                        std::move(kernel),
                        std::move(bendViews),
                        centroid,
-                       aboutCentroid(first.rigidCameraFromPatient, centroid),
-                       prior};
+                       rigid,
+                       prior,
+                       stepByStart(rigid, first.input, options)};
 }
 
 /// Tells the observer of every step of every run.
@@ -167,6 +182,24 @@ void settleVariances(BendFit& fit, double strain, BendProgress& progress)
     }
 }
 
+double rmsApartMm(const BendProblem& problem, const BendFit& a, const BendFit& b)
+{
+    const KnotPlaces here = placesInCamera(problem, a);
+    const KnotPlaces there = placesInCamera(problem, b);
+    double squares = 0.0;
+    for (std::size_t k = 0; k < here.size(); ++k) {
+        squares += (here[k] - there[k]).head<2>().squaredNorm();
+    }
+    return std::sqrt(squares / static_cast<double>(here.size()));
+}
+
+/// Further runs would say the same.
+bool areEnough(const BendProblem& problem, const std::vector<BendFit>& runs)
+{
+    return runs.size() == 1 ? logEvidenceGain(problem, runs.front()) < clearlyRigidGain
+                            : rmsApartMm(problem, runs[0], runs[1]) < runsAgreeMm;
+}
+
 /// The run under which all that was seen is likeliest: rows by their evidence, knots without a row as anywhere.
 std::size_t likeliest(const std::vector<BendFit>& runs)
 {
@@ -189,6 +222,9 @@ Result<DeformableResult> deformVessels(std::span<const DeformableView> views, co
     std::vector<BendFit> runs;
     for (std::size_t run = 0; run < strainsTried.size() && !progress.isStopped(); ++run) {
         runs.push_back(annealed(problem, run, options.randomSeed, progress));
+        if (!progress.isStopped() && areEnough(problem, runs)) {
+            break;
+        }
     }
     const std::size_t best = likeliest(runs);
     settleVariances(runs[best], strainsTried[best], progress);

@@ -13,6 +13,9 @@ namespace angiopose::core {
 struct DeformableOptions {
     double posePriorDeg = 1.0;   ///< 1-σ per axis of the pose about the rigid one
     double posePriorMm = 3.0;   ///< likewise of its shift
+    double startDeg = 8.0;   ///< 1-σ per axis of the start pose, by which the rigid pose's covariance goes
+    double startLateralMm = 30.0;   ///< likewise of its shift across the ray
+    double startDepthMm = 30.0;   ///< likewise along the ray
     double geometryDeg = 0.0;   ///< 1-σ per axis of the geometry from view to view
     double geometryMm = 0.0;   ///< likewise of its shift
     double knotSpacingMm = 5.0;   ///< of the places whose motion is found; between them it is interpolated
@@ -41,6 +44,18 @@ struct BranchMotion {
     double seenShare = 0.0;   ///< of its length that found a traced vessel in some view, 0…1
 };
 
+/// What a bend means for the rigid pose, which stays where it is.
+struct RigidOffset {
+    Vector6d step = Vector6d::Zero();   ///< to the pose nearest to the bent tree, about the centroid; rad, mm
+    Matrix6d covariance = Matrix6d::Zero();   ///< of that step
+    /// How far the tree's points lie from the bent ones, in the image plane of one view, else in space: in the mean,
+    /// and in the mean over the branch where it is most.
+    double meanMm = 0.0;
+    double farthestMm = 0.0;
+    int farthestBranchId = 0;
+    double spreadMm = 0.0;   ///< rms distance of the tree from its centroid
+};
+
 struct DeformableResult {
     BendVerdict verdict = BendVerdict::Rigid;
     RigidTransform cameraFromPatient;   ///< of the first view: the rigid pose nearest to the bent tree
@@ -50,6 +65,8 @@ struct DeformableResult {
     double largestMotionMm = 0.0;   ///< in the image plane of the first view, of one view; else in space
     double meanMotionMm = 0.0;
     double spreadMm = 0.0;   ///< rms difference between the runs, in the image plane of the first view
+    double placeStdMm = 0.0;   ///< rms 1-σ of a point's place in the image plane of the first view
+    RigidOffset rigid;
     double explainedShare = 0.0;   ///< of the visible tree's length, 0…1
     double noisePx = 0.0;   ///< learned, of a traced vessel
     StopReason stopReason = StopReason::Converged;

@@ -1,6 +1,7 @@
 #include "core/registration/deformable/field_posterior.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -35,6 +36,21 @@ void invertLowerTriangle(Eigen::Ref<Eigen::MatrixXf> lower)
     corner.noalias() = -(last.triangularView<Eigen::Lower>() * middle);
     first.triangularView<Eigen::StrictlyUpper>().setZero();
     last.triangularView<Eigen::StrictlyUpper>().setZero();
+}
+
+/// The lower triangle of VᵀV for a lower triangle V, block by block: what is zero is not multiplied.
+Eigen::MatrixXf lowerOfSquare(const Eigen::MatrixXf& lower)
+{
+    constexpr Eigen::Index blockSize = 64;
+    const Eigen::Index count = lower.rows();
+    Eigen::MatrixXf square(count, count);
+    for (Eigen::Index first = 0; first < count; first += blockSize) {
+        const Eigen::Index width = std::min(blockSize, count - first);
+        const Eigen::Index below = count - first;
+        square.block(first, 0, width, first + width).noalias() =
+            lower.block(first, first, below, width).transpose() * lower.block(first, 0, below, first + width);
+    }
+    return square;
 }
 
 }   // namespace
@@ -116,7 +132,7 @@ FieldPosterior::RowBasis FieldPosterior::basisOf(const std::vector<MotionRow>& r
     for (const MotionRow& row : rows_) {
         lastView = std::max(lastView, row.view);
     }
-    const Matrix6d poseRoot = prior_.pose.llt().matrixL();
+    const Matrix6d poseRoot = prior_.pose.isZero() ? Matrix6d::Zero() : Matrix6d(prior_.pose.llt().matrixL());
     const Vector6d geometryRoot = prior_.geometry.diagonal().cwiseSqrt();
     RowBasis basis{Eigen::Matrix3Xf(3, rowAt(rows.size())),
                    Eigen::MatrixXf::Zero(6 + 6 * rowAt(lastView), rowAt(rows.size()))};
@@ -158,7 +174,8 @@ Eigen::VectorXd FieldPosterior::variancesOf(const std::vector<MotionRow>& others
     return variances.cwiseMax(0.0);
 }
 
-std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
+std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<std::size_t>& knots,
+                                                              const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
                                                               const Eigen::Matrix3d& cameraFromPatient) const
 {
     const auto rowCount = rowAt(rows_.size());
@@ -166,7 +183,7 @@ std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<
     for (std::size_t k = 0; k < byPose.size(); ++k) {
         const Eigen::Matrix<float, 3, 6> posePart = (byPose[k] * prior_.pose).cast<float>();
         for (std::size_t r = 0; r < rows_.size(); ++r) {
-            const float kernel = combined_(rowAt(rows_[r].knot), rowAt(k));
+            const float kernel = combined_(rowAt(rows_[r].knot), rowAt(knots[k]));
             with.block<1, 3>(rowAt(r), 3 * rowAt(k)) =
                 (kernel * (cameraFromPatient.cast<float>() * basis_.motion.col(rowAt(r))) +
                  posePart * rows_[r].byPose.cast<float>())
@@ -178,36 +195,74 @@ std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<
     for (std::size_t k = 0; k < byPose.size(); ++k) {
         const auto whitened = with.middleCols<3>(3 * rowAt(k));
         const Eigen::Matrix3f explained = whitened.transpose() * whitened;
-        covariances[k] = static_cast<double>(combined_(rowAt(k), rowAt(k))) * Eigen::Matrix3d::Identity() +
-                         byPose[k] * prior_.pose * byPose[k].transpose() - explained.cast<double>();
+        covariances[k] =
+            static_cast<double>(combined_(rowAt(knots[k]), rowAt(knots[k]))) * Eigen::Matrix3d::Identity() +
+            byPose[k] * prior_.pose * byPose[k].transpose() - explained.cast<double>();
     }
     return covariances;
 }
 
+LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
+                                            const LinearBelief& pose) const
+{
+    // Covariances of the functions with the motion of every knot, three columns each.
+    const Eigen::Index knots = combined_.cols();
+    Eigen::Matrix<float, 6, Eigen::Dynamic> withMotion(6, 3 * knots);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        Eigen::Matrix<float, 6, Eigen::Dynamic> ofAxis(6, knots);
+        for (Eigen::Index k = 0; k < knots; ++k) {
+            ofAxis.col(k) = byMotion.col(3 * k + axis);
+        }
+        ofAxis *= combined_;
+        for (Eigen::Index k = 0; k < knots; ++k) {
+            withMotion.col(3 * k + axis) = ofAxis.col(k);
+        }
+    }
+    // What rows say of the functions by motion, of the pose, and their values; whitened.
+    Eigen::Matrix<float, Eigen::Dynamic, 13> told(rowAt(rows_.size()), 13);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        told.row(rowAt(r))
+            << (withMotion.middleCols<3>(3 * rowAt(rows_[r].knot)) * basis_.motion.col(rowAt(r))).transpose(),
+            rows_[r].byPose.cast<float>().transpose(), static_cast<float>(rows_[r].valueMm);
+    }
+    told = inverseFactor_.triangularView<Eigen::Lower>() * told;
+    const Eigen::MatrixXd whitened = told.cast<double>();
+    const Eigen::MatrixXd squares = whitened.transpose() * whitened;
+    const Matrix6d motionByPose = squares.block<6, 6>(0, 6);
+    const Matrix6d known = pose.covariance.inverse();
+    const Matrix6d stepCovariance = (squares.block<6, 6>(6, 6) + known).inverse();
+    const Vector6d step = stepCovariance * (squares.block<6, 1>(6, 12) + known * pose.mean);
+    const Matrix6d byStep = Matrix6d::Identity() - motionByPose;
+    const Matrix6d ofMotion = (withMotion * byMotion.transpose()).cast<double>();
+    return {squares.block<6, 1>(0, 12) + byStep * step,
+            ofMotion - squares.topLeftCorner<6, 6>() + byStep * stepCovariance * byStep.transpose()};
+}
+
 MotionVariances FieldPosterior::learnedVariances() const
 {
-    MotionVariances squares{};
-    MotionVariances traces{};
+    // Sums over pairs of rows, gathered over pairs of their knots.
     const auto count = rowAt(rows_.size());
-    Eigen::MatrixXf inverse = Eigen::MatrixXf::Zero(count, count);
-    inverse.selfadjointView<Eigen::Lower>().rankUpdate(inverseFactor_.transpose());
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-        for (std::size_t q = r; q < rows_.size(); ++q) {
-            const double twice = q == r ? 1.0 : 2.0;
-            const double alike = twice * rows_[r].byMotion.dot(rows_[q].byMotion);
-            const double pulls = alike * explained_[rowAt(r)] * explained_[rowAt(q)];
-            const double left = alike * static_cast<double>(inverse(rowAt(q), rowAt(r)));
-            for (std::size_t m = 0; m < motionCount; ++m) {
-                const auto kernel = static_cast<double>(kernel_.of(m)(rowAt(rows_[q].knot), rowAt(rows_[r].knot)));
-                squares[m] += pulls * kernel;
-                traces[m] += left * kernel;
-            }
+    const Eigen::Index knots = combined_.cols();
+    const Eigen::MatrixXf inverse = lowerOfSquare(inverseFactor_);
+    Eigen::MatrixXf left = Eigen::MatrixXf::Zero(knots, knots);
+    Eigen::Matrix3Xf pulls = Eigen::Matrix3Xf::Zero(3, knots);
+    for (Eigen::Index r = 0; r < count; ++r) {
+        const Eigen::Index knot = rowAt(rows_[static_cast<std::size_t>(r)].knot);
+        const Eigen::Vector3f motion = basis_.motion.col(r);
+        pulls.col(knot) += static_cast<float>(explained_[r]) * motion;
+        left(knot, knot) += motion.squaredNorm() * inverse(r, r);
+        for (Eigen::Index q = r + 1; q < count; ++q) {
+            left(rowAt(rows_[static_cast<std::size_t>(q)].knot), knot) +=
+                2.0F * motion.dot(basis_.motion.col(q)) * inverse(q, r);
         }
     }
     MotionVariances learned{};
     for (std::size_t m = 0; m < motionCount; ++m) {
+        const Eigen::MatrixXf& kernel = kernel_.of(m);
+        const auto squares = static_cast<double>((pulls * kernel).cwiseProduct(pulls).sum());
+        const auto traces = static_cast<double>(left.cwiseProduct(kernel).sum());
         const double variance = prior_.motion[m];
-        learned[m] = (variance * variance * squares[m] + variancePullMm2) / (variance * traces[m] + countPull);
+        learned[m] = (variance * variance * squares + variancePullMm2) / (variance * traces + countPull);
     }
     return learned;
 }

@@ -26,6 +26,12 @@ struct MotionPrior {
     MotionVariances motion{};
 };
 
+/// What is known of six linear functions of pose and motion.
+struct LinearBelief {
+    Vector6d mean = Vector6d::Zero();
+    Matrix6d covariance = Matrix6d::Zero();
+};
+
 /// Pose and field of motion given the rows of all images: Gaussian process regression with the pose in the same normal
 /// equations (ALGORITHMS §11.2), solved over the rows.
 class FieldPosterior {
@@ -45,10 +51,17 @@ public:
     Eigen::VectorXd variances() const;
     Eigen::VectorXd variancesOf(const std::vector<MotionRow>& others) const;
 
-    /// Covariance of places of knots in the camera of the first view (mm²), from pose and motion together:
-    /// `byPose[k]` is the step's effect on the place of knot k.
-    std::vector<Eigen::Matrix3d> placeCovariances(const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
+    /// Covariance of places of these knots in the camera of the first view (mm²), from pose and motion together:
+    /// `byPose[k]` is the step's effect on the place of `knots[k]`.
+    std::vector<Eigen::Matrix3d> placeCovariances(const std::vector<std::size_t>& knots,
+                                                  const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
                                                   const Eigen::Matrix3d& cameraFromPatient) const;
+
+    /// Of `byMotion` · (motion of all knots, patient axes, knot by knot) + step of the pose, when `pose` is known of
+    /// that step beforehand. The posterior itself must have been made without one (a covariance of zero): wide priors
+    /// of the pose beside fine rows ask for double precision.
+    LinearBelief beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
+                                const LinearBelief& pose) const;
 
     /// The variances under which motions as found are likely (MacKay 1992): σ² = |w|²/γ, γ the number of well
     /// determined parameters, with a weak pull that keeps them finite.

@@ -1,5 +1,6 @@
 #include "core/registration/deformable/motion_of_tree.h"
 
+#include "core/registration/deformable/rigid_offset.h"
 #include "core/vessel/polyline.h"
 
 #include <Eigen/Geometry>
@@ -13,46 +14,52 @@ namespace {
 constexpr double tracingNoisePx = 0.6;
 constexpr double rivalLogLikelihood = 20.0;   // runs this much less likely count a third
 
-using KnotPlaces = std::vector<Eigen::Vector3d>;
-
-/// Of the knots, in the camera of the first view.
-KnotPlaces placesInCamera(const BendProblem& problem, const BendFit& fit)
+/// Every other knot of each branch and its last one: covariances change slowly along a branch.
+std::vector<std::size_t> everyOther(const TreeKnots& knots)
 {
-    const BentTree bent = fit.bentTree();
-    KnotPlaces places;
-    for (std::size_t k = 0; k < problem.knots.size(); ++k) {
-        places.push_back(bent.cameraFromPatient *
-                         (problem.knots.places[k] + bent.motionMm.col(static_cast<Eigen::Index>(k))));
+    std::vector<std::size_t> asked;
+    for (std::size_t b = 0; b + 1 < knots.firstOfBranch.size(); ++b) {
+        const std::size_t first = knots.firstOfBranch[b];
+        const std::size_t end = knots.firstOfBranch[b + 1];
+        for (std::size_t k = first; k < end; ++k) {
+            if ((k - first) % 2 == 0 || k + 1 == end) {
+                asked.push_back(k);
+            }
+        }
     }
-    return places;
+    return asked;
 }
 
 std::vector<Eigen::Matrix3d> covariancesOf(const BendProblem& problem, const BendFit& fit, const KnotPlaces& places)
 {
     const RigidTransform pose = fit.bentTree().cameraFromPatient;
     const Eigen::Vector3d centroid = pose * problem.centroidInPatient;
-    std::vector<Eigen::Matrix<double, 3, 6>> byPose(places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        byPose[k] << -skew(places[k] - centroid), Eigen::Matrix3d::Identity();
+    const std::vector<std::size_t> asked = everyOther(problem.knots);
+    std::vector<Eigen::Matrix<double, 3, 6>> byPose(asked.size());
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        byPose[k] << -skew(places[asked[k]] - centroid), Eigen::Matrix3d::Identity();
     }
-    return fit.posterior()->placeCovariances(byPose, pose.rotation);
+    const std::vector<Eigen::Matrix3d> found = fit.posterior()->placeCovariances(asked, byPose, pose.rotation);
+    std::vector<Eigen::Matrix3d> covariances(places.size());
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        covariances[asked[k]] = found[k];
+        if (k > 0 && asked[k] == asked[k - 1] + 2) {
+            covariances[asked[k] - 1] = 0.5 * (found[k - 1] + found[k]);
+        }
+    }
+    return covariances;
 }
 
-/// Mean over the runs of d dᵀ, d from the best one; a run counts by how likely it is beside the best one.
+/// Mean over the runs of d dᵀ, d from the best one.
 std::vector<Eigen::Matrix3d> spreadOfRuns(const std::vector<KnotPlaces>& places, const std::vector<BendFit>& runs,
                                           std::size_t best)
 {
     std::vector<Eigen::Matrix3d> spread(places[best].size(), Eigen::Matrix3d::Zero());
-    double total = 0.0;
-    std::vector<double> shares;
-    for (const BendFit& run : runs) {
-        shares.push_back(std::exp((run.logLikelihood() - runs[best].logLikelihood()) / rivalLogLikelihood));
-        total += shares.back();
-    }
+    const std::vector<double> shares = sharesOfRuns(runs, best);
     for (std::size_t run = 0; run < runs.size(); ++run) {
         for (std::size_t k = 0; k < spread.size(); ++k) {
             const Eigen::Vector3d apart = places[run][k] - places[best][k];
-            spread[k] += shares[run] / total * apart * apart.transpose();
+            spread[k] += shares[run] * apart * apart.transpose();
         }
     }
     return spread;
@@ -115,6 +122,36 @@ double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, s
 }
 
 }   // namespace
+
+KnotPlaces placesInCamera(const BendProblem& problem, const BendFit& fit)
+{
+    const BentTree bent = fit.bentTree();
+    KnotPlaces places;
+    for (std::size_t k = 0; k < problem.knots.size(); ++k) {
+        places.push_back(bent.cameraFromPatient *
+                         (problem.knots.places[k] + bent.motionMm.col(static_cast<Eigen::Index>(k))));
+    }
+    return places;
+}
+
+std::vector<double> sharesOfRuns(const std::vector<BendFit>& runs, std::size_t best)
+{
+    std::vector<double> shares;
+    double total = 0.0;
+    for (const BendFit& run : runs) {
+        shares.push_back(std::exp((run.logLikelihood() - runs[best].logLikelihood()) / rivalLogLikelihood));
+        total += shares.back();
+    }
+    for (double& share : shares) {
+        share /= total;
+    }
+    return shares;
+}
+
+double inflationOf(const BendFit& fit)
+{
+    return std::max(1.0, fit.state().noisePx / tracingNoisePx);
+}
 
 RigidTransform nearestRigid(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,
                             const std::vector<double>& weights)
@@ -188,7 +225,7 @@ DeformableResult bentResult(std::span<const DeformableView> views, const BendPro
     result.meanMotionMm /= total;
     const std::vector<Eigen::Matrix3d> spread = spreadOfRuns(places, runs, best);
     std::vector<Eigen::Matrix3d> covariances = covariancesOf(problem, fit, places[best]);
-    const double inflation = std::max(1.0, fit.state().noisePx / tracingNoisePx);
+    const double inflation = inflationOf(fit);
     for (std::size_t k = 0; k < covariances.size(); ++k) {
         covariances[k] = inflation * covariances[k] + spread[k];
     }
@@ -202,6 +239,8 @@ DeformableResult bentResult(std::span<const DeformableView> views, const BendPro
         result.branches[b].seenShare = seen[b];
     }
     result.spreadMm = rmsInPlane(spread, knots.lengthMm);
+    result.placeStdMm = rmsInPlane(covariances, knots.lengthMm);
+    result.rigid = rigidOffset(views.front().input.tree, problem, runs, best);
     result.explainedShare = fit.explainedShare();
     result.noisePx = fit.state().noisePx;
     return result;

@@ -8,6 +8,17 @@
 
 namespace angiopose::core {
 
+using KnotPlaces = std::vector<Eigen::Vector3d>;
+
+/// Of the knots as a run has them, in the camera of the first view.
+KnotPlaces placesInCamera(const BendProblem& problem, const BendFit& fit);
+
+/// How much each run counts, by how likely it is beside the best one; their sum is 1.
+std::vector<double> sharesOfRuns(const std::vector<BendFit>& runs, std::size_t best);
+
+/// What the covariances of a run are too small by, at least 1: what its field did not follow does not average out.
+double inflationOf(const BendFit& fit);
+
 /// What the best of several runs says, for every point of the tree: the nearest rigid pose, what is left as motion, and
 /// a covariance that holds the spread between the runs too (ALGORITHMS §11.4).
 DeformableResult bentResult(std::span<const DeformableView> views, const BendProblem& problem,

@@ -64,24 +64,31 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix
     const Vector6d priorStd = prior.std();
     const Matrix6d carry = aboutOther(pose.rotation * (problem.wholeTreeCentroid - problem.tree.centroid));
     PoseUncertainty uncertainty;
-    uncertainty.imageCovariance = carry * inverseAmong(free, imageInformation + priorInformation) * carry.transpose();
-    uncertainty.covariance = uncertainty.imageCovariance + carry * covarianceByCameras * carry.transpose();
+    uncertainty.covariance = carry * covarianceByCameras * carry.transpose();
     // A hint of prior keeps the inverse finite where the image tells nothing.
     const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * priorInformation);
     for (int k = 0; k < 6; ++k) {
         uncertainty.observed[static_cast<std::size_t>(k)] =
             prior.freedom.isLocked(k) || std::sqrt(imageAlone(k, k)) < 0.5 * priorStd[k];
     }
+    const Matrix6d ofImage = inverseAmong(free, imageInformation + priorInformation);
+    replaceImageCovariance(uncertainty, carry * ofImage * carry.transpose(), problem.tree.spreadMm);
+    return uncertainty;
+}
+
+void replaceImageCovariance(PoseUncertainty& uncertainty, const Matrix6d& covariance, double spreadMm)
+{
+    uncertainty.covariance += covariance - uncertainty.imageCovariance;
+    uncertainty.imageCovariance = covariance;
     const PoseSigmas sigmas = sigmasOf(uncertainty.covariance);
     uncertainty.rotationDeg = sigmas.rotationDeg;
     uncertainty.inPlaneMm = sigmas.inPlaneMm;
     uncertainty.depthMm = sigmas.depthMm;
 
     Vector6d inMm = Vector6d::Ones();
-    inMm.head<3>().setConstant(problem.tree.spreadMm);
-    const Matrix6d covarianceInMm = inMm.asDiagonal() * uncertainty.imageCovariance * inMm.asDiagonal();
+    inMm.head<3>().setConstant(spreadMm);
+    const Matrix6d covarianceInMm = inMm.asDiagonal() * covariance * inMm.asDiagonal();
     uncertainty.weakestDirection = axesOf(covarianceInMm).directions.col(5);
-    return uncertainty;
 }
 
 PoseSigmas sigmasOf(const Matrix6d& covariance)

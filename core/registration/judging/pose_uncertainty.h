@@ -23,6 +23,10 @@ PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLine
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
                                 const Matrix6d& covarianceByCameras, const StartPrior& prior, const CentroidPose& pose);
 
+/// The covariance of the image becomes another one, about the centroid of the whole tree; what the cameras add stays.
+/// `spreadMm`: of the tree.
+void replaceImageCovariance(PoseUncertainty& uncertainty, const Matrix6d& covariance, double spreadMm);
+
 /// Standard deviations that people read.
 struct PoseSigmas {
     Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< about camera x, y, z

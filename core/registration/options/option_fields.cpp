@@ -149,6 +149,10 @@ std::vector<OptionField> geometryFields()
         onlyFor(ours, toggle<&Options::geometry, &GeometryOptions::otherFrames>(
                           {"otherFrames", "Mirrored and turned images",
                            "Where a fit is in doubt, tells whether the image looks mirrored or turned."})),
+        choice<&Options::bending>({"deformable", "Bent vessels",
+                                   "Whether the vessels are bent onto the image after the rigid registration: never, "
+                                   "where the fit looks as if they were bent (angiopose, nothing locked), or always."},
+                                  {"off", "auto", "always"}),
     };
 }
 

@@ -168,6 +168,13 @@ struct GeometryOptions {
     bool operator==(const GeometryOptions&) const = default;
 };
 
+/// Whether the vessels are bent onto the image after a rigid registration (ALGORITHMS §11).
+enum class Bending {
+    Off,
+    Auto,   ///< where a fit of angiopose without locks looks as if they were bent (§11.5)
+    Always
+};
+
 /// Which method runs, what every method reads, and the settings of each. Described for users by optionFields().
 struct RegistrationOptions {
     std::string method = "angiopose";
@@ -178,6 +185,8 @@ struct RegistrationOptions {
     int maxIterations = 60;
     double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
     int randomSeed = 1;   ///< of the methods that draw lots
+
+    Bending bending = Bending::Auto;
 
     GeometryOptions geometry{};
     AngioPoseOptions angiopose{};

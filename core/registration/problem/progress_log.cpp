@@ -26,10 +26,12 @@ Verdict ProgressLog::report(IterationReport report)
     return isStopped_ ? Verdict::Stop : Verdict::Continue;
 }
 
-Verdict ProgressLog::askAgain()
+Verdict ProgressLog::askAgain(std::string_view stage)
 {
-    if (observe_ && !history_.empty() && observe_(history_.back()) == Verdict::Stop) {
-        isStopped_ = true;
+    if (observe_ && !history_.empty()) {
+        IterationReport report = history_.back();
+        report.stage = stage.empty() ? report.stage : stage;
+        isStopped_ = observe_(report) == Verdict::Stop || isStopped_;
     }
     return isStopped_ ? Verdict::Stop : Verdict::Continue;
 }

@@ -18,8 +18,9 @@ public:
     /// it stays Stop.
     Verdict report(IterationReport report);
 
-    /// Asks whether to go on while the pose rests: the last report once more, which is not kept again.
-    Verdict askAgain();
+    /// Asks whether to go on while the pose rests: the last report once more, of another stage where one is given; it
+    /// is not kept again.
+    Verdict askAgain(std::string_view stage = {});
 
     bool isStopped() const { return isStopped_; }
     int iterations() const { return static_cast<int>(history_.size()); }

@@ -20,6 +20,7 @@
 namespace angiopose::core {
 
 struct Volume;
+struct DeformableResult;
 
 /// Everything one registration needs, by value: a snapshot that no one else writes to. The large ones are shared.
 struct RegistrationInput {
@@ -137,6 +138,8 @@ struct RegistrationResult {
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<UnfilledBranch> unfilled;   ///< in the tree's order; the pose rests on the others
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
+    /// What bending the vessels from this pose found; null: it was not asked. Of several views it belongs to the first.
+    std::shared_ptr<const DeformableResult> bent;
     std::vector<IterationReport> history;   ///< for the convergence plot
     bool trustworthy = false;
     Messages warnings;   ///< why it is not trustworthy, or what one view cannot tell

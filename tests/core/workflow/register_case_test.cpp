@@ -170,11 +170,11 @@ TEST(RegisterCase, UsesTheKnownTargetOfTheShownView)
     EXPECT_TRUE(registerCase(values, {Views::Shown, known}));
 }
 
-TEST(RegisterCase, BendsTheVesselsWhereThePlanAsksForIt)
+TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
 {
     Case values = test::twoViewCase();
-    RegistrationPlan plan;
-    plan.isBending = true;
+    const RegistrationPlan plan;
+    values.options.bending = Bending::Always;
     double last = 0.0;
     bool hasBent = false;
     const auto run = registerCase(values, plan, [&](const WorkReport& report) {
@@ -188,7 +188,9 @@ TEST(RegisterCase, BendsTheVesselsWhereThePlanAsksForIt)
     ASSERT_TRUE(run.value().bent);
     EXPECT_EQ(run.value().bent->branches.size(), values.vessels.tree->branches.size());
     EXPECT_EQ(run.value().bent->viewPoses.size(), 2u);
-    EXPECT_FALSE(registerCase(values, {}).value().bent);
+    Case rigid = values;
+    rigid.options.bending = Bending::Off;
+    EXPECT_FALSE(registerCase(rigid, {}).value().bent);
 
     // Stopped while bending: the rigid result stays, the bent one says so.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {

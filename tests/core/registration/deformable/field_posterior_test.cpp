@@ -84,6 +84,49 @@ TEST(FieldPosterior, IsTheConditionalGaussian)
     EXPECT_NEAR(posterior.determined(), (signal * inverse).trace(), 0.05);
 }
 
+TEST(FieldPosterior, BeliefsWithAPoseAreConditionalGaussians)
+{
+    RandomRows given;
+    LinearBelief pose{Vector6d::Zero(), 4.0 * given.prior.pose};
+    pose.mean << 0.002, -0.001, 0.003, 0.5, -0.4, 0.8;
+    given.prior.pose.setZero();
+    const FieldKernel kernel(given.knots);
+    const auto knots = static_cast<Eigen::Index>(given.knots.size());
+    Eigen::Matrix<double, 6, Eigen::Dynamic> byMotion(6, 3 * knots);
+    byMotion = byMotion.unaryExpr([&](double) { return 0.1 * given.random.normal(); });
+    const LinearBelief belief =
+        FieldPosterior(kernel, given.prior, given.rows).beliefWithPose(byMotion.cast<float>(), pose);
+
+    // By its definition: motions of all knots, then the pose.
+    const Eigen::Index size = 3 * knots + 6;
+    Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(size, size);
+    const Eigen::MatrixXd alike = kernel.combined(given.prior.motion).cast<double>();
+    for (Eigen::Index a = 0; a < knots; ++a) {
+        for (Eigen::Index b = 0; b < knots; ++b) {
+            prior.block<3, 3>(3 * a, 3 * b) = alike(a, b) * Eigen::Matrix3d::Identity();
+        }
+    }
+    prior.bottomRightCorner<6, 6>() = pose.covariance;
+    const auto count = static_cast<Eigen::Index>(given.rows.size());
+    Eigen::MatrixXd looks = Eigen::MatrixXd::Zero(count, size);
+    Eigen::VectorXd values(count);
+    Eigen::MatrixXd noise = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index r = 0; r < count; ++r) {
+        const MotionRow& row = given.rows[static_cast<std::size_t>(r)];
+        looks.block<1, 3>(r, 3 * static_cast<Eigen::Index>(row.knot)) = row.byMotion.transpose();
+        looks.block<1, 6>(r, 3 * knots) = row.byPose.transpose();
+        values[r] = row.valueMm - row.byPose.dot(pose.mean);
+        noise(r, r) = row.variance;
+    }
+    Eigen::MatrixXd functions(6, size);
+    functions << byMotion, Matrix6d::Identity();
+    const Eigen::MatrixXd gain = prior * looks.transpose() * (looks * prior * looks.transpose() + noise).inverse();
+    const Vector6d mean = functions * (gain * values) + pose.mean;
+    const Matrix6d covariance = functions * (prior - gain * looks * prior) * functions.transpose();
+    EXPECT_LT((belief.mean - mean).norm(), 2e-3 * (1.0 + mean.norm()));
+    EXPECT_LT((belief.covariance - covariance).norm(), 5e-3 * covariance.norm());
+}
+
 TEST(FieldPosterior, LearnedVariancesFindWhatMoves)
 {
     RandomRows given;

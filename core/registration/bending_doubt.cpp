@@ -1,0 +1,123 @@
+#include "core/registration/bending_doubt.h"
+
+#include "core/messages/says.h"
+#include "core/registration/alignment/shape_tolerance.h"
+#include "core/registration/judging/pose_uncertainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+namespace angiopose::core {
+namespace {
+
+// Measured on made-up trees (bent_trust_table --family development): rigid ones stay below 0.14 px and above 0.69 of
+// their visible length, with a fifth of the leaves missing; trees bent by 1 mm above 0.5 px or below 0.64.
+constexpr double leastOffsetPx = 0.2;   // of stretches beside their vessels
+constexpr double leastFoundShare = 0.65;   // of the visible tree: the rest may have moved away
+constexpr double mostRigidOffMm = 1.9;   // to be expected of the tree's points; errors from 2 mm on shall be flagged
+// What is left of the headers' errors once views are registered together.
+constexpr double jointGeometryDeg = 0.1;
+constexpr double jointGeometryMm = 0.3;
+
+DeformableOptions deformableOptions(const RegistrationOptions& options, std::size_t viewCount)
+{
+    DeformableOptions bending;
+    bending.startDeg = options.angiopose.priorRotationDeg;
+    bending.startLateralMm = options.angiopose.priorLateralMm;
+    bending.startDepthMm = options.angiopose.priorDepthMm;
+    if (viewCount > 1) {
+        bending.geometryDeg = jointGeometryDeg;
+        bending.geometryMm = jointGeometryMm;
+    }
+    return bending;
+}
+
+/// Share of the tree inside the image that lies along traced vessels.
+double foundShare(const Alignment& alignment, const CentroidPose& pose)
+{
+    constexpr double scalePx = 2.0;
+    std::vector<double> agreement;
+    alignment.collectAgreement(pose, scalePx, agreement);
+    double found = 0.0;
+    double visible = 0.0;
+    for (const double share : agreement) {
+        if (std::isfinite(share)) {
+            found += share;
+            visible += 1.0;
+        }
+    }
+    return visible > 0.0 ? found / visible : 1.0;
+}
+
+/// What looks wrong about a rigid fit only because the vessels are bent.
+bool isExplained(const Message& reason)
+{
+    return reason.is(says::trustLittleAgreement) || reason.is(says::trustBetterAside) ||
+           reason.is(says::trustPoseUncertain);
+}
+
+/// Speaks against trust, whatever the vessels do.
+bool isAgainst(const Message& said)
+{
+    const std::string_view id = said.id();
+    const bool isTold = said.is(says::trustDepthUnknown) || said.is(says::trustDepthMoved) ||
+                        said.is(says::trustPartFilled) || said.is(says::trustFewFilled);
+    return (id.starts_with("trust.") && !isTold) || id.starts_with("frame.") || id.starts_with("views.");
+}
+
+/// A bend that is sure and small explains what spoke against the fit.
+void withdrawExplained(RigidJudgement judgement)
+{
+    if (std::erase_if(judgement.warnings, isExplained) > 0) {
+        judgement.trustworthy = std::ranges::none_of(judgement.warnings, isAgainst);
+    }
+}
+
+/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said.
+void tellBend(const DeformableResult& bent, RigidJudgement judgement)
+{
+    const bool isOff = std::hypot(bent.rigid.meanMm, bent.placeStdMm) > mostRigidOffMm;
+    if (bent.verdict == BendVerdict::Bent && !isOff) {
+        withdrawExplained(judgement);
+    }
+    judgement.trustworthy = judgement.trustworthy && !isOff;
+    Messages said{says::bendRigidOff(inMm(bent.rigid.meanMm, 1), inMm(bent.rigid.farthestMm, 1),
+                                     std::to_string(bent.rigid.farthestBranchId))
+                      .as(isOff ? Severity::Warning : Severity::Note)};
+    std::ranges::copy_if(bent.messages, std::back_inserter(said),
+                         [](const Message& message) { return !message.is(says::bendDepthUnknown); });
+    const auto place = isOff ? judgement.warnings.begin() : judgement.warnings.end();
+    judgement.warnings.insert(place, said.begin(), said.end());
+}
+
+}   // namespace
+
+bool looksBent(const RigidFit& fit)
+{
+    const CentroidPose pose = aboutCentroid(fit.cameraFromPatient, fit.problem.tree.centroid);
+    const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
+    const Alignment alignment(tellingPoints(fit.problem.tree, millimetresPerPixel(fit.problem.camera, depthMm)),
+                              fit.problem.camera, fit.target);
+    return likelyOffsetOf(alignment, pose) > leastOffsetPx || foundShare(alignment, pose) < leastFoundShare;
+}
+
+std::shared_ptr<const DeformableResult> judgeByBending(std::span<const DeformableView> views,
+                                                       const RegistrationOptions& options, RigidJudgement judgement,
+                                                       const IterationObserver& observe)
+{
+    auto bent = deformVessels(views, deformableOptions(options, views.size()), observe);
+    if (!bent) {
+        return nullptr;
+    }
+    auto result = std::make_shared<const DeformableResult>(std::move(bent).value());
+    if (result->verdict != BendVerdict::Rigid && result->stopReason != StopReason::StoppedByUser) {
+        const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
+        replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);
+        tellBend(*result, judgement);
+    }
+    return result;
+}
+
+}   // namespace angiopose::core

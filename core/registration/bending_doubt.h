@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/registration/deformable/deform_vessels.h"
+#include "core/registration/matching/target_lines.h"
+#include "core/registration/problem/registration_problem.h"
+
+#include <span>
+
+namespace angiopose::core {
+
+/// A rigid pose and the image it was found in.
+struct RigidFit {
+    const RegistrationProblem& problem;
+    const TargetLines& target;
+    const RigidTransform& cameraFromPatient;
+};
+
+/// Whether a fit looks as if the vessels were bent (ALGORITHMS §11.5): decides, cheaply, whether the bent model is
+/// asked. A rigid tree seldom looks so.
+bool looksBent(const RigidFit& fit);
+
+/// What is said of a rigid pose, to be corrected by what bending found.
+struct RigidJudgement {
+    PoseUncertainty& uncertainty;
+    bool& trustworthy;
+    Messages& warnings;
+};
+
+/// Bends the vessels from rigid poses and lets the rigid result say what that found: the covariance holds how far the
+/// pose is off, trust falls where the overlay is, and the words tell which part lies how far off. Null where the
+/// vessels cannot be bent (points without curves). `observe`: see deformVessels.
+std::shared_ptr<const DeformableResult> judgeByBending(std::span<const DeformableView> views,
+                                                       const RegistrationOptions& options, RigidJudgement judgement,
+                                                       const IterationObserver& observe);
+
+}   // namespace angiopose::core

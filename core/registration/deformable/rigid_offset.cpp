@@ -1,0 +1,132 @@
+#include "core/registration/deformable/rigid_offset.h"
+
+#include "core/registration/deformable/motion_of_tree.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double leastBranchMm = 10.0;   // shorter ones are not named
+// Share of a motion that the model does not follow: sliding along vessels, second order, other forms than its own.
+// Measured on made-up trees (bent_trust_table --family development).
+constexpr double notFollowedShare = 0.06;
+
+using StepOfPlaces = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+using StepsOfPlace = Eigen::Matrix<double, 3, 6>;
+
+StepsOfPlace byStep(const Eigen::Vector3d& fromCentroid)
+{
+    StepsOfPlace moved;
+    moved << -skew(fromCentroid), Eigen::Matrix3d::Identity();
+    return moved;
+}
+
+/// The rigid tree in the camera of the first view, from its centroid.
+std::vector<Eigen::Vector3d> rigidArms(const BendProblem& problem)
+{
+    std::vector<Eigen::Vector3d> arms;
+    for (const Eigen::Vector3d& place : problem.knots.places) {
+        arms.emplace_back(problem.start.rotation * (place - problem.centroidInPatient));
+    }
+    return arms;
+}
+
+/// The step that lays the rigid tree nearest to places which moved a little, as a linear function of these moves: three
+/// columns for each knot, camera axes.
+StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::vector<double>& weights)
+{
+    Matrix6d squares = Matrix6d::Zero();
+    StepOfPlaces pulls(6, 3 * static_cast<Eigen::Index>(arms.size()));
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+        const StepsOfPlace moved = byStep(arms[k]);
+        squares += weights[k] * moved.transpose() * moved;
+        pulls.middleCols<3>(3 * static_cast<Eigen::Index>(k)) = weights[k] * moved.transpose();
+    }
+    return squares.ldlt().solve(pulls);
+}
+
+/// Of the nearest step under the rows of a run, from the start pose's prior instead of the fit's own.
+LinearBelief beliefAboutStep(const BendProblem& problem, const BendFit& fit, const StepOfPlaces& nearest)
+{
+    MotionPrior prior = problem.prior;
+    prior.pose.setZero();
+    prior.motion = fit.state().variances;
+    const FieldPosterior posterior(problem.kernel, prior, fit.rows());
+    StepOfPlaces byMotion = nearest;
+    for (Eigen::Index k = 0; 3 * k < nearest.cols(); ++k) {
+        byMotion.middleCols<3>(3 * k) = nearest.middleCols<3>(3 * k) * problem.start.rotation;
+    }
+    return posterior.beliefWithPose(byMotion.cast<float>(), problem.startStep);   // a rigid step is its own nearest one
+}
+
+/// In the image plane of the only view, at the depth of the places, or in space.
+double shiftMm(const BendProblem& problem, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+{
+    return problem.views.size() > 1 ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
+}
+
+/// Sizes of the offset, from where the rigid pose has the knots to where they are.
+void measureShifts(const VesselTree& tree, const BendProblem& problem, const KnotPlaces& from, const KnotPlaces& to,
+                   RigidOffset& offset)
+{
+    const TreeKnots& knots = problem.knots;
+    double sum = 0.0;
+    double total = 0.0;
+    for (std::size_t b = 0; b + 1 < knots.firstOfBranch.size(); ++b) {
+        double ofBranch = 0.0;
+        double lengthMm = 0.0;
+        for (std::size_t k = knots.firstOfBranch[b]; k < knots.firstOfBranch[b + 1]; ++k) {
+            ofBranch += knots.lengthMm[k] * shiftMm(problem, from[k], to[k]);
+            lengthMm += knots.lengthMm[k];
+        }
+        if (lengthMm >= leastBranchMm && ofBranch / lengthMm > offset.farthestMm) {
+            offset.farthestMm = ofBranch / lengthMm;
+            offset.farthestBranchId = tree.branches[b].id;
+        }
+        sum += ofBranch;
+        total += lengthMm;
+    }
+    offset.meanMm = total > 0.0 ? sum / total : 0.0;
+}
+
+}   // namespace
+
+RigidOffset rigidOffset(const VesselTree& tree, const BendProblem& problem, const std::vector<BendFit>& runs,
+                        std::size_t best)
+{
+    RigidOffset offset;
+    if (!runs[best].posterior()) {
+        return offset;
+    }
+    const std::vector<Eigen::Vector3d> arms = rigidArms(problem);
+    const StepOfPlaces nearest = nearestStep(arms, problem.knots.lengthMm);
+    const LinearBelief belief = beliefAboutStep(problem, runs[best], nearest);
+    offset.step = belief.mean;
+    offset.covariance = inflationOf(runs[best]) * belief.covariance;
+    const KnotPlaces bestPlaces = placesInCamera(problem, runs[best]);
+    const std::vector<double> shares = sharesOfRuns(runs, best);
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+        const KnotPlaces places = placesInCamera(problem, runs[run]);
+        Vector6d apart = Vector6d::Zero();
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            apart += nearest.middleCols<3>(3 * static_cast<Eigen::Index>(k)) * (places[k] - bestPlaces[k]);
+        }
+        offset.covariance += shares[run] * apart * apart.transpose();
+    }
+    KnotPlaces rigidPlaces;
+    double squares = 0.0;
+    for (const Eigen::Vector3d& arm : arms) {
+        rigidPlaces.push_back(problem.start.centroidInCamera + arm);
+        squares += arm.squaredNorm();
+    }
+    offset.spreadMm = std::sqrt(squares / static_cast<double>(arms.size()));
+    measureShifts(tree, problem, rigidPlaces, bestPlaces, offset);
+    const double leftMm = notFollowedShare * offset.meanMm;
+    offset.covariance.diagonal().head<3>().array() += std::pow(leftMm / offset.spreadMm, 2);
+    offset.covariance.diagonal().tail<3>().array() += leftMm * leftMm;
+    return offset;
+}
+
+}   // namespace angiopose::core

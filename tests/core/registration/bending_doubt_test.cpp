@@ -1,0 +1,95 @@
+#include "core/registration/bending_doubt.h"
+
+#include "core/messages/says.h"
+#include "core/registration/register_views.h"
+#include "core/registration/registration.h"
+#include "tests/support/clean_case.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+/// One view of a tree whose part below its centroid was moved across the ray.
+RegistrationInput halfMoved(const test::CleanCase& clean, double byMm)
+{
+    const double middle = centroidInPatient(clean.tree).z();
+    const Eigen::Vector3d aside = clean.truth.rotation.transpose() * Eigen::Vector3d::UnitX();
+    VesselTree moved = clean.tree;
+    for (VesselBranch& branch : moved.branches) {
+        for (Eigen::Vector3d& point : branch.pointsInPatient) {
+            point += byMm / (1.0 + std::exp((point.z() - middle) / 2.0)) * aside;
+        }
+    }
+    CounterRandom random(4);
+    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    input.target = projectTree(moved, clean.camera, clean.truth);
+    return input;
+}
+
+const Message* find(const Messages& messages, const MessageEntry& entry)
+{
+    const auto found = std::ranges::find_if(messages, [&](const Message& message) { return message.is(entry); });
+    return found == messages.end() ? nullptr : &*found;
+}
+
+TEST(BendingDoubt, ARigidTreeIsNotAsked)
+{
+    const test::CleanCase clean(3);
+    CounterRandom random(4);
+    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationOptions off;
+    off.bending = Bending::Off;
+    const RegistrationResult asUsual = registerVessels(input).value();
+    const RegistrationResult without = registerVessels(input, off).value();
+
+    EXPECT_FALSE(asUsual.bent);
+    EXPECT_TRUE(asUsual.trustworthy);
+    EXPECT_EQ(asUsual.uncertainty.covariance, without.uncertainty.covariance);
+}
+
+TEST(BendingDoubt, AHalfThatMovedIsSaidAndShakesTrust)
+{
+    const test::CleanCase clean(3);
+    const RegistrationInput input = halfMoved(clean, 8.0);
+    RegistrationOptions off;
+    off.bending = Bending::Off;
+    const RegistrationResult result = registerVessels(input).value();
+    const RegistrationResult without = registerVessels(input, off).value();
+
+    EXPECT_EQ(result.cameraFromPatient.matrix(), without.cameraFromPatient.matrix());
+    EXPECT_FALSE(without.bent);
+    ASSERT_TRUE(result.bent);
+    EXPECT_NE(result.bent->verdict, BendVerdict::Rigid);
+    EXPECT_FALSE(result.trustworthy);
+    const Message* said = find(result.warnings, says::bendRigidOff);
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->severity(), Severity::Warning);
+    EXPECT_GT(std::get<Quantity>(said->arguments()[1]).value, 3.0) << said->text();
+    EXPECT_NE(find(result.warnings, says::bendPartMoved), nullptr);
+    EXPECT_GT(result.uncertainty.inPlaneMm, 2.0 * without.uncertainty.inPlaneMm);
+    EXPECT_GT(result.bent->rigid.meanMm, 1.0);
+}
+
+TEST(BendingDoubt, LocksAreNotBentByThemselves)
+{
+    const test::CleanCase clean(3);
+    RegistrationOptions locked;
+    locked.locks[static_cast<std::size_t>(PoseAxis::AlongRay)] = true;
+    EXPECT_FALSE(registerVessels(halfMoved(clean, 8.0), locked).value().bent);
+}
+
+TEST(BendingDoubt, AlwaysAsksWhateverTheMethod)
+{
+    const test::CleanCase clean(3);
+    const RegistrationInput input = halfMoved(clean, 8.0);
+    RegistrationOptions always;
+    always.method = "dt-icp";
+    always.bending = Bending::Always;
+    EXPECT_TRUE(registerVessels(input, always).value().bent);
+}
+
+}   // namespace
+}   // namespace angiopose::core
