@@ -17,23 +17,6 @@ namespace {
 constexpr double leastOffsetPx = 0.2;   // of stretches beside their vessels
 constexpr double leastFoundShare = 0.65;   // of the visible tree: the rest may have moved away
 constexpr double mostRigidOffMm = 1.9;   // to be expected of the tree's points; errors from 2 mm on shall be flagged
-// What is left of the headers' errors once views are registered together.
-constexpr double jointGeometryDeg = 0.1;
-constexpr double jointGeometryMm = 0.3;
-
-DeformableOptions deformableOptions(const RegistrationOptions& options, std::size_t viewCount)
-{
-    DeformableOptions bending;
-    bending.startDeg = options.angiopose.priorRotationDeg;
-    bending.startLateralMm = options.angiopose.priorLateralMm;
-    bending.startDepthMm = options.angiopose.priorDepthMm;
-    if (viewCount > 1) {
-        bending.geometryDeg = jointGeometryDeg;
-        bending.geometryMm = jointGeometryMm;
-    }
-    return bending;
-}
-
 /// Share of the tree inside the image that lies along traced vessels.
 double foundShare(const Alignment& alignment, const CentroidPose& pose)
 {
@@ -94,6 +77,15 @@ void tellBend(const DeformableResult& bent, RigidJudgement judgement)
 
 }   // namespace
 
+DeformableOptions bendingOptions(const RegistrationOptions& options)
+{
+    DeformableOptions bending;
+    bending.startDeg = options.angiopose.priorRotationDeg;
+    bending.startLateralMm = options.angiopose.priorLateralMm;
+    bending.startDepthMm = options.angiopose.priorDepthMm;
+    return bending;
+}
+
 bool looksBent(const RigidFit& fit)
 {
     const CentroidPose pose = aboutCentroid(fit.cameraFromPatient, fit.problem.tree.centroid);
@@ -104,10 +96,10 @@ bool looksBent(const RigidFit& fit)
 }
 
 std::shared_ptr<const DeformableResult> judgeByBending(std::span<const DeformableView> views,
-                                                       const RegistrationOptions& options, RigidJudgement judgement,
+                                                       const DeformableOptions& options, RigidJudgement judgement,
                                                        const IterationObserver& observe)
 {
-    auto bent = deformVessels(views, deformableOptions(options, views.size()), observe);
+    auto bent = deformVessels(views, options, observe);
     if (!bent) {
         return nullptr;
     }

@@ -26,11 +26,14 @@ struct RigidJudgement {
     Messages& warnings;
 };
 
+/// The start pose's errors as the options have them.
+DeformableOptions bendingOptions(const RegistrationOptions& options);
+
 /// Bends the vessels from rigid poses and lets the rigid result say what that found: the covariance holds how far the
 /// pose is off, trust falls where the overlay is, and the words tell which part lies how far off. Null where the
 /// vessels cannot be bent (points without curves). `observe`: see deformVessels.
 std::shared_ptr<const DeformableResult> judgeByBending(std::span<const DeformableView> views,
-                                                       const RegistrationOptions& options, RigidJudgement judgement,
+                                                       const DeformableOptions& options, RigidJudgement judgement,
                                                        const IterationObserver& observe);
 
 }   // namespace angiopose::core

@@ -80,7 +80,8 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
                                                    : judgePose(problem.value(), options, solution);
     if (isBendAsked(problem.value(), options, solution, result)) {
         const DeformableView view = bendView(input, result);
-        result.bent = judgeByBending({&view, 1}, options, {result.uncertainty, result.trustworthy, result.warnings},
+        result.bent = judgeByBending({&view, 1}, bendingOptions(options),
+                                     {result.uncertainty, result.trustworthy, result.warnings},
                                      [&](const IterationReport&) { return progress.askAgain("bend"); });
     }
     result.method = options.method;

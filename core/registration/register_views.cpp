@@ -193,15 +193,21 @@ bool isBendAsked(const JointSolve::Views& views, const RegistrationOptions& opti
     return false;
 }
 
-/// All views together tell how the vessels are bent.
+/// All views together tell how the vessels are bent. The geometry between them is that of the start poses: what
+/// corrected it for a rigid tree may have been the bend.
 void hearBending(MultiViewResult& result, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                  const MultiViewOptions& multiView, JointProgress& progress)
 {
     std::vector<DeformableView> views;
+    const RigidTransform fromStart =
+        inputs.front().initialCameraFromPatient.inverse() * result.views.front().cameraFromPatient;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-        views.push_back({inputs[k], result.views[k].cameraFromPatient, multiView.numberOf(k)});
+        views.push_back({inputs[k], inputs[k].initialCameraFromPatient * fromStart, multiView.numberOf(k)});
     }
-    result.bent = judgeByBending(views, options, {result.uncertainty, result.trustworthy, result.warnings},
+    DeformableOptions bending = bendingOptions(options);
+    bending.geometryDeg = multiView.relativeRotationStdDeg;
+    bending.geometryMm = multiView.relativeShiftStdMm;
+    result.bent = judgeByBending(views, bending, {result.uncertainty, result.trustworthy, result.warnings},
                                  [&](const IterationReport&) { return progress.askAgain("bend"); });
 }
 
