@@ -43,9 +43,9 @@ struct BranchProfile {
 
 /// Diameter, curvature, tortuosity and narrowest place of a branch. The reference of a place is a line through the
 /// diameters of the 60 mm around it that agree with each other (narrow and wide ones are left out step by step), so
-/// that a vessel may taper; one diameter at each end of the branch does not count, where traced radii run into the
-/// parent or out. Fails on a branch of less than two points or without length; without radii it measures the rest and
-/// says so.
+/// that a vessel may taper; where the vessel does not come back to that within 20 mm, it is what it comes back to. One
+/// diameter at each end of the branch does not count, where traced radii run into the parent or out. Fails on a branch
+/// of less than two points or without length; without radii it measures the rest and says so.
 Result<BranchProfile> profileOf(const VesselBranch& branch);
 
 }   // namespace angiopose::core
