@@ -1,0 +1,156 @@
+#include "tests/app/session/random_walk.h"
+
+#include "tests/app/session/case_sight.h"
+#include "tests/app/session/random_user.h"
+#include "tests/support/patience.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <stdexcept>
+
+namespace angiopose::test {
+namespace {
+
+template <class Condition>
+void waitUntil(const char* what, const Condition& condition)
+{
+    if (!QTest::qWaitFor(condition, patienceMs)) {
+        throw std::runtime_error(std::string("does not happen: ") + what);
+    }
+}
+
+/// Nothing is computed any more that could still change what is seen.
+void settle(app::CaseController& controller)
+{
+    waitUntil("rest", [&controller] { return !controller.isBusy() && !controller.target().isTracing(); });
+    QTest::qWait(1000);
+}
+
+void open(app::WindowHost& host, const QStringList& files)
+{
+    app::CaseController& controller = host.controller();
+    host.window().resize(1400, 900);
+    controller.open(files);
+    waitUntil("opening", [&] { return !controller.isLoading() && !controller.document().isEmpty(); });
+    waitUntil("a judgement", [&controller] { return controller.judgement() || controller.target().problem(); });
+    settle(controller);
+}
+
+void registerVessels(app::WindowHost& host)
+{
+    host.window().actions()[ui::Command::Register]->trigger();
+    waitUntil("the end of a registration", [&host] { return !host.controller().registration().isRunning(); });
+}
+
+QString savedIn(app::CaseController& controller, const QString& folder)
+{
+    QDir().mkpath(folder);
+    const QString path = folder + QStringLiteral("/case.angiopose");
+    bool isSaved = false;
+    controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    waitUntil("saving", [&isSaved] { return isSaved; });
+    return path;
+}
+
+/// As far as it goes, by the key.
+void repeat(app::WindowHost& host, ui::Command command)
+{
+    constexpr int mostSteps = 1000;
+    host.window().activateWindow();
+    waitUntil("a window that hears its keys", [&host] { return host.window().isActiveWindow(); });
+    QUndoStack& steps = host.controller().document().undoStack();
+    const auto isLeft = [&] { return command == ui::Command::Undo ? steps.canUndo() : steps.canRedo(); };
+    const QKeySequence key = host.window().actions()[command]->shortcut();
+    for (int i = 0; i < mostSteps && isLeft(); ++i) {
+        QTest::keySequence(&host.window().angiogramView(), key);
+    }
+    if (isLeft()) {
+        throw std::runtime_error("does not go on: " + steps.undoText().toStdString());
+    }
+    settle(host.controller());
+}
+
+/// One walk in a window of its own.
+class Walk {
+public:
+    explicit Walk(const RandomWalk& plan) : plan_(plan)
+    {
+        open(host_, plan.files);
+        fresh_ = switchesOf(host_.window());
+        layout_ = host_.window().layoutState();
+    }
+
+    QStringList textIn(const char* name) { return caseTextOf(host_.controller().document().current(), folder(name)); }
+
+    void work()
+    {
+        RandomUser user(host_, plan_.seed);
+        for (int i = 0; i < plan_.actions; ++i) {
+            user.act();
+            if (plan_.told) {
+                plan_.told(user.lastAction());
+            }
+            if (i == plan_.actions / 2) {
+                registerVessels(host_);
+            }
+        }
+        if (plan_.seed % 2 == 0) {   // else what was edited since is judged
+            registerVessels(host_);
+        }
+        if (!user.comeToRest()) {
+            throw std::runtime_error("does not come to rest after: " + user.lastAction().toStdString());
+        }
+    }
+
+    QStringList changedByReopening()
+    {
+        const QString path = savedIn(host_.controller(), folder("saved"));
+        const CaseSight before = sightOf(host_, fresh_, layout_, folder("before"));
+        host_.window().hide();
+        app::WindowHost other;
+        open(other, {path});
+        constexpr int mostLooks = 10;   // what workers add may come late on a busy machine
+        QStringList changed;
+        for (int look = 0; look < mostLooks && (look == 0 || !changed.isEmpty()); ++look) {
+            QTest::qWait(look == 0 ? 0 : 1000);
+            changed = differencesBetween(before, sightOf(other, fresh_, layout_, folder("after")), plan_.folder);
+        }
+        host_.window().show();
+        return changed;
+    }
+
+    void undoAll() { repeat(host_, ui::Command::Undo); }
+    void redoAll() { repeat(host_, ui::Command::Redo); }
+
+private:
+    QString folder(const char* name) const { return plan_.folder + QLatin1Char('/') + QLatin1String(name); }
+
+    RandomWalk plan_;
+    app::WindowHost host_;
+    Switches fresh_;   ///< of a window that has just opened the case
+    QByteArray layout_;
+};
+
+}   // namespace
+
+QStringList surprisesOf(const RandomWalk& plan)
+{
+    try {
+        Walk walk(plan);
+        const QStringList start = walk.textIn("start");
+        walk.work();
+        QStringList surprises = walk.changedByReopening();
+        const QStringList end = walk.textIn("end");
+        walk.undoAll();
+        surprises << differenceBetween(QStringLiteral("undone"), start, walk.textIn("undone"));
+        walk.redoAll();
+        surprises << differenceBetween(QStringLiteral("redone"), end, walk.textIn("redone"));
+        return surprises;
+    } catch (const std::runtime_error& stuck) {
+        return {QString::fromUtf8(stuck.what())};
+    }
+}
+
+}   // namespace angiopose::test
