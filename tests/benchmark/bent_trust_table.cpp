@@ -37,7 +37,7 @@ const char* const usage =
     "  --trials <n>      for each tree and row (4)\n"
     "  --first <n>       number of the first trial (0)\n"
     "  --turn <deg>      a second view, turned by so much (0: one view)\n"
-    "  --set <off|auto>  option deformable (auto)\n"
+    "  --set <never|auto>  option deformable (auto)\n"
     "  --each            one line for each registration, too\n";
 
 /// One row of the table: how the vessels moved; or, that the image shows another patient's.
@@ -247,7 +247,7 @@ int main(int argc, char** argv)
     const double turnDeg = arguments.number("turn", 0.0);
     const std::vector<double> turns = turnDeg == 0.0 ? std::vector{0.0} : std::vector{0.0, turnDeg};
     core::RegistrationOptions options;
-    options.bending = arguments.text("set", "auto") == "off" ? core::Bending::Off : core::Bending::Auto;
+    options.bending = arguments.text("set", "auto") == "never" ? core::Bending::Off : core::Bending::Auto;
     core::ResultTable table;
     table.columns = {"truth",     "mean mm", "σ mm",       "false alarms", "flagged 2–5", "flagged > 5", "impossible",
                      "said bent", "NEES",    "its median", "inside 95 %",  "median ms",   "longest ms"};

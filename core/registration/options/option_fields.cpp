@@ -152,7 +152,7 @@ std::vector<OptionField> geometryFields()
         choice<&Options::bending>({"deformable", "Bent vessels",
                                    "Whether the vessels are bent onto the image after the rigid registration: never, "
                                    "where the fit looks as if they were bent (angiopose, nothing locked), or always."},
-                                  {"off", "auto", "always"}),
+                                  {"never", "auto", "always"}),
     };
 }
 
