@@ -3,7 +3,7 @@
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
-#include "io/case/edited_curves.h"
+#include "io/edited_curves.h"
 #include "io/case/fields/result_fields.h"
 #include "io/support/atomic_file.h"
 #include "io/support/deformable_json.h"

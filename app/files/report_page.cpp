@@ -5,7 +5,7 @@
 #include "app/words/geometry_state.h"
 #include "app/words/view_words.h"
 #include "core/case/case_patients.h"
-#include "io/case/edited_curves.h"
+#include "io/edited_curves.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/language.h"

@@ -179,6 +179,11 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
         return status.error();
     }
     run.bent = run.result().bent;
+    for (View& view : run.theCase.views) {   // a case keeps no bent vessels: saved and reopened it says the same
+        if (view.result) {
+            view.result->bent.reset();
+        }
+    }
     return run;
 }
 

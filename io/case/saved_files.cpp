@@ -1,6 +1,6 @@
 #include "io/case/saved_files.h"
 
-#include "io/case/edited_curves.h"
+#include "io/edited_curves.h"
 #include "io/file_hash.h"
 #include "io/vessel_input_file.h"
 

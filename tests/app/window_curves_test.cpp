@@ -1,7 +1,7 @@
 #include "app/document/edit_case.h"
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "io/case/case_file.h"
-#include "io/case/edited_curves.h"
+#include "io/edited_curves.h"
 #include "tests/app/open_window.h"
 #include "tests/app/session/words_of_window.h"
 #include "tests/support/temporary_folder.h"

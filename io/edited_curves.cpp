@@ -1,4 +1,4 @@
-#include "io/case/edited_curves.h"
+#include "io/edited_curves.h"
 
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
