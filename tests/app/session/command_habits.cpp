@@ -45,10 +45,9 @@ QString command(Desk& desk)
 /// The poses of the case: kept, switched, compared.
 QString handlePoses(Desk& desk)
 {
-    static constexpr std::array commands{ui::Command::KeepPose,     ui::Command::SwitchPoses,
-                                         ui::Command::ComparePoses, ui::Command::AuxiliaryAdvice,
-                                         ui::Command::BlindTrial,   ui::Command::TrialDone,
-                                         ui::Command::GantryAngles};
+    static constexpr std::array commands{
+        ui::Command::KeepPose,   ui::Command::SwitchPoses, ui::Command::ComparePoses, ui::Command::AuxiliaryAdvice,
+        ui::Command::BlindTrial, ui::Command::TrialDone,   ui::Command::GantryAngles};
     QAction* action = desk.window.actions()[desk.hand.oneOf(commands)];
     action->trigger();
     return QStringLiteral("poses: ") + action->objectName();
