@@ -53,7 +53,8 @@ Json inputsJson(const core::Case& theCase)
 
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result,
+                       const core::DeformableResult* bent)
 {
     Json root;
     root["format"] = "angiopose-result";
@@ -75,16 +76,17 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
-    if (result.bent) {
-        root["deformable"] = Json::parse(deformableJson(*result.bent));
+    if (bent) {
+        root["deformable"] = Json::parse(deformableJson(*bent));
     }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path,
+                         const core::DeformableResult* bent)
 {
-    return writeAtomically(path, resultJson(theCase, result));
+    return writeAtomically(path, resultJson(theCase, result, bent));
 }
 
 namespace {
@@ -113,7 +115,6 @@ std::string jointJson(const core::RegisteredCase& registered)
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result));
-        view.erase("deformable");   // of all views together: below
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         if (k < joint.cameras.size()) {
@@ -131,7 +132,8 @@ std::string jointJson(const core::RegisteredCase& registered)
 
 std::string registeredJson(const core::RegisteredCase& registered)
 {
-    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result());
+    return registered.joint ? jointJson(registered)
+                            : resultJson(registered.theCase, registered.result(), registered.bent.get());
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path)

@@ -33,21 +33,24 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
+core::Status writeView(const RegisteredCase& registered, std::size_t index, const fs::path& folder)
 {
-    const fs::path folder(folderName);
+    const core::Case theCase = caseShowing(registered, index);
+    const core::DeformableResult* bent =
+        index == 0 ? registered.bent.get() : nullptr;   // the shown view speaks for all
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
         return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
-    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string()); !status) {
+    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string(), bent);
+        !status) {
         return status;
     }
     if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    const auto picture = drawOverlay(theCase, target);
+    const auto picture = drawOverlay(theCase, registered.targets[index]);
     if (!picture) {
         return picture.error();
     }
@@ -134,9 +137,7 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
 {
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        if (auto status =
-                writeView(caseShowing(registered, k), registered.targets[k], viewFolder(registered, folder, k));
-            !status) {
+        if (auto status = writeView(registered, k, viewFolder(registered, folder, k)); !status) {
             return status;
         }
     }

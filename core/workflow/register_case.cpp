@@ -79,7 +79,6 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
 {
     RegistrationResult result = joint.views.front();
     result.uncertainty = joint.uncertainty;
-    result.bent = joint.bent;
     result.camera = joint.cameras.empty() ? std::nullopt : std::optional(joint.cameras.front());
     result.trustworthy = joint.trustworthy;
     for (const Message& warning : joint.warnings) {
@@ -116,6 +115,7 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, const IterationOb
     }
     RegistrationResult result = std::move(found).value();
     notes.addTo(result, 0);
+    run.bent = result.bent;
     takeOver(run.theCase.shown(), std::move(result));
     return Done{};
 }
@@ -136,6 +136,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
         return joint.error();
     }
     run.joint = std::move(joint).value();
+    run.bent = run.joint->bent;
     const double totalMs = watch.lapMs();   // one run found them all
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
@@ -151,6 +152,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
 void takeOver(View& view, RegistrationResult result)
 {
     view.caseFile = {};
+    result.bent.reset();
     view.cameraFromPatient = result.cameraFromPatient;
     view.result = std::move(result);
 }
@@ -177,12 +179,6 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
         run.places.size() > 1 ? registerTogether(run, notes, observer) : registerOne(run, notes, observer);
     if (!status) {
         return status.error();
-    }
-    run.bent = run.result().bent;
-    for (View& view : run.theCase.views) {   // a case keeps no bent vessels: saved and reopened it says the same
-        if (view.result) {
-            view.result->bent.reset();
-        }
     }
     return run;
 }
