@@ -1,6 +1,7 @@
 #include "core/registration/bending_doubt.h"
 
 #include "core/messages/says.h"
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/shape_tolerance.h"
 #include "core/registration/judging/pose_uncertainty.h"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double leastOffsetPx = 0.4;   // of stretches beside their vessels
 constexpr double leastFoundShare = 0.52;   // of the visible tree: the rest may have moved away
 constexpr double mostRigidOffMm = 1.9;   // to be expected of the tree's points; errors from 2 mm on shall be flagged
+
 /// Share of the tree inside the image that lies along traced vessels.
 double foundShare(const Alignment& alignment, const CentroidPose& pose)
 {
@@ -105,7 +107,10 @@ std::shared_ptr<const DeformableResult> judgeByBending(std::span<const Deformabl
         return nullptr;
     }
     auto result = std::make_shared<const DeformableResult>(std::move(bent).value());
-    if (result->verdict != BendVerdict::Rigid && result->stopReason != StopReason::StoppedByUser) {
+    if (result->stopReason == StopReason::StoppedByUser) {   // what looked bent stays in doubt
+        judgement.trustworthy = false;
+        judgement.warnings.insert(judgement.warnings.begin(), says::bendStopped().as(Severity::Warning));
+    } else if (result->verdict != BendVerdict::Rigid) {
         const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
         replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);
         tellBend(*result, judgement);

@@ -83,6 +83,7 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
         result.bent = judgeByBending({&view, 1}, bendingOptions(options),
                                      {result.uncertainty, result.trustworthy, result.warnings},
                                      [&](const IterationReport&) { return progress.askAgain("bend"); });
+        result.stopReason = progress.isStopped() ? StopReason::StoppedByUser : result.stopReason;
     }
     result.method = options.method;
     result.history = progress.history();

@@ -209,6 +209,9 @@ void hearBending(MultiViewResult& result, std::span<const RegistrationInput> inp
     bending.geometryMm = multiView.relativeShiftStdMm;
     result.bent = judgeByBending(views, bending, {result.uncertainty, result.trustworthy, result.warnings},
                                  [&](const IterationReport&) { return progress.askAgain("bend"); });
+    for (RegistrationResult& view : result.views) {
+        view.stopReason = progress.isStopped() ? StopReason::StoppedByUser : view.stopReason;
+    }
 }
 
 }   // namespace

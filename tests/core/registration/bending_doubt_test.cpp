@@ -73,6 +73,27 @@ TEST(BendingDoubt, AHalfThatMovedIsSaidAndShakesTrust)
     EXPECT_GT(result.bent->rigid.meanMm, 1.0);
 }
 
+TEST(BendingDoubt, StoppedWhileBendingIsNotTrusted)
+{
+    const test::CleanCase clean(3);
+    const RegistrationInput input = clean.from(clean.truth);
+    RegistrationOptions always;
+    always.bending = Bending::Always;
+    const auto stopAtBending = [](const IterationReport& report) {
+        return report.stage == "bend" ? Verdict::Stop : Verdict::Continue;
+    };
+    const RegistrationResult toTheEnd = registerVessels(input, always).value();
+    const RegistrationResult stopped = registerVessels(input, always, stopAtBending).value();
+
+    EXPECT_TRUE(toTheEnd.trustworthy);
+    EXPECT_EQ(stopped.cameraFromPatient.matrix(), toTheEnd.cameraFromPatient.matrix());
+    EXPECT_EQ(stopped.stopReason, StopReason::StoppedByUser);
+    EXPECT_FALSE(stopped.trustworthy);
+    const Message* said = find(stopped.warnings, says::bendStopped);
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->severity(), Severity::Warning);
+}
+
 TEST(BendingDoubt, LocksAreNotBentByThemselves)
 {
     const test::CleanCase clean(3);
