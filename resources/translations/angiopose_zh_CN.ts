@@ -8788,6 +8788,13 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
+    <name>angiopose::ui::MethodWords</name>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
@@ -8840,10 +8847,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Delete	Del</source>
         <translation>删除	Del</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>手动</translation>
     </message>
     <message>
         <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>

@@ -1,13 +1,16 @@
 #include "ui/dialogs/pose_table.h"
 
 #include "core/registration/methods/method_info.h"
-#include "ui/panels/snapshot_panel.h"
+#include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/method_words.h"
 #include "ui/words/number.h"
+#include "ui/words/short_time.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
