@@ -192,12 +192,13 @@ TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
     rigid.options.bending = Bending::Off;
     EXPECT_FALSE(registerCase(rigid, {}).value().bent);
 
-    // Stopped while bending: the rigid result stays, the bent one says so.
+    // Stopped while bending: the rigid pose stays, untrusted, for it was not looked at to the end.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
         return report.stage == "bend" ? Verdict::Stop : Verdict::Continue;
     });
     ASSERT_TRUE(stopped);
-    EXPECT_EQ(stopped.value().result().stopReason, StopReason::Converged);
+    EXPECT_EQ(stopped.value().result().stopReason, StopReason::StoppedByUser);
+    EXPECT_FALSE(stopped.value().result().trustworthy);
     EXPECT_EQ(stopped.value().bent->stopReason, StopReason::StoppedByUser);
 
     // Stopped before: not begun.
