@@ -61,7 +61,18 @@ void withdrawExplained(RigidJudgement judgement)
     }
 }
 
-/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said.
+/// How far the rigid overlay is off, as surely as the bend is known.
+Message offWords(const DeformableResult& bent)
+{
+    const Quantity mean = inMm(bent.rigid.meanMm, 1);
+    const Quantity farthest = inMm(bent.rigid.farthestMm, 1);
+    const std::string branch = std::to_string(bent.rigid.farthestBranchId);
+    return bent.verdict == BendVerdict::Bent ? says::bendRigidOff(mean, farthest, branch)
+                                             : says::bendMayBeOff(mean, farthest, branch);
+}
+
+/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said,
+/// first where it is sure.
 void tellBend(const DeformableResult& bent, RigidJudgement judgement)
 {
     const bool isOff = std::hypot(bent.rigid.meanMm, bent.placeStdMm) > mostRigidOffMm;
@@ -69,12 +80,11 @@ void tellBend(const DeformableResult& bent, RigidJudgement judgement)
         withdrawExplained(judgement);
     }
     judgement.trustworthy = judgement.trustworthy && !isOff;
-    Messages said{says::bendRigidOff(inMm(bent.rigid.meanMm, 1), inMm(bent.rigid.farthestMm, 1),
-                                     std::to_string(bent.rigid.farthestBranchId))
-                      .as(isOff ? Severity::Warning : Severity::Note)};
+    Messages said{offWords(bent).as(isOff ? Severity::Warning : Severity::Note)};
     std::ranges::copy_if(bent.messages, std::back_inserter(said),
                          [](const Message& message) { return !message.is(says::bendDepthUnknown); });
-    const auto place = isOff ? judgement.warnings.begin() : judgement.warnings.end();
+    const auto place =
+        isOff && bent.verdict == BendVerdict::Bent ? judgement.warnings.begin() : judgement.warnings.end();
     judgement.warnings.insert(place, said.begin(), said.end());
 }
 

@@ -3654,6 +3654,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Gefäße sind gegen den Baum verbogen: Die starre Überlagerung liegt im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
+        <source>The vessels may be bent against the tree, the image does not show it surely: the rigid overlay would lie %1 off in the mean, most at branch %3 (%2).</source>
+        <comment>bend.may-be-off</comment>
+        <translation>Die Gefäße sind vielleicht gegen den Baum verbogen, sicher zeigt es das Bild nicht: Die starre Überlagerung läge im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
+    </message>
+    <message>
         <source>Bending was stopped before its end: the rigid pose stays.</source>
         <comment>bend.stopped</comment>
         <translation>Das Verbiegen wurde vor dem Ende angehalten: Die starre Lage bleibt.</translation>

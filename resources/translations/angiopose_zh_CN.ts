@@ -3654,6 +3654,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管相对于血管树发生了弯曲：刚性叠加平均偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
     <message>
+        <source>The vessels may be bent against the tree, the image does not show it surely: the rigid overlay would lie %1 off in the mean, most at branch %3 (%2).</source>
+        <comment>bend.may-be-off</comment>
+        <translation>血管可能相对于血管树发生了弯曲，但图像不能确定：刚性叠加平均将偏离 %1，在分支 %3 处最大（%2）。</translation>
+    </message>
+    <message>
         <source>Bending was stopped before its end: the rigid pose stays.</source>
         <comment>bend.stopped</comment>
         <translation>弯曲在完成前被停止：保留刚性位姿。</translation>
