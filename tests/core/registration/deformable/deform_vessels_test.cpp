@@ -1,5 +1,7 @@
 #include "core/registration/deformable/deform_vessels.h"
 
+#include "core/registration/deformable/bent_tree.h"
+
 #include "core/messages/says.h"
 #include "tests/support/clean_case.h"
 
