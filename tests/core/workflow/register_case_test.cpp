@@ -182,7 +182,7 @@ TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
     const auto run = registerCase(values, plan, [&](const WorkReport& report) {
         EXPECT_GE(report.fraction, last);
         last = report.fraction;
-        hasBent = hasBent || report.stage == "bend";
+        hasBent = hasBent || report.stage == "bending";
         return Verdict::Continue;
     });
     ASSERT_TRUE(run) << run.error().message;
@@ -202,7 +202,7 @@ TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
 
     // Stopped while bending: the rigid pose stays, untrusted, for it was not looked at to the end.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
-        return report.stage == "bend" ? Verdict::Stop : Verdict::Continue;
+        return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
     });
     ASSERT_TRUE(stopped);
     EXPECT_EQ(stopped.value().result().stopReason, StopReason::StoppedByUser);
