@@ -34,6 +34,34 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
+core::Status writePicture(const core::Case& theCase, const core::Centerline2d& target,
+                          const OverlayPictureOptions& options, const fs::path& path)
+{
+    const auto picture = drawOverlay(theCase, target, options);
+    return picture ? io::writePng(picture.value(), path.string(), provenanceTexts(theCase))
+                   : core::Status(picture.error());
+}
+
+/// As the window shows them; of bent vessels also the rigid ones, and how far the bent ones lie from them.
+core::Status writePictures(const core::Case& theCase, const core::Centerline2d& target, const fs::path& folder)
+{
+    OverlayPictureOptions options;
+    if (auto status = writePicture(theCase, target, options, folder / "overlay.png"); !status) {
+        return status;
+    }
+    const core::View& shown = theCase.shown();
+    if (!drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
+        return core::Done{};
+    }
+    options.coloring = OverlayColoring::Motion;
+    if (auto status = writePicture(theCase, target, options, folder / "motion.png"); !status) {
+        return status;
+    }
+    options.coloring = OverlayColoring::Residuals;
+    options.shape = VesselShape::Rigid;
+    return writePicture(theCase, target, options, folder / "rigid.png");
+}
+
 core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
 {
     const fs::path folder(folderName);
@@ -48,11 +76,7 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
     if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    const auto picture = drawOverlay(theCase, target);
-    if (!picture) {
-        return picture.error();
-    }
-    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
+    return writePictures(theCase, target, folder);
 }
 
 /// Where nothing is bent there is nothing to write, unless the user asked for it.
