@@ -3,10 +3,10 @@
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
+#include "io/case/fields/bent_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/edited_curves.h"
 #include "io/support/atomic_file.h"
-#include "io/support/deformable_json.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/message_json.h"
@@ -53,8 +53,7 @@ Json inputsJson(const core::Case& theCase)
 
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result,
-                       const core::DeformableResult* bent)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result)
 {
     Json root;
     root["format"] = "angiopose-result";
@@ -76,17 +75,16 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
-    if (bent) {
-        root["deformable"] = Json::parse(deformableJson(*bent));
+    if (result.bent) {
+        root["deformable"] = bentSummary(*result.bent);
     }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path,
-                         const core::DeformableResult* bent)
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
 {
-    return writeAtomically(path, resultJson(theCase, result, bent));
+    return writeAtomically(path, resultJson(theCase, result));
 }
 
 namespace {
@@ -115,6 +113,7 @@ std::string jointJson(const core::RegisteredCase& registered)
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result));
+        view.erase("deformable");   // of all views together: below
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         if (k < joint.cameras.size()) {
@@ -122,8 +121,8 @@ std::string jointJson(const core::RegisteredCase& registered)
         }
         json["views"].push_back(std::move(view));
     }
-    if (registered.bent) {
-        json["deformable"] = Json::parse(deformableJson(*registered.bent));
+    if (const auto& bent = registered.result().bent) {
+        json["deformable"] = bentSummary(*bent);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -132,8 +131,7 @@ std::string jointJson(const core::RegisteredCase& registered)
 
 std::string registeredJson(const core::RegisteredCase& registered)
 {
-    return registered.joint ? jointJson(registered)
-                            : resultJson(registered.theCase, registered.result(), registered.bent.get());
+    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result());
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path)

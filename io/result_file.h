@@ -8,13 +8,11 @@
 
 namespace angiopose::io {
 
-/// result.json of FORMATS §3 as text. `bent`: what bending the vessels found, where a run asked for it.
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result,
-                       const core::DeformableResult* bent = nullptr);
+/// result.json of FORMATS §3 as text.
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result);
 
 /// Writes it atomically.
-core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path,
-                         const core::DeformableResult* bent = nullptr);
+core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path);
 
 /// What a registration found, as text: result.json of one view, joint.json of several (FORMATS §3).
 std::string registeredJson(const core::RegisteredCase& registered);

@@ -44,6 +44,8 @@ struct ProjectArguments {
     bool depthCue = false;   ///< near vessels bright, far ones dim
     std::optional<double> swipePx;   ///< right of this column the angiogram alone
     bool startBeside = false;   ///< before and after
+    bool isRigid = false;   ///< the vessels of the rigid pose, where the case keeps bent ones
+    bool isMotionColored = false;   ///< coloured by how far the bent vessels lie from the rigid ones
 };
 int runProject(const ProjectArguments& arguments);
 

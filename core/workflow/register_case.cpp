@@ -3,6 +3,7 @@
 #include "core/case/case_views.h"
 #include "core/case/registration_input.h"
 #include "core/messages/says.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -115,7 +116,6 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, const IterationOb
     }
     RegistrationResult result = std::move(found).value();
     notes.addTo(result, 0);
-    run.bent = result.bent;
     takeOver(run.theCase.shown(), std::move(result));
     return Done{};
 }
@@ -136,13 +136,16 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
         return joint.error();
     }
     run.joint = std::move(joint).value();
-    run.bent = run.joint->bent;
     const double totalMs = watch.lapMs();   // one run found them all
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
         notes.addTo(result, k);
-        takeOver(run.theCase.views[run.places[k]], k == 0 ? resultOfAll(*run.joint) : result);
+        RegistrationResult kept = k == 0 ? resultOfAll(*run.joint) : result;
+        if (run.joint->bent) {
+            kept.bent = std::make_shared<const DeformableResult>(seenFirst(*run.joint->bent, k));
+        }
+        takeOver(run.theCase.views[run.places[k]], std::move(kept));
     }
     return Done{};
 }
@@ -152,7 +155,6 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
 void takeOver(View& view, RegistrationResult result)
 {
     view.caseFile = {};
-    result.bent.reset();
     view.cameraFromPatient = result.cameraFromPatient;
     view.result = std::move(result);
 }
@@ -169,7 +171,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!traced) {
         return traced.error();
     }
-    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}, {}};
+    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
     const IterationObserver observer = solverObserver(course, run.places, begin);
     const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},

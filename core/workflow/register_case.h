@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/case/case.h"
-#include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/register_views.h"
 #include "core/workflow/observer.h"
 
@@ -29,13 +28,11 @@ struct RegisteredCase {
     std::vector<std::size_t> places;   ///< of the registered views in `theCase.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< what they were registered to, in the same order
     std::optional<MultiViewResult> joint;   ///< of several views
-    std::shared_ptr<const DeformableResult> bent;   ///< of all registered views together; null where it was not asked
 
     const RegistrationResult& result() const { return *theCase.shown().result; }
 };
 
-/// The view after a run that found this: at its pose, and no longer as its case file has it. The bent vessels are left
-/// out: a case keeps none, so saved and reopened it says the same.
+/// The view after a run that found this: at its pose, and no longer as its case file has it.
 void takeOver(View& view, RegistrationResult result);
 
 /// The main job: traces the vessels in each view, registers the tree to one view (registerVessels) or to all together

@@ -388,6 +388,22 @@
         <translation>In diesem Bild sind noch keine Gefäße erkannt.</translation>
     </message>
     <message>
+        <source>How each point moved (*.csv)</source>
+        <translation>Bewegung jedes Punkts (*.csv)</translation>
+    </message>
+    <message>
+        <source>Bent centrelines (*.vtp)</source>
+        <translation>Gebogene Mittellinien (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export bent vessels</source>
+        <translation>Gebogene Gefäße exportieren</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose. Register first (R).</source>
+        <translation>Zu dieser Lage sind keine gebogenen Gefäße bekannt. Zuerst registrieren (R).</translation>
+    </message>
+    <message>
         <source>Export traced vessels</source>
         <translation>Erkannte Gefäße exportieren</translation>
     </message>
@@ -1264,6 +1280,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Before: start pose</source>
         <translation>Vorher: Startlage</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose</source>
+        <translation>Zu dieser Lage sind keine gebogenen Gefäße bekannt</translation>
+    </message>
+    <message>
+        <source>Colours: how far from the traced vessels</source>
+        <translation>Farben: wie weit von den erkannten Gefäßen</translation>
+    </message>
+    <message>
+        <source>Colours: how far the bent vessels lie from the rigid ones</source>
+        <translation>Farben: wie weit die gebogenen Gefäße von den starren liegen</translation>
+    </message>
+    <message>
+        <source>Vessels as the rigid pose has them</source>
+        <translation>Gefäße, wie die starre Lage sie zeigt</translation>
+    </message>
+    <message>
+        <source>Vessels as they are bent</source>
+        <translation>Gefäße, wie sie gebogen sind</translation>
     </message>
     <message>
         <source>After: pose as it is</source>
@@ -2533,6 +2569,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einpassen</translation>
     </message>
     <message>
+        <source>bending</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>von Hand angehalten</translation>
     </message>
@@ -2769,6 +2809,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt keinen Freiheitsgrad „%1“ zum Sperren. Möglich: %2 oder none.</translation>
     </message>
     <message>
+        <source>no bent vessels are known of its pose. Register it where they look bent, or with the option deformable=always.</source>
+        <comment>command.no-bent-vessels</comment>
+        <translation>zu seiner Lage sind keine gebogenen Gefäße bekannt. Registrieren Sie ihn, wo sie gebogen aussehen, oder mit der Option deformable=always.</translation>
+    </message>
+    <message>
         <source>the image of this view could not be read.</source>
         <comment>command.view-image-unread</comment>
         <translation>das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
@@ -2947,6 +2992,36 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>%1 · median %2 · not trustworthy</source>
         <comment>picture.pose-not-trustworthy</comment>
         <translation>%1 · Median %2 · nicht vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <comment>picture.motion-scale</comment>
+        <translation>bewegt, mm</translation>
+    </message>
+    <message>
+        <source>bend along the ray: not told</source>
+        <comment>picture.bent-depth-untold</comment>
+        <translation>Biegung längs des Strahls: unbekannt</translation>
+    </message>
+    <message>
+        <source>rigid: %1</source>
+        <comment>picture.of-rigid-vessels</comment>
+        <translation>starr: %1</translation>
+    </message>
+    <message>
+        <source>vessels rigid; bent ones are known</source>
+        <comment>picture.vessels-rigid</comment>
+        <translation>Gefäße starr; gebogene sind bekannt</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1, not sure</source>
+        <comment>picture.vessels-bent-unsure</comment>
+        <translation>Gefäße um bis zu %1 gebogen, nicht sicher</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1</source>
+        <comment>picture.vessels-bent</comment>
+        <translation>Gefäße um bis zu %1 gebogen</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -6478,6 +6553,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Startlage und Lage im Wechsel</translation>
     </message>
     <message>
+        <source>Colours: how far bent vessels moved</source>
+        <translation>Farben: wie weit gebogene Gefäße sich bewegten</translation>
+    </message>
+    <message>
+        <source>Vessels bent, where that is known, or rigid</source>
+        <translation>Gefäße gebogen, wo bekannt, oder starr</translation>
+    </message>
+    <message>
         <source>Replay the last run</source>
         <translation>Letzten Lauf wiedergeben</translation>
     </message>
@@ -6848,6 +6931,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Export vessel tree …</source>
         <translation>Gefäßbaum exportieren …</translation>
+    </message>
+    <message>
+        <source>Export bent vessels …</source>
+        <translation>Gebogene Gefäße exportieren …</translation>
     </message>
     <message>
         <source>Export report …</source>

@@ -388,6 +388,22 @@
         <translation>此帧尚未提取血管。</translation>
     </message>
     <message>
+        <source>How each point moved (*.csv)</source>
+        <translation>各点位移 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Bent centrelines (*.vtp)</source>
+        <translation>弯曲中心线 (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export bent vessels</source>
+        <translation>导出弯曲血管</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose. Register first (R).</source>
+        <translation>此位姿没有已知的弯曲血管。请先配准 (R)。</translation>
+    </message>
+    <message>
         <source>Export traced vessels</source>
         <translation>导出提取的血管</translation>
     </message>
@@ -1264,6 +1280,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Before: start pose</source>
         <translation>之前：初始位姿</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose</source>
+        <translation>此位姿没有已知的弯曲血管</translation>
+    </message>
+    <message>
+        <source>Colours: how far from the traced vessels</source>
+        <translation>颜色：到提取血管的距离</translation>
+    </message>
+    <message>
+        <source>Colours: how far the bent vessels lie from the rigid ones</source>
+        <translation>颜色：弯曲血管到刚性血管的距离</translation>
+    </message>
+    <message>
+        <source>Vessels as the rigid pose has them</source>
+        <translation>血管：按刚性位姿显示</translation>
+    </message>
+    <message>
+        <source>Vessels as they are bent</source>
+        <translation>血管：按弯曲显示</translation>
     </message>
     <message>
         <source>After: pose as it is</source>
@@ -2533,6 +2569,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>稳定</translation>
     </message>
     <message>
+        <source>bending</source>
+        <translation>弯曲</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>用户停止</translation>
     </message>
@@ -2769,6 +2809,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有可锁定的自由度“%1”。可用：%2，或 none。</translation>
     </message>
     <message>
+        <source>no bent vessels are known of its pose. Register it where they look bent, or with the option deformable=always.</source>
+        <comment>command.no-bent-vessels</comment>
+        <translation>其位姿没有已知的弯曲血管。请在血管看似弯曲处配准，或使用选项 deformable=always。</translation>
+    </message>
+    <message>
         <source>the image of this view could not be read.</source>
         <comment>command.view-image-unread</comment>
         <translation>无法读取该视图的图像。</translation>
@@ -2947,6 +2992,36 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>%1 · median %2 · not trustworthy</source>
         <comment>picture.pose-not-trustworthy</comment>
         <translation>%1 · 中位数 %2 · 不可信</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <comment>picture.motion-scale</comment>
+        <translation>位移，mm</translation>
+    </message>
+    <message>
+        <source>bend along the ray: not told</source>
+        <comment>picture.bent-depth-untold</comment>
+        <translation>沿射线的弯曲：未知</translation>
+    </message>
+    <message>
+        <source>rigid: %1</source>
+        <comment>picture.of-rigid-vessels</comment>
+        <translation>刚性：%1</translation>
+    </message>
+    <message>
+        <source>vessels rigid; bent ones are known</source>
+        <comment>picture.vessels-rigid</comment>
+        <translation>血管为刚性；弯曲血管已知</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1, not sure</source>
+        <comment>picture.vessels-bent-unsure</comment>
+        <translation>血管弯曲，最多 %1，不确定</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1</source>
+        <comment>picture.vessels-bent</comment>
+        <translation>血管弯曲，最多 %1</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -6478,6 +6553,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始与当前位姿闪烁对比</translation>
     </message>
     <message>
+        <source>Colours: how far bent vessels moved</source>
+        <translation>颜色：弯曲血管的位移</translation>
+    </message>
+    <message>
+        <source>Vessels bent, where that is known, or rigid</source>
+        <translation>血管：弯曲（若已知）或刚性</translation>
+    </message>
+    <message>
         <source>Replay the last run</source>
         <translation>回放上次配准</translation>
     </message>
@@ -6848,6 +6931,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Export vessel tree …</source>
         <translation>导出血管树…</translation>
+    </message>
+    <message>
+        <source>Export bent vessels …</source>
+        <translation>导出弯曲血管…</translation>
     </message>
     <message>
         <source>Export report …</source>

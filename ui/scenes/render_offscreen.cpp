@@ -75,7 +75,7 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
     const BurnSizes sizes = burnSizes(width, height);
     burnTexts(picture, texts, sizes);
     if (scaleMaximumPx > 0.0) {
-        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign}, sizes);
+        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign, texts.scaleHeading}, sizes);
     }
     return picture;
 }

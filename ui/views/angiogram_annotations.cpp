@@ -132,10 +132,12 @@ void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations
     painter.setFont(sized(painter.font(), 11));
     const int flags = Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine;
     const auto label = [&](double y, const QString& text, const Color& tone) {
-        drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
+        drawShadowedText(painter, QRectF(bar.left() - 94.0, y - 8.0, 88.0, 16.0), flags, text, colorOf(tone));
     };
     const int decimals = residualScaleDecimals(maximum);
-    label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
+    const QString unit = inMm ? QStringLiteral("mm") : QStringLiteral("px");
+    const QString heading = QString::fromStdString(annotations.texts.scaleHeading);
+    label(bar.top() - 24.0, heading.isEmpty() ? unit : heading, annotationTones().label);
     label(bar.top() - 6.0, QStringLiteral("> %1").arg(numberText(maximum, decimals)), annotationTones().text);
     label(bar.center().y(), numberText(0.5 * maximum, decimals), annotationTones().text);
     label(bar.bottom() - 1.0, QStringLiteral("0"), annotationTones().text);

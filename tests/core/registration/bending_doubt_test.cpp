@@ -81,7 +81,7 @@ TEST(BendingDoubt, StoppedWhileBendingIsNotTrusted)
     RegistrationOptions always;
     always.bending = Bending::Always;
     const auto stopAtBending = [](const IterationReport& report) {
-        return report.stage == "bend" ? Verdict::Stop : Verdict::Continue;
+        return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
     };
     const RegistrationResult toTheEnd = registerVessels(input, always).value();
     const RegistrationResult stopped = registerVessels(input, always, stopAtBending).value();
