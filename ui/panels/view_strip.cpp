@@ -18,6 +18,7 @@ namespace {
 constexpr int viewPictureSize = 52;
 constexpr int leastPictureSize = 28;
 constexpr int viewItemPadding = 22;   // around and between picture and words
+constexpr int listRim = 4;   // what the list takes beside its items
 constexpr int fewestWordsPx = 40;   // less beside a picture is not worth reading
 
 QPixmap emptyPicture(double ratio)
@@ -168,9 +169,8 @@ void ViewStrip::fit()
         return;
     }
     const auto roomFor = [&] {
-        layout()->invalidate();
-        const int others = layout()->minimumSize().width() - list_->minimumSizeHint().width();
-        return (width() - others) / count;
+        layout()->activate();
+        return (list_->width() - listRim) / count;
     };
     fitSwitches(true);
     int room = roomFor();

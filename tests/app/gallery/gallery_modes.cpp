@@ -73,13 +73,12 @@ void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
     }
     QTest::qWait(500);
     showWindow(window, QStringLiteral("scan"));
-    window.actions()[ui::Command::SlicesLarge]->trigger();
+    window.actions()[ui::Command::SlicesLarge]->setChecked(true);
     QTest::qWait(500);
     showWindow(window, QStringLiteral("slices"));
     window.resize(1024, 720);
     showWindow(window, QStringLiteral("slices_small"));
     window.resize(1440, 900);
-    window.actions()[ui::Command::SlicesLarge]->trigger();
 }
 
 }   // namespace angiopose::test

@@ -109,6 +109,9 @@ void putBack(app::WindowHost& host, const Switches& fresh, const QByteArray& lay
     while (window.angiogramView().scene().mode() != ui::OverlayMode::Centerline) {
         window.actions()[ui::Command::Outline]->trigger();
     }
+    while (window.angiogramView().cutout() != ui::Cutout::Shape::None) {
+        window.actions()[ui::Command::Swipe]->trigger();
+    }
     window.showNormal();
     window.restoreLayout(layout);
     window.resize(1400, 900);
