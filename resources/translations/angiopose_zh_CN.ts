@@ -472,7 +472,7 @@
     </message>
     <message>
         <source>Following the vessels through the run …</source>
-        <translation>正在序列中跟踪血管…</translation>
+        <translation>正在序列中跟踪血管……</translation>
     </message>
     <message>
         <source>The vessels were moved meanwhile: follow them again.</source>
@@ -1385,7 +1385,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Save the vessels …</source>
-        <translation>保存血管…</translation>
+        <translation>保存血管……</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1968,7 +1968,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Name this view…</source>
-        <translation>为此视图命名…</translation>
+        <translation>为此视图命名……</translation>
     </message>
     <message>
         <source>Name this view</source>
@@ -6866,11 +6866,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export followed poses …</source>
-        <translation>导出跟踪位姿…</translation>
+        <translation>导出跟踪位姿……</translation>
     </message>
     <message>
         <source>Add a view …</source>
-        <translation>添加视图…</translation>
+        <translation>添加视图……</translation>
     </message>
     <message>
         <source>Show the next view</source>
@@ -6930,7 +6930,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export vessel tree …</source>
-        <translation>导出血管树…</translation>
+        <translation>导出血管树……</translation>
     </message>
     <message>
         <source>Export bent vessels …</source>
@@ -6938,11 +6938,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export report …</source>
-        <translation>导出报告…</translation>
+        <translation>导出报告……</translation>
     </message>
     <message>
         <source>Export measurements …</source>
-        <translation>导出测量…</translation>
+        <translation>导出测量……</translation>
     </message>
     <message>
         <source>Measure a length</source>
@@ -6958,7 +6958,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export measures of the branches …</source>
-        <translation>导出各分支的测量…</translation>
+        <translation>导出各分支的测量……</translation>
     </message>
 </context>
 <context>
@@ -8002,7 +8002,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Reading the labels …</source>
-        <translation>正在读取标签…</translation>
+        <translation>正在读取标签……</translation>
     </message>
     <message>
         <source>%1 of %2 ticked, %3</source>
@@ -9423,7 +9423,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Table …</source>
-        <translation>表格…</translation>
+        <translation>表格……</translation>
     </message>
     <message>
         <source>Where it is measured</source>
@@ -9512,11 +9512,11 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>All branches …</source>
-        <translation>所有分支…</translation>
+        <translation>所有分支……</translation>
     </message>
     <message>
         <source>Profile …</source>
-        <translation>轮廓…</translation>
+        <translation>轮廓……</translation>
     </message>
     <message>
         <source>Writes length, diameters, narrowing and bends of all branches as a CSV table.</source>

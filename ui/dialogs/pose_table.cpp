@@ -22,7 +22,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int poseTableWidth = 1240;
+constexpr int poseTableWidth = 1280;
 constexpr int poseTableHeight = 560;
 constexpr int poseIdRole = Qt::UserRole;
 constexpr int orderRole = Qt::UserRole + 1;

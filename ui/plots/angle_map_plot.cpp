@@ -142,7 +142,8 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
                          tickText(deg, "RAO", "LAO"));
     });
     ticks(map_->secondaryDeg, secondaryTickDeg, [&](double deg) {
-        const double y = placeOf({map_->primaryDeg.front(), deg}).y();
+        const double place = placeOf({map_->primaryDeg.front(), deg}).y();
+        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // clear of the other axis
         painter.drawText(QRectF(0, y - 10, angleLabelWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                          tickText(deg, "CAU", "CRA"));
     });
