@@ -36,6 +36,8 @@ inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
+inline const Setting<double> playSpeed{"view/playSpeed", 1.0};   ///< times as fast as the run was taken
+inline const Setting<bool> playBackAndForth{"view/playBackAndForth", false};
 inline const Setting<bool> sideBySide{"view/sideBySide", false};
 inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< what the gantry reaches, degrees
 inline const Setting<double> gantryLao{"angles/lao", 90.0};

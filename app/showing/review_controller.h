@@ -46,7 +46,6 @@ private:
     void connectWindow();
     void setFlickering(bool on);
     void flick();
-    void setPlaying(bool on);
     void applyTheme(const QString& name);
 
     CaseDocument& document_;
@@ -55,7 +54,6 @@ private:
     Ui ui_;
     PoseOfFrame poseOfFrame_;
     QTimer flickerTimer_;
-    QTimer cineTimer_;
     bool showsStart_ = false;
     int frameBurst_ = 0;
     qint64 lastFrameMs_ = 0;

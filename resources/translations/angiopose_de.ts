@@ -1986,8 +1986,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einzelbild</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 (0–%2) · vollstes: %3 · Abspielen %4</translation>
+        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3</source>
+        <translation>Kontrastfüllung je Bild · Bild %1 (0–%2) · vollstes: %3</translation>
     </message>
 </context>
 <context>
@@ -6321,6 +6321,30 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Play slower</source>
+        <translation>Langsamer abspielen</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Schneller abspielen</translation>
+    </message>
+    <message>
+        <source>Play back and forth</source>
+        <translation>Hin und her abspielen</translation>
+    </message>
+    <message>
+        <source>Play from this frame on</source>
+        <translation>Ab diesem Bild abspielen</translation>
+    </message>
+    <message>
+        <source>Play up to this frame</source>
+        <translation>Bis zu diesem Bild abspielen</translation>
+    </message>
+    <message>
+        <source>Play the whole run</source>
+        <translation>Die ganze Serie abspielen</translation>
+    </message>
+    <message>
         <source>Views side by side</source>
         <translation>Ansichten nebeneinander</translation>
     </message>
@@ -7128,6 +7152,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 </context>
 <context>
     <name>angiopose::ui::FrameBars</name>
+    <message>
+        <source>R wave</source>
+        <translation>R-Zacke</translation>
+    </message>
+    <message>
+        <source>Drag the ends to play a part of the run, double click for all of it</source>
+        <translation>Die Enden ziehen, um einen Teil der Serie abzuspielen; Doppelklick: alles</translation>
+    </message>
     <message>
         <source>Frames by opacification</source>
         <translation>Bilder nach Kontrastfüllung</translation>
@@ -9498,6 +9530,49 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>reference %1 mm</source>
         <translation>Referenz %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PlayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Stops at the frame that is shown. Esc goes back to the one before.</source>
+        <translation>Hält bei dem Bild, das zu sehen ist. Esc kehrt zum vorigen zurück.</translation>
+    </message>
+    <message>
+        <source>Plays the run</source>
+        <translation>Spielt die Serie ab</translation>
+    </message>
+    <message>
+        <source>At the end from the start again</source>
+        <translation>Am Ende von vorn</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>Hin und her</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1 · %2/s</source>
+        <translation>%1 · %2/s</translation>
+    </message>
+    <message>
+        <source>The header does not say how fast the run was taken: 1× takes %1 frames a second</source>
+        <translation>Die Kopfdaten sagen nicht, wie schnell die Serie aufgenommen wurde: 1× nimmt %1 Bilder je Sekunde an</translation>
+    </message>
+    <message>
+        <source>1×: as fast as the run was taken, %1 frames a second</source>
+        <translation>1×: so schnell, wie die Serie aufgenommen wurde, %1 Bilder je Sekunde</translation>
     </message>
 </context>
 </TS>

@@ -1986,8 +1986,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单帧</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4</source>
-        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 %4</translation>
+        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3</source>
+        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3</translation>
     </message>
 </context>
 <context>
@@ -6321,6 +6321,30 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Play slower</source>
+        <translation>放慢播放</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>加快播放</translation>
+    </message>
+    <message>
+        <source>Play back and forth</source>
+        <translation>往返播放</translation>
+    </message>
+    <message>
+        <source>Play from this frame on</source>
+        <translation>从此帧开始播放</translation>
+    </message>
+    <message>
+        <source>Play up to this frame</source>
+        <translation>播放到此帧为止</translation>
+    </message>
+    <message>
+        <source>Play the whole run</source>
+        <translation>播放整个序列</translation>
+    </message>
+    <message>
         <source>Views side by side</source>
         <translation>并排显示视图</translation>
     </message>
@@ -7128,6 +7152,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
 </context>
 <context>
     <name>angiopose::ui::FrameBars</name>
+    <message>
+        <source>R wave</source>
+        <translation>R 波</translation>
+    </message>
+    <message>
+        <source>Drag the ends to play a part of the run, double click for all of it</source>
+        <translation>拖动两端以播放序列的一部分，双击播放全部</translation>
+    </message>
     <message>
         <source>Frames by opacification</source>
         <translation>各帧充盈度</translation>
@@ -9497,6 +9529,49 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>reference %1 mm</source>
         <translation>参考 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PlayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Stops at the frame that is shown. Esc goes back to the one before.</source>
+        <translation>停在当前显示的帧。Esc 返回播放前的帧。</translation>
+    </message>
+    <message>
+        <source>Plays the run</source>
+        <translation>播放序列</translation>
+    </message>
+    <message>
+        <source>At the end from the start again</source>
+        <translation>播到末尾后从头开始</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>往返</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>%1 · %2/s</source>
+        <translation>%1 · %2/s</translation>
+    </message>
+    <message>
+        <source>The header does not say how fast the run was taken: 1× takes %1 frames a second</source>
+        <translation>文件头未说明采集速度：1× 按每秒 %1 帧</translation>
+    </message>
+    <message>
+        <source>1×: as fast as the run was taken, %1 frames a second</source>
+        <translation>1×：与采集速度相同，每秒 %1 帧</translation>
     </message>
 </context>
 </TS>

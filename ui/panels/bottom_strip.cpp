@@ -18,6 +18,7 @@ constexpr int progressSteps = 1000;
 BottomStrip::BottomStrip(QWidget* parent)
     : QWidget(parent),
       frames_(new FrameBars),
+      play_(new PlayBar),
       frameNote_(new ElidedLabel("hint")),
       saveState_(new ElidedLabel("label")),
       undoState_(new ElidedLabel("hint")),
@@ -47,7 +48,12 @@ BottomStrip::BottomStrip(QWidget* parent)
     auto* centre = new QVBoxLayout;
     centre->setSpacing(3);
     centre->addWidget(frames_, 1);
-    centre->addWidget(frameNote_);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(10);
+    below->addWidget(play_);
+    below->addWidget(frameNote_, 1);
+    centre->addLayout(below);
+    play_->hide();
     auto* task = new QVBoxLayout;
     task->setSpacing(6);
     task->addWidget(status_, 1);
@@ -63,9 +69,10 @@ BottomStrip::BottomStrip(QWidget* parent)
     layout->addLayout(left, 3);
     layout->addLayout(centre, 12);
     layout->addLayout(right, 4);
-    setFixedHeight(78);
+    setFixedHeight(88);
     connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
     connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
+    connect(frames_, &FrameBars::loopMarked, this, &BottomStrip::loopMarked);
     connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
     connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
     speak(this, [this] {
@@ -88,6 +95,12 @@ void BottomStrip::showMasks(const std::vector<int>& frames, bool inUse)
 void BottomStrip::showCurrentFrame(int frame)
 {
     frames_->showCurrent(frame);
+}
+
+void BottomStrip::showLoop(const core::FrameRange& range)
+{
+    frames_->showLoop(range);
+    play_->setVisible(range.count() > 1);
 }
 
 void BottomStrip::showFrameNote(const QString& note)
