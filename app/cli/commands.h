@@ -44,6 +44,9 @@ struct ProjectArguments {
     bool depthCue = false;   ///< near vessels bright, far ones dim
     std::optional<double> swipePx;   ///< right of this column the angiogram alone
     bool startBeside = false;   ///< before and after
+    double dotsPerInch = 0.0;   ///< 0: not told
+    bool isFrameAlone = false;
+    bool is16Bit = false;   ///< the frame alone, its grey values
 };
 int runProject(const ProjectArguments& arguments);
 

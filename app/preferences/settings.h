@@ -50,6 +50,8 @@ inline const Setting<QString> trialLog{"user/trialLog", {}};
 inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
+inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
+inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 inline const Setting<bool> exportEnglish{"export/english", false};   ///< whatever language the window speaks
 }   // namespace settings

@@ -332,6 +332,14 @@
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF pages (*.pdf)</source>
+        <translation>PDF-Seiten (*.pdf)</translation>
+    </message>
+    <message>
         <source>Print who the patient is?</source>
         <translation>Patientenangaben drucken?</translation>
     </message>
@@ -2743,6 +2751,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
+        <comment>picture.kind</comment>
+        <translation>Bilder werden als .png oder .svg geschrieben, vom Fenster auch als .pdf. Eines davon wählen.</translation>
+    </message>
+    <message>
+        <source>Grey values of 16 bit are written as .png alone.</source>
+        <comment>picture.grey-kind</comment>
+        <translation>Grauwerte mit 16 Bit werden nur als .png geschrieben.</translation>
+    </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be made: %2.</source>
         <comment>folder.not-made</comment>
@@ -7082,6 +7100,58 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>In print</source>
+        <translation>Im Druck</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>Vessels over the image</source>
+        <translation>Gefäße über dem Bild</translation>
+    </message>
+    <message>
+        <source>The image alone</source>
+        <translation>Nur das Bild</translation>
+    </message>
+    <message>
+        <source>Grey values of the image, 16 bit</source>
+        <translation>Grauwerte des Bildes, 16 Bit</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, Bildpunkte</translation>
+    </message>
+    <message>
+        <source>SVG, lines and texts</source>
+        <translation>SVG, Linien und Texte</translation>
+    </message>
+    <message>
+        <source>PDF, lines and texts</source>
+        <translation>PDF, Linien und Texte</translation>
+    </message>
+    <message>
+        <source>as large as the frame</source>
+        <translation>so groß wie das Einzelbild</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px, %3 × %4 cm</source>
+        <translation>%1 × %2 px, %3 × %4 cm</translation>
+    </message>
+    <message>
+        <source>The picture says “Not for clinical use” (grey values of 16 bit in their text fields alone) and carries inputs, method and pose.</source>
+        <translation>Das Bild sagt „Nicht für klinischen Gebrauch“ (Grauwerte mit 16 Bit nur in ihren Textfeldern) und trägt Eingaben, Methode und Pose.</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -7118,20 +7188,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>Das Bild trägt immer „Nicht für den klinischen Einsatz“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Export …</source>
         <translation>Exportieren …</translation>
-    </message>
-    <message>
-        <source>%1 × %2 px</source>
-        <translation>%1 × %2 px</translation>
     </message>
     <message>
         <source>Texts in English</source>

@@ -332,6 +332,14 @@
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
+        <source>Drawings (*.svg)</source>
+        <translation>矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF pages (*.pdf)</source>
+        <translation>PDF 页面 (*.pdf)</translation>
+    </message>
+    <message>
         <source>Print who the patient is?</source>
         <translation>是否打印患者身份？</translation>
     </message>
@@ -2743,6 +2751,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
+        <comment>picture.kind</comment>
+        <translation>图像可写为 .png 或 .svg，窗口中还可写为 .pdf。请选择其一。</translation>
+    </message>
+    <message>
+        <source>Grey values of 16 bit are written as .png alone.</source>
+        <comment>picture.grey-kind</comment>
+        <translation>16 位灰度值只能写为 .png。</translation>
+    </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be made: %2.</source>
         <comment>folder.not-made</comment>
@@ -7082,6 +7100,58 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
+        <source>Picture</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>In print</source>
+        <translation>打印分辨率</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>Vessels over the image</source>
+        <translation>图像上叠加血管</translation>
+    </message>
+    <message>
+        <source>The image alone</source>
+        <translation>仅图像</translation>
+    </message>
+    <message>
+        <source>Grey values of the image, 16 bit</source>
+        <translation>图像灰度值，16 位</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG，像素</translation>
+    </message>
+    <message>
+        <source>SVG, lines and texts</source>
+        <translation>SVG，线条与文字</translation>
+    </message>
+    <message>
+        <source>PDF, lines and texts</source>
+        <translation>PDF，线条与文字</translation>
+    </message>
+    <message>
+        <source>as large as the frame</source>
+        <translation>与帧同大</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px, %3 × %4 cm</source>
+        <translation>%1 × %2 px，%3 × %4 cm</translation>
+    </message>
+    <message>
+        <source>The picture says “Not for clinical use” (grey values of 16 bit in their text fields alone) and carries inputs, method and pose.</source>
+        <translation>图像注明“非临床用途”（16 位灰度值仅写在文本字段中），并附输入、方法与位姿。</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>宽度</translation>
     </message>
@@ -7118,20 +7188,12 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>大小</translation>
     </message>
     <message>
-        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>图片始终注明“不得用于临床”，并在文本字段中记录输入、方法和位姿。</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
     <message>
         <source>Export …</source>
         <translation>导出……</translation>
-    </message>
-    <message>
-        <source>%1 × %2 px</source>
-        <translation>%1 × %2 px</translation>
     </message>
     <message>
         <source>Texts in English</source>
