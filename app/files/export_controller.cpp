@@ -33,12 +33,11 @@ namespace {
 core::Status writePdf(const core::Case& theCase, const core::Centerline2d& target, const OverlayPictureOptions& options,
                       const PictureFile& file, const QString& path)
 {
-    const auto svg = pictureSvg(theCase, target, options, file);
-    if (!svg) {
-        return svg.error();
+    const auto vectors = pictureVectors(theCase, target, options, file);
+    if (!vectors) {
+        return vectors.error();
     }
-    const QByteArray page =
-        pdfOfSvg(svg.value(), {QString::fromStdString(theCase.title), provenanceTexts(theCase), file.dotsPerInch});
+    const QByteArray page = pdfOf(vectors.value(), factsOf(theCase, file));
     return io::writeAtomically(path.toStdString(), {page.constData(), static_cast<std::size_t>(page.size())});
 }
 

@@ -1,7 +1,6 @@
 #include "app/texts/picture_file.h"
 
 #include "app/messages/says.h"
-#include "app/texts/svg_picture.h"
 #include "io/image_file.h"
 #include "io/support/atomic_file.h"
 
@@ -40,27 +39,29 @@ OverlayPictureOptions withoutVessels(OverlayPictureOptions options)
 
 }   // namespace
 
-core::Result<std::string> pictureSvg(const core::Case& theCase, const core::Centerline2d& target,
-                                     const OverlayPictureOptions& options, const PictureFile& file)
+core::Result<ui::VectorPicture> pictureVectors(const core::Case& theCase, const core::Centerline2d& target,
+                                               const OverlayPictureOptions& options, const PictureFile& file)
 {
     if (file.content == PictureContent::Frame16) {
         return core::Error(says::greyPictureKind());
     }
     const bool isFrame = file.content == PictureContent::Frame;
-    const auto picture = isFrame ? drawOverlayVectors(frameAlone(theCase), {}, withoutVessels(options))
-                                 : drawOverlayVectors(theCase, target, options);
-    if (!picture) {
-        return picture.error();
-    }
-    return svgOf(picture.value(), {theCase.title, provenanceTexts(theCase), file.dotsPerInch});
+    return isFrame ? drawOverlayVectors(frameAlone(theCase), {}, withoutVessels(options))
+                   : drawOverlayVectors(theCase, target, options);
+}
+
+SvgFacts factsOf(const core::Case& theCase, const PictureFile& file)
+{
+    return {theCase.title, provenanceTexts(theCase), file.dotsPerInch};
 }
 
 core::Status writePictureFile(const core::Case& theCase, const core::Centerline2d& target,
                               const OverlayPictureOptions& options, const PictureFile& file, const std::string& path)
 {
     if (endOf(path) == ".svg") {
-        const auto svg = pictureSvg(theCase, target, options, file);
-        return svg ? io::writeAtomically(path, svg.value()) : core::Status(svg.error());
+        const auto vectors = pictureVectors(theCase, target, options, file);
+        return vectors ? io::writeAtomically(path, svgOf(vectors.value(), factsOf(theCase, file)))
+                       : core::Status(vectors.error());
     }
     if (endOf(path) != ".png") {
         return core::Error(says::pictureKindUnknown()).about(path);

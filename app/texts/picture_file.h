@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/texts/overlay_picture.h"
+#include "app/texts/svg_picture.h"
 
 namespace angiopose::app {
 
@@ -12,9 +13,12 @@ struct PictureFile {
     double dotsPerInch = 0.0;   ///< 0: none is told
 };
 
-/// The picture as SVG.
-core::Result<std::string> pictureSvg(const core::Case& theCase, const core::Centerline2d& target,
-                                     const OverlayPictureOptions& options, const PictureFile& file);
+/// The picture as vectors.
+core::Result<ui::VectorPicture> pictureVectors(const core::Case& theCase, const core::Centerline2d& target,
+                                               const OverlayPictureOptions& options, const PictureFile& file);
+
+/// What files of it say about themselves.
+SvgFacts factsOf(const core::Case& theCase, const PictureFile& file);
 
 /// Writes PNG or SVG by the end of the path, with where the picture comes from. 16 bit are PNG alone, the shown frame
 /// at its own size without texts.

@@ -92,12 +92,13 @@ protected:
                       QImage::Format_RGB888)
             .copy();
     }
-    std::string svg(const PictureFile& file = {}) const
+    ui::VectorPicture vectors(const PictureFile& file) const
     {
-        const auto written = pictureSvg(sample, {}, options, file);
-        EXPECT_TRUE(written);
-        return written.value();
+        auto drawn = pictureVectors(sample, {}, options, file);
+        EXPECT_TRUE(drawn);
+        return std::move(drawn).value();
     }
+    std::string svg(const PictureFile& file = {}) const { return svgOf(vectors(file), factsOf(sample, file)); }
 
     core::Case sample;
     OverlayPictureOptions options;
@@ -161,9 +162,11 @@ TEST_F(VectorPictures, SaysWhatPixelsSay)
 
 TEST_F(VectorPictures, APageHasTheSizeInPrintAndOneImage)
 {
-    const QByteArray page = pdfOfSvg(svg({PictureContent::Overlay, 300.0}), {QStringLiteral("t"), {}, 300.0});
+    const PictureFile file{PictureContent::Overlay, 300.0};
+    const QByteArray page = pdfOf(vectors(file), factsOf(sample, file));
     ASSERT_TRUE(page.startsWith("%PDF"));
     EXPECT_EQ(page.count("/Subtype /Image"), 1);
+    EXPECT_GT(page.count("/FontDescriptor"), 0) << "texts are texts";
     const qsizetype at = page.indexOf("/MediaBox [0 0 ");
     ASSERT_GT(at, 0);
     EXPECT_NEAR(page.mid(at + 15).split(' ').front().toDouble(), pictureWidth * 72.0 / 300.0, 1.0);
