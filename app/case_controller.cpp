@@ -36,6 +36,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       patient_(document_, window.patient(), *window.actions()[ui::Command::HideIdentity]),
       review_(document_, sync_, preview_,
               {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
+      cine_(document_, sync_, review_, window.actions(), window.strip()),
       look_(document_, sync_, {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
       replay_(document_, preview_, window.actions(), window.strip()),
       judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result(), window.pose()}),

@@ -30,6 +30,7 @@
 #include "app/review/slice_controller.h"
 #include "app/review/view_places_controller.h"
 #include "app/run_controller.h"
+#include "app/showing/cine_controller.h"
 #include "app/showing/notices.h"
 #include "app/showing/patient_controller.h"
 #include "app/showing/pose_preview.h"
@@ -103,6 +104,7 @@ private:
     TitleController title_;
     PatientController patient_;
     ReviewController review_;
+    CineController cine_;
     LookController look_;
     ReplayController replay_;
     JudgementController judgement_;

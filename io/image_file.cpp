@@ -5,7 +5,12 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <exception>
+#include <iterator>
+#include <limits>
 
 namespace angiopose::io {
 namespace {
@@ -14,7 +19,7 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
                          const std::map<std::string, std::string>& texts)
 {
     const auto expected = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height) *
-                          static_cast<std::size_t>(pixels.channels);
+                          static_cast<std::size_t>(pixels.channels) * static_cast<std::size_t>(pixels.bitDepth / 8);
     if (expected == 0 || pixels.bytes->size() != expected) {
         return fileError(path, says::pictureMissing());
     }
@@ -25,12 +30,63 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
     }
 }
 
+constexpr double mostGrey = 65535.0;
+
+/// Nine digits tell a float exactly.
+std::string slopeText(double value)
+{
+    char text[40];
+    const auto written = std::to_chars(std::begin(text), std::end(text), value, std::chars_format::general, 9);
+    return {text, written.ptr};
+}
+
+/// value = slope · grey + offset
+struct GreyScale {
+    double slope = 1.0;
+    double offset = 0.0;
+};
+
+GreyScale greyScaleOf(const core::Angiogram& run)
+{
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    bool isInteger = true;
+    for (const core::ImageF& frame : run.frames) {
+        for (const float value : frame.pixels) {
+            least = std::min<double>(least, value);
+            most = std::max<double>(most, value);
+            isInteger = isInteger && value == std::floor(value);
+        }
+    }
+    if (isInteger && least >= 0.0 && most <= mostGrey) {
+        return {};
+    }
+    return {most > least ? (most - least) / mostGrey : 1.0, least};
+}
+
 }   // namespace
 
 core::Status writePng(const core::ColorImage& image, const std::string& path,
-                      const std::map<std::string, std::string>& texts)
+                      const std::map<std::string, std::string>& texts, double dotsPerInch)
 {
-    return writePixels({image.width, image.height, 3, &image.rgb}, path, texts);
+    return writePixels({image.width, image.height, 3, &image.rgb, 8, dotsPerInch}, path, texts);
+}
+
+core::Status writeGreyPng(const core::Angiogram& run, int frame, const std::string& path,
+                          std::map<std::string, std::string> texts, double dotsPerInch)
+{
+    const core::ImageF& picture = run.frames[static_cast<std::size_t>(frame)];
+    const GreyScale scale = greyScaleOf(run);
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(2 * picture.pixels.size());
+    for (const float value : picture.pixels) {
+        const auto grey = static_cast<unsigned>(
+            std::clamp<long>(std::lround((value - scale.offset) / scale.slope), 0, static_cast<long>(mostGrey)));
+        bytes.push_back(static_cast<std::uint8_t>(grey >> 8U));
+        bytes.push_back(static_cast<std::uint8_t>(grey & 0xffU));
+    }
+    texts["Values"] = "grey * " + slopeText(scale.slope) + " + " + slopeText(scale.offset);
+    return writePixels({picture.width, picture.height, 1, &bytes, 16, dotsPerInch}, path, texts);
 }
 
 core::Status writePng(const core::Mask2d& mask, const std::string& path)

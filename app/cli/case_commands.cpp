@@ -71,7 +71,7 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--pose", arguments->posePath,
                         "Pose: .json, or .tfm, .mat or .h5 of ITK (default: the pose of the case)");
-    command->add_option("--output", arguments->outputPath, "Picture to write, .png")->required();
+    command->add_option("--output", arguments->outputPath, "Picture to write, .png or .svg")->required();
     command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
@@ -81,6 +81,9 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_flag("--motion", arguments->isMotionColored,
                       "Colours: how far the bent vessels lie from the rigid ones");
     command->add_flag("--before-after", arguments->startBeside, "The vessels at the start pose beside it, on the left");
+    command->add_option("--dpi", arguments->dotsPerInch, "Pixels to an inch, for print")->check(CLI::Range(10, 4800));
+    command->add_flag("--bare", arguments->isFrameAlone, "The image alone, without vessels");
+    command->add_flag("--16-bit", arguments->is16Bit, "The grey values of the frame alone, 16-bit .png, without texts");
     command->footer("Example: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png");
     command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
 }

@@ -46,6 +46,9 @@ struct ProjectArguments {
     bool startBeside = false;   ///< before and after
     bool isRigid = false;   ///< the vessels of the rigid pose, where the case keeps bent ones
     bool isMotionColored = false;   ///< coloured by how far the bent vessels lie from the rigid ones
+    double dotsPerInch = 0.0;   ///< 0: not told
+    bool isFrameAlone = false;
+    bool is16Bit = false;   ///< the frame alone, its grey values
 };
 int runProject(const ProjectArguments& arguments);
 

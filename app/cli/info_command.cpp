@@ -42,6 +42,7 @@ Json angiogramJson(const core::Angiogram& angiogram)
               {"suggestedFrame", angiogram.suggestedFrame},
               {"vessels", angiogram.polarity == core::Polarity::VesselsDark ? "dark" : "bright"},
               {"frameTimeMs", angiogram.frameTimeMs},
+              {"rWaveFrames", angiogram.rWaveFrames},
               {"geometry", geometryJson(angiogram.cArm, angiogram)}};
     addWarnings(json, angiogram.warnings);
     return json;

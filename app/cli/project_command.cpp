@@ -1,13 +1,22 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
-#include "app/texts/overlay_picture.h"
-#include "io/image_file.h"
+#include "app/texts/picture_file.h"
 #include "io/pose_file.h"
 
 #include <cstdio>
 
 namespace angiopose::app {
+namespace {
+
+PictureContent contentOf(const ProjectArguments& arguments)
+{
+    return arguments.is16Bit        ? PictureContent::Frame16
+           : arguments.isFrameAlone ? PictureContent::Frame
+                                    : PictureContent::Overlay;
+}
+
+}   // namespace
 
 int runProject(const ProjectArguments& arguments)
 {
@@ -37,11 +46,8 @@ int runProject(const ProjectArguments& arguments)
         options.cutout = {ui::Cutout::Shape::RightOf, {*arguments.swipePx, 0.0}, 0.0};
     }
     options.isStartBeside = arguments.startBeside;
-    const auto picture = drawOverlay(theCase, {}, options);
-    if (!picture) {
-        return failInput(picture.error().about(arguments.casePath));
-    }
-    if (const auto status = io::writePng(picture.value(), arguments.outputPath, provenanceTexts(theCase)); !status) {
+    const PictureFile file{contentOf(arguments), arguments.dotsPerInch};
+    if (const auto status = writePictureFile(theCase, {}, options, file, arguments.outputPath); !status) {
         return failInput(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());

@@ -1,17 +1,17 @@
 #include "app/files/export_controller.h"
 
 #include "app/files/case_report.h"
+#include "app/files/pdf_picture.h"
 #include "app/jobs/radiograph_source.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "app/texts/bent_vessels.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/picture_file.h"
 #include "app/words/corner_words.h"
 #include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
 #include "core/registration/deformable/bent_tree.h"
 #include "io/centerline2d_file.h"
-#include "io/image_file.h"
 #include "io/measurement_table.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
@@ -31,6 +31,20 @@
 #include <utility>
 
 namespace angiopose::app {
+namespace {
+
+core::Status writePdf(const core::Case& theCase, const core::Centerline2d& target, const OverlayPictureOptions& options,
+                      const PictureFile& file, const QString& path)
+{
+    const auto vectors = pictureVectors(theCase, target, options, file);
+    if (!vectors) {
+        return vectors.error();
+    }
+    const QByteArray page = pdfOf(vectors.value(), factsOf(theCase, file));
+    return io::writeAtomically(path.toStdString(), {page.constData(), static_cast<std::size_t>(page.size())});
+}
+
+}   // namespace
 
 ExportController::ExportController(CaseDocument& document, TargetProvider& target, const PosePreview& preview,
                                    ui::AngiogramView& view, QWidget& dialogParent, QObject* parent)
@@ -89,13 +103,20 @@ void ExportController::askOverlay()
         new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &dialogParent_);
     dialog->offerCutout(view.cutout() != ui::Cutout::Shape::None);
     const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Choice::On : ui::Choice::Off; };
-    dialog->showChoice({settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
-                        chosen(settings::exportEnglish)});
+    ui::ExportChoice usual{settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
+                           chosen(settings::exportEnglish)};
+    usual.format = static_cast<ui::PictureFormat>(std::clamp(settings::exportFormat.read(), 0, 2));
+    usual.dotsPerInch = settings::exportDotsPerInch.read();
+    dialog->showChoice(usual);
     const auto ask = [this](const ui::ExportChoice& choice) {
         settings::exportWidthPx.write(choice.widthPx);
         settings::exportResiduals.write(choice.residualColors == ui::Choice::On);
         settings::exportEnglish.write(choice.english == ui::Choice::On);
-        askFile({tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")}, overlayWriter(choice));
+        settings::exportDotsPerInch.write(choice.dotsPerInch);
+        if (choice.part != ui::PicturePart::Frame16) {
+            settings::exportFormat.write(static_cast<int>(choice.format));
+        }
+        askFile(questionFor(choice.format), overlayWriter(choice));
     };
     connect(dialog, &ui::ExportDialog::chosen, this, ask, Qt::QueuedConnection);   // one dialog goes, then one comes
     dialog->open();
@@ -126,15 +147,28 @@ OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) c
     return options;
 }
 
+ExportController::FileQuestion ExportController::questionFor(ui::PictureFormat format)
+{
+    switch (format) {
+        case ui::PictureFormat::Svg:
+            return {tr("Export overlay"), tr("Drawings (*.svg)"), QStringLiteral("svg")};
+        case ui::PictureFormat::Pdf:
+            return {tr("Export overlay"), tr("PDF pages (*.pdf)"), QStringLiteral("pdf")};
+        case ui::PictureFormat::Png:
+            break;
+    }
+    return {tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")};
+}
+
 ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
 {
     const OverlayPictureOptions options = lookOf(choice);
-    return [snapshot = document_.current(), target = target_.current(), options](const QString& path) -> core::Status {
-        auto picture = drawOverlay(snapshot, target ? *target : core::Centerline2d{}, options);
-        if (!picture) {
-            return picture.error();
-        }
-        return io::writePng(picture.value(), path.toStdString(), provenanceTexts(snapshot));
+    const PictureFile file{static_cast<PictureContent>(choice.part), static_cast<double>(choice.dotsPerInch)};
+    return [snapshot = document_.current(), target = target_.current(), options, file](const QString& path) {
+        const core::Centerline2d traced = target ? *target : core::Centerline2d{};
+        return path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)
+                   ? writePdf(snapshot, traced, options, file, path)
+                   : writePictureFile(snapshot, traced, options, file, path.toStdString());
     };
 }
 

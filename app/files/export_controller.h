@@ -55,6 +55,7 @@ signals:
 private:
     void askReportFile(ui::Choice identity);
     OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
+    static FileQuestion questionFor(ui::PictureFormat format);
     Write overlayWriter(const ui::ExportChoice& choice) const;
 
     CaseDocument& document_;

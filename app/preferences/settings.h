@@ -43,6 +43,8 @@ inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
+inline const Setting<double> playSpeed{"view/playSpeed", 1.0};   ///< times as fast as the run was taken
+inline const Setting<bool> playBackAndForth{"view/playBackAndForth", false};
 inline const Setting<bool> sideBySide{"view/sideBySide", false};
 inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< what the gantry reaches, degrees
 inline const Setting<double> gantryLao{"angles/lao", 90.0};
@@ -55,6 +57,8 @@ inline const Setting<QString> trialLog{"user/trialLog", {}};
 inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
+inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
+inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 inline const Setting<bool> exportEnglish{"export/english", false};   ///< whatever language the window speaks
 }   // namespace settings

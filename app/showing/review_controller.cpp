@@ -20,7 +20,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double usualFrameMs = 1000.0 / 15.0;   ///< where the run does not say
 constexpr int frameBursts = 1 << 20;   ///< keeps burst numbers of frames apart from those of poses
 constexpr qint64 reviewBurstPauseMs = 1500;
 
@@ -63,14 +62,6 @@ void ReviewController::connectMotion()
     flickerTimer_.setInterval(600ms);
     connect(&flickerTimer_, &QTimer::timeout, this, &ReviewController::flick);
     connect(actions[ui::Command::Flicker], &QAction::toggled, this, &ReviewController::setFlickering);
-    connect(&cineTimer_, &QTimer::timeout, this, [this] {
-        const int count =
-            document_.current().shown().angiogram ? document_.current().shown().angiogram->frameCount() : 0;
-        if (count > 1) {
-            sync_.showFrame((sync_.shownFrame() + 1) % count);
-        }
-    });
-    connect(actions[ui::Command::Cine], &QAction::toggled, this, &ReviewController::setPlaying);
     const std::array motions{ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing};
     for (const ui::Command motion : motions) {
         connect(actions[motion], &QAction::triggered, this, [&actions, motion, motions](bool on) {
@@ -166,21 +157,6 @@ void ReviewController::flick()
         preview_.end(PreviewOf::Start);
     }
     ui_.strip.showStatus(showsStart_ ? tr("Before: start pose") : tr("After: pose as it is"));
-}
-
-void ReviewController::setPlaying(bool on)
-{
-    const auto& angiogram = document_.current().shown().angiogram;
-    if (on && angiogram && angiogram->frameCount() > 1) {
-        const double frameMs = angiogram->frameTimeMs > 1.0 ? angiogram->frameTimeMs : usualFrameMs;
-        cineTimer_.start(static_cast<int>(frameMs));
-        return;
-    }
-    cineTimer_.stop();
-    sync_.showFrame(document_.current().shown().frame);
-    if (on) {
-        ui_.actions[ui::Command::Cine]->setChecked(false);
-    }
 }
 
 void ReviewController::stopMotion()

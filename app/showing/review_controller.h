@@ -48,7 +48,6 @@ private:
     void sayShape(const QString& words);
     void setFlickering(bool on);
     void flick();
-    void setPlaying(bool on);
     void applyTheme(const QString& name);
 
     CaseDocument& document_;
@@ -57,7 +56,6 @@ private:
     Ui ui_;
     PoseOfFrame poseOfFrame_;
     QTimer flickerTimer_;
-    QTimer cineTimer_;
     bool showsStart_ = false;
     int frameBurst_ = 0;
     qint64 lastFrameMs_ = 0;

@@ -1,7 +1,5 @@
 #include "app/showing/view_sync.h"
 
-#include "ui/actions/key_hint.h"
-
 #include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
 #include "app/words/corner_words.h"
@@ -286,11 +284,10 @@ void ViewSync::showFrameNote()
         return;
     }
     const int count = shownAngiogram_->frameCount();
-    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4")
+    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 (0–%2) · fullest: %3")
                                             .arg(shownFrame_)
                                             .arg(count - 1)
                                             .arg(shownAngiogram_->suggestedFrame)
-                                            .arg(ui::keyOf(ui::Command::Cine))
                                       : tr("Single frame"));
 }
 
@@ -312,7 +309,8 @@ void ViewSync::measureOpacification()
 
 void ViewSync::takeMeasured(const Measured& measured)
 {
-    frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs};
+    frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs,
+                   measuredRun_->rWaveFrames};
     suggestedMasks_ = measured.masks;
     ui_.strip.showFrames(frameCurve_);
     emit runMeasured();

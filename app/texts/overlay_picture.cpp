@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace angiopose::app {
 namespace {
@@ -148,9 +149,20 @@ std::vector<ui::ImageMark> marksIn(const core::Case& theCase, const OverlayPictu
                    });
 }
 
-core::Result<core::ColorImage> drawOne(const core::Case& theCase, const core::Centerline2d& target,
-                                       const OverlayPictureOptions& options,
-                                       const std::optional<core::Message>& heading)
+/// Pixels or vectors, as asked for.
+template <class Picture>
+core::Result<Picture> drawScene(ui::OverlayScene& scene, const auto&... how)
+{
+    if constexpr (std::is_same_v<Picture, ui::VectorPicture>) {
+        return ui::drawVectors(scene, how...);
+    } else {
+        return ui::renderOffscreen(scene, how...);
+    }
+}
+
+template <class Picture>
+core::Result<Picture> drawOne(const core::Case& theCase, const core::Centerline2d& target,
+                              const OverlayPictureOptions& options, const std::optional<core::Message>& heading)
 {
     const auto camera = core::cameraOf(theCase.shown());
     if (!camera) {
@@ -172,20 +184,30 @@ core::Result<core::ColorImage> drawOne(const core::Case& theCase, const core::Ce
         }
         scene.setRadiograph(radiograph.value());
     }
-    auto rendered = ui::renderOffscreen(scene, width, height, wholeImage(frame),
-                                        exportTexts(theCase, options, drawn, heading), scale.px, scale.mm);
+    auto rendered = drawScene<Picture>(scene, width, height, wholeImage(frame),
+                                       exportTexts(theCase, options, drawn, heading), scale.px, scale.mm);
     if (!rendered) {
         return rendered.error();
     }
-    core::ColorImage picture = std::move(rendered).value();
+    Picture picture = std::move(rendered).value();
     ui::burnMarks(picture, marksIn(theCase, options), wholeImage(frame), ui::burnSizes(width, height));
     return picture;
 }
 
-/// Two pictures of one size with a dark line between them.
-core::ColorImage besideEachOther(const core::ColorImage& left, const core::ColorImage& right)
+int gapBeside(int width)
 {
-    const int gap = std::max(2, left.width / 256);
+    return std::max(2, width / 256);
+}
+
+ui::VectorPicture beside(const ui::VectorPicture& left, const ui::VectorPicture& right)
+{
+    return ui::besideEachOther(left, right, gapBeside(left.width));
+}
+
+/// Two pictures of one size with a dark line between them.
+core::ColorImage beside(const core::ColorImage& left, const core::ColorImage& right)
+{
+    const int gap = gapBeside(left.width);
     core::ColorImage both{2 * left.width + gap, left.height, {}};
     const auto row = [](const core::ColorImage& picture) { return 3 * static_cast<std::size_t>(picture.width); };
     both.rgb.resize(row(both) * static_cast<std::size_t>(both.height));
@@ -197,16 +219,15 @@ core::ColorImage besideEachOther(const core::ColorImage& left, const core::Color
     return both;
 }
 
-}   // namespace
-
-core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
-                                           const OverlayPictureOptions& options)
+template <class Picture>
+core::Result<Picture> drawAs(const core::Case& theCase, const core::Centerline2d& target,
+                             const OverlayPictureOptions& options)
 {
     if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
         return core::Error(says::overlayIncomplete());
     }
     if (!options.isStartBeside) {
-        return drawOne(theCase, target, options, std::nullopt);
+        return drawOne<Picture>(theCase, target, options, std::nullopt);
     }
     const auto start = core::startPoseOf(theCase);
     if (!start) {
@@ -216,15 +237,29 @@ core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core
     before.shown().cameraFromPatient = start.value();
     before.shown().result.reset();
     before.shown().measurements.clear();   // they would have other values there
-    const auto left = drawOne(before, target, options, says::beforeAtStart());
-    const auto right = drawOne(theCase, target, options, says::afterAtPose());
+    const auto left = drawOne<Picture>(before, target, options, says::beforeAtStart());
+    const auto right = drawOne<Picture>(theCase, target, options, says::afterAtPose());
     if (!left) {
         return left.error();
     }
     if (!right) {
         return right.error();
     }
-    return besideEachOther(left.value(), right.value());
+    return beside(left.value(), right.value());
+}
+
+}   // namespace
+
+core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
+                                           const OverlayPictureOptions& options)
+{
+    return drawAs<core::ColorImage>(theCase, target, options);
+}
+
+core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& theCase, const core::Centerline2d& target,
+                                                   const OverlayPictureOptions& options)
+{
+    return drawAs<ui::VectorPicture>(theCase, target, options);
 }
 
 core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx)

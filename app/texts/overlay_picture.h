@@ -7,6 +7,7 @@
 #include "core/imaging/image2d.h"
 #include "core/support/result.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/vector_picture.h"
 
 #include <functional>
 #include <map>
@@ -40,6 +41,10 @@ struct OverlayPictureOptions {
 /// `target`) with their scale, corner texts and the notice. Needs no display.
 core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
                                            const OverlayPictureOptions& options = {});
+
+/// The same as vectors.
+core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& theCase, const core::Centerline2d& target,
+                                                   const OverlayPictureOptions& options = {});
 
 /// The same small, without colours of residuals and texts: the tree at the case's pose over the image.
 core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx);

@@ -6,6 +6,7 @@
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/gantry_tags.h"
+#include "io/dicom/heart_beats.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 
@@ -160,6 +161,7 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     applyRescale(file.dataset, angiogram.frames);
     angiogram.polarity = polarityOf(file.dataset, showBright(file.dataset, layout.value(), angiogram.frames));
     angiogram.frameTimeMs = angiogram.frames.size() > 1 ? frameTimeMs(file.dataset) : 0.0;
+    angiogram.rWaveFrames = rWaveFramesOf(file.dataset, angiogram.frameCount(), angiogram.frameTimeMs);
     describe(file, layout.value(), angiogram);
     if (!run.lostFrames.empty()) {
         blank(run.lostFrames, angiogram);

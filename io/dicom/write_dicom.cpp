@@ -37,6 +37,12 @@ public:
     {
         data_->putAndInsertUint16(tagOf(tag, EVR_US), static_cast<Uint16>(value));
     }
+    void unsignedShorts(std::uint32_t tag, const std::vector<std::uint16_t>& values)
+    {
+        if (!values.empty()) {
+            data_->putAndInsertUint16Array(tagOf(tag, EVR_US), values.data(), values.size());
+        }
+    }
     void signedShort(std::uint32_t tag, int value)
     {
         data_->putAndInsertSint16(tagOf(tag, EVR_SS), static_cast<Sint16>(value));
@@ -186,12 +192,22 @@ void addGeometry(DatasetWriter& out, const Angiogram& angiogram)
     addPrincipalPoint(out, angiogram);
 }
 
+std::vector<std::uint16_t> framesFromOne(const std::vector<int>& frames)
+{
+    std::vector<std::uint16_t> numbers;
+    for (const int frame : frames) {
+        numbers.push_back(static_cast<std::uint16_t>(frame + 1));
+    }
+    return numbers;
+}
+
 void addPixels(DatasetWriter& out, const Angiogram& angiogram, const StoredValues& stored)
 {
     if (angiogram.frameCount() > 1) {
         out.text(0x00181063, EVR_DS, decimalString(angiogram.frameTimeMs));
         out.text(0x00280009, EVR_AT, "(0018,1063)");
         out.text(0x00280008, EVR_IS, std::to_string(angiogram.frameCount()));
+        out.unsignedShorts(0x00286040, framesFromOne(angiogram.rWaveFrames));
     }
     out.unsignedShort(0x00280002, 1);
     out.text(0x00280004, EVR_CS, "MONOCHROME2");

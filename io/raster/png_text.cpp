@@ -1,12 +1,14 @@
 #include "io/raster/png_text.h"
 
 #include <png.h>
+#include <cmath>
 #include <stdexcept>
 
 namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxKeyword = 79;   // PNG §11.3.4
+constexpr double metresPerInch = 0.0254;
 
 [[noreturn]] void refuse(png_struct*, const char* reason)
 {
@@ -53,16 +55,21 @@ std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std:
     png_info* info = writer.info;
     const auto channels = static_cast<std::size_t>(pixels.channels);
     png_set_write_fn(png, &content, append, nullptr);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height), 8,
-                 channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+    png_set_IHDR(png, info, static_cast<png_uint_32>(pixels.width), static_cast<png_uint_32>(pixels.height),
+                 pixels.bitDepth, channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (channels == 3) {
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
+    if (pixels.dotsPerInch > 0.0) {
+        const auto perMetre = static_cast<png_uint_32>(std::lround(pixels.dotsPerInch / metresPerInch));
+        png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);
+    }
     addTexts(png, info, texts);
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);   // suits images and flat areas alike
     png_write_info(png, info);
-    const std::size_t rowBytes = static_cast<std::size_t>(pixels.width) * channels;
+    const std::size_t rowBytes =
+        static_cast<std::size_t>(pixels.width) * channels * static_cast<std::size_t>(pixels.bitDepth / 8);
     for (std::size_t y = 0; y < static_cast<std::size_t>(pixels.height); ++y) {
         png_write_row(png, pixels.bytes->data() + y * rowBytes);
     }

@@ -7,12 +7,14 @@
 
 namespace angiopose::io {
 
-/// Pixels of an 8-bit PNG: one byte (grey) or three (sRGB) per pixel, row-major.
+/// Pixels of a PNG, row-major: one value (grey) or three (sRGB), of one byte or of two, the higher first.
 struct PngPixels {
     int width = 0;
     int height = 0;
     int channels = 3;
     const std::vector<std::uint8_t>* bytes = nullptr;
+    int bitDepth = 8;   ///< or 16
+    double dotsPerInch = 0.0;   ///< 0: not told
 };
 
 /// A PNG file by libpng with the texts as iTXt chunks (UTF-8). Throws what libpng will not write (an image of too many

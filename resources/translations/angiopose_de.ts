@@ -332,6 +332,14 @@
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF pages (*.pdf)</source>
+        <translation>PDF-Seiten (*.pdf)</translation>
+    </message>
+    <message>
         <source>Print who the patient is?</source>
         <translation>Patientenangaben drucken?</translation>
     </message>
@@ -2022,8 +2030,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einzelbild</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 (0–%2) · vollstes: %3 · Abspielen %4</translation>
+        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3</source>
+        <translation>Kontrastfüllung je Bild · Bild %1 (0–%2) · vollstes: %3</translation>
     </message>
 </context>
 <context>
@@ -2783,6 +2791,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
+        <comment>picture.kind</comment>
+        <translation>Bilder werden als .png oder .svg geschrieben, vom Fenster auch als .pdf. Eines davon wählen.</translation>
+    </message>
+    <message>
+        <source>Grey values of 16 bit are written as .png alone.</source>
+        <comment>picture.grey-kind</comment>
+        <translation>Grauwerte mit 16 Bit werden nur als .png geschrieben.</translation>
+    </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be made: %2.</source>
         <comment>folder.not-made</comment>
@@ -6401,6 +6419,30 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Play slower</source>
+        <translation>Langsamer abspielen</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Schneller abspielen</translation>
+    </message>
+    <message>
+        <source>Play back and forth</source>
+        <translation>Hin und her abspielen</translation>
+    </message>
+    <message>
+        <source>Play from this frame on</source>
+        <translation>Ab diesem Bild abspielen</translation>
+    </message>
+    <message>
+        <source>Play up to this frame</source>
+        <translation>Bis zu diesem Bild abspielen</translation>
+    </message>
+    <message>
+        <source>Play the whole run</source>
+        <translation>Die ganze Serie abspielen</translation>
+    </message>
+    <message>
         <source>Views side by side</source>
         <translation>Ansichten nebeneinander</translation>
     </message>
@@ -7150,6 +7192,58 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>In print</source>
+        <translation>Im Druck</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>Vessels over the image</source>
+        <translation>Gefäße über dem Bild</translation>
+    </message>
+    <message>
+        <source>The image alone</source>
+        <translation>Nur das Bild</translation>
+    </message>
+    <message>
+        <source>Grey values of the image, 16 bit</source>
+        <translation>Grauwerte des Bildes, 16 Bit</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG, Bildpunkte</translation>
+    </message>
+    <message>
+        <source>SVG, lines and texts</source>
+        <translation>SVG, Linien und Texte</translation>
+    </message>
+    <message>
+        <source>PDF, lines and texts</source>
+        <translation>PDF, Linien und Texte</translation>
+    </message>
+    <message>
+        <source>as large as the frame</source>
+        <translation>so groß wie das Einzelbild</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px, %3 × %4 cm</source>
+        <translation>%1 × %2 px, %3 × %4 cm</translation>
+    </message>
+    <message>
+        <source>The picture says “Not for clinical use” (grey values of 16 bit in their text fields alone) and carries inputs, method and pose.</source>
+        <translation>Das Bild sagt „Nicht für klinischen Gebrauch“ (Grauwerte mit 16 Bit nur in ihren Textfeldern) und trägt Eingaben, Methode und Pose.</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -7186,20 +7280,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Größe</translation>
     </message>
     <message>
-        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>Das Bild trägt immer „Nicht für den klinischen Einsatz“ und in seinen Textfeldern Eingaben, Methode und Lage.</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Export …</source>
         <translation>Exportieren …</translation>
-    </message>
-    <message>
-        <source>%1 × %2 px</source>
-        <translation>%1 × %2 px</translation>
     </message>
     <message>
         <source>Texts in English</source>
@@ -7220,6 +7306,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 </context>
 <context>
     <name>angiopose::ui::FrameBars</name>
+    <message>
+        <source>R wave</source>
+        <translation>R-Zacke</translation>
+    </message>
+    <message>
+        <source>Drag the ends to play a part of the run, double click for all of it</source>
+        <translation>Die Enden ziehen, um einen Teil der Serie abzuspielen; Doppelklick: alles</translation>
+    </message>
     <message>
         <source>Frames by opacification</source>
         <translation>Bilder nach Kontrastfüllung</translation>
@@ -9593,6 +9687,49 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>reference %1 mm</source>
         <translation>Referenz %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PlayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Stops at the frame that is shown. Esc goes back to the one before.</source>
+        <translation>Hält bei dem Bild, das zu sehen ist. Esc kehrt zum vorigen zurück.</translation>
+    </message>
+    <message>
+        <source>Plays the run</source>
+        <translation>Spielt die Serie ab</translation>
+    </message>
+    <message>
+        <source>At the end from the start again</source>
+        <translation>Am Ende von vorn</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>Hin und her</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>%1 · %2/s</source>
+        <translation>%1 · %2/s</translation>
+    </message>
+    <message>
+        <source>The header does not say how fast the run was taken: 1× takes %1 frames a second</source>
+        <translation>Die Kopfdaten sagen nicht, wie schnell die Serie aufgenommen wurde: 1× nimmt %1 Bilder je Sekunde an</translation>
+    </message>
+    <message>
+        <source>1×: as fast as the run was taken, %1 frames a second</source>
+        <translation>1×: so schnell, wie die Serie aufgenommen wurde, %1 Bilder je Sekunde</translation>
     </message>
 </context>
 </TS>

@@ -332,6 +332,14 @@
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
+        <source>Drawings (*.svg)</source>
+        <translation>矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>PDF pages (*.pdf)</source>
+        <translation>PDF 页面 (*.pdf)</translation>
+    </message>
+    <message>
         <source>Print who the patient is?</source>
         <translation>是否打印患者身份？</translation>
     </message>
@@ -2022,8 +2030,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单帧</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3 · play %4</source>
-        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3 · 播放 %4</translation>
+        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3</source>
+        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3</translation>
     </message>
 </context>
 <context>
@@ -2783,6 +2791,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
+        <comment>picture.kind</comment>
+        <translation>图像可写为 .png 或 .svg，窗口中还可写为 .pdf。请选择其一。</translation>
+    </message>
+    <message>
+        <source>Grey values of 16 bit are written as .png alone.</source>
+        <comment>picture.grey-kind</comment>
+        <translation>16 位灰度值只能写为 .png。</translation>
+    </message>
     <message>
         <source>The folder &apos;%1&apos; cannot be made: %2.</source>
         <comment>folder.not-made</comment>
@@ -6401,6 +6419,30 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Play slower</source>
+        <translation>放慢播放</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>加快播放</translation>
+    </message>
+    <message>
+        <source>Play back and forth</source>
+        <translation>往返播放</translation>
+    </message>
+    <message>
+        <source>Play from this frame on</source>
+        <translation>从此帧开始播放</translation>
+    </message>
+    <message>
+        <source>Play up to this frame</source>
+        <translation>播放到此帧为止</translation>
+    </message>
+    <message>
+        <source>Play the whole run</source>
+        <translation>播放整个序列</translation>
+    </message>
+    <message>
         <source>Views side by side</source>
         <translation>并排显示视图</translation>
     </message>
@@ -7150,6 +7192,58 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
+        <source>Picture</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>In print</source>
+        <translation>打印分辨率</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>Vessels over the image</source>
+        <translation>图像上叠加血管</translation>
+    </message>
+    <message>
+        <source>The image alone</source>
+        <translation>仅图像</translation>
+    </message>
+    <message>
+        <source>Grey values of the image, 16 bit</source>
+        <translation>图像灰度值，16 位</translation>
+    </message>
+    <message>
+        <source>PNG, pixels</source>
+        <translation>PNG，像素</translation>
+    </message>
+    <message>
+        <source>SVG, lines and texts</source>
+        <translation>SVG，线条与文字</translation>
+    </message>
+    <message>
+        <source>PDF, lines and texts</source>
+        <translation>PDF，线条与文字</translation>
+    </message>
+    <message>
+        <source>as large as the frame</source>
+        <translation>与帧同大</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px, %3 × %4 cm</source>
+        <translation>%1 × %2 px，%3 × %4 cm</translation>
+    </message>
+    <message>
+        <source>The picture says “Not for clinical use” (grey values of 16 bit in their text fields alone) and carries inputs, method and pose.</source>
+        <translation>图像注明“非临床用途”（16 位灰度值仅写在文本字段中），并附输入、方法与位姿。</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>宽度</translation>
     </message>
@@ -7186,20 +7280,12 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>大小</translation>
     </message>
     <message>
-        <source>The picture always says “Not for clinical use” and carries inputs, method and pose in its text fields.</source>
-        <translation>图片始终注明“不得用于临床”，并在文本字段中记录输入、方法和位姿。</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
     <message>
         <source>Export …</source>
         <translation>导出……</translation>
-    </message>
-    <message>
-        <source>%1 × %2 px</source>
-        <translation>%1 × %2 px</translation>
     </message>
     <message>
         <source>Texts in English</source>
@@ -7220,6 +7306,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
 </context>
 <context>
     <name>angiopose::ui::FrameBars</name>
+    <message>
+        <source>R wave</source>
+        <translation>R 波</translation>
+    </message>
+    <message>
+        <source>Drag the ends to play a part of the run, double click for all of it</source>
+        <translation>拖动两端以播放序列的一部分，双击播放全部</translation>
+    </message>
     <message>
         <source>Frames by opacification</source>
         <translation>各帧充盈度</translation>
@@ -9592,6 +9686,49 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>reference %1 mm</source>
         <translation>参考 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PlayBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Stops at the frame that is shown. Esc goes back to the one before.</source>
+        <translation>停在当前显示的帧。Esc 返回播放前的帧。</translation>
+    </message>
+    <message>
+        <source>Plays the run</source>
+        <translation>播放序列</translation>
+    </message>
+    <message>
+        <source>At the end from the start again</source>
+        <translation>播到末尾后从头开始</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>往返</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>%1 · %2/s</source>
+        <translation>%1 · %2/s</translation>
+    </message>
+    <message>
+        <source>The header does not say how fast the run was taken: 1× takes %1 frames a second</source>
+        <translation>文件头未说明采集速度：1× 按每秒 %1 帧</translation>
+    </message>
+    <message>
+        <source>1×: as fast as the run was taken, %1 frames a second</source>
+        <translation>1×：与采集速度相同，每秒 %1 帧</translation>
     </message>
 </context>
 </TS>

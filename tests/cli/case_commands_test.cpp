@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 using namespace angiopose;
@@ -18,6 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using test::runCli;
 using test::TemporaryFolder;
+
+std::string bytesOf(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
 
 class CliOnSimulatedCase : public ::testing::Test {
 protected:
@@ -107,6 +114,24 @@ TEST_F(CliOnSimulatedCase, ProjectsBeforeAndAfterWithDepthCueAndSwipe)
     EXPECT_NE(sizeOf({"--depth-cue"}), plain);
     EXPECT_LT(sizeOf({"--swipe", "0"}), plain) << "no vessels at all";
     EXPECT_EQ(runCli({"project", casePath_, "--output", folder_.file("x.png"), "--swipe", "left"}).exitCode, 2);
+}
+
+TEST_F(CliOnSimulatedCase, ProjectWritesLinesAndGreyValues)
+{
+    const std::string drawing = folder_.file("lines.svg");
+    ASSERT_EQ(runCli({"project", casePath_, "--output", drawing, "--dpi", "300"}).exitCode, 0);
+    const std::string text = bytesOf(drawing);
+    EXPECT_NE(text.find("<path "), std::string::npos);
+    EXPECT_NE(text.find("mm\" height"), std::string::npos);
+    EXPECT_NE(text.find("Not for clinical use"), std::string::npos);
+
+    const std::string grey = folder_.file("grey.png");
+    ASSERT_EQ(runCli({"project", casePath_, "--output", grey, "--16-bit"}).exitCode, 0);
+    EXPECT_EQ(bytesOf(grey)[24], 16);   // bits of a value, PNG 11.2.2
+
+    const auto refused = runCli({"project", casePath_, "--output", folder_.file("x.pdf")});
+    EXPECT_NE(refused.exitCode, 0);
+    EXPECT_NE(refused.messages.find(".png or .svg"), std::string::npos) << refused.messages;
 }
 
 TEST_F(CliOnSimulatedCase, MeasuresInTheImageAndAlongBranches)

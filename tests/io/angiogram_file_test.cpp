@@ -83,6 +83,7 @@ TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
     original.cArm.principalPointPx = {Eigen::Vector2d(9.25, 8.5), core::Origin::Derived, ""};
     original.cArm.mirrored = {true, core::Origin::User, ""};
     original.polarity = core::Polarity::VesselsBright;
+    original.rWaveFrames = {0, 2};
     const auto written = io::writeAngiogram(original, folder.file("run.dcm"));
     ASSERT_TRUE(written) << written.error().message;
     const auto read = io::readAngiogram(folder.file("run.dcm"));
@@ -93,6 +94,7 @@ TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
         EXPECT_EQ(copy.frames[k].pixels, original.frames[k].pixels);
     }
     EXPECT_EQ(copy.frameTimeMs, 66.6);
+    EXPECT_EQ(copy.rWaveFrames, (std::vector<int>{0, 2}));
     EXPECT_EQ(copy.polarity, core::Polarity::VesselsBright);
     EXPECT_EQ(copy.cArm.sourceToDetectorMm.value, 1063.25);
     EXPECT_EQ(copy.cArm.sourceToPatientMm.value, 765.5);

@@ -61,6 +61,12 @@ enum class Command {
     MaskHere,
     Composite,
     Cine,
+    PlaySlower,
+    PlayFaster,
+    PlayBackAndForth,
+    LoopFromHere,
+    LoopToHere,
+    LoopWholeRun,
     Opacification,
     // Pose
     Nudge,

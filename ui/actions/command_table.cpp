@@ -88,6 +88,12 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
         {Command::MaskHere, QT_TR_NOOP("This frame is the mask"), "Ctrl+B"},
         {Command::Composite, QT_TR_NOOP("Whole run in one picture"), "Shift+C", Switch},
         {Command::Cine, QT_TR_NOOP("Play frames"), "C", Switch | StartsGroup},
+        {Command::PlaySlower, QT_TR_NOOP("Play slower"), "Ctrl+,"},
+        {Command::PlayFaster, QT_TR_NOOP("Play faster"), "Ctrl+."},
+        {Command::PlayBackAndForth, QT_TR_NOOP("Play back and forth"), "", Switch},
+        {Command::LoopFromHere, QT_TR_NOOP("Play from this frame on"), "Ctrl+["},
+        {Command::LoopToHere, QT_TR_NOOP("Play up to this frame"), "Ctrl+]"},
+        {Command::LoopWholeRun, QT_TR_NOOP("Play the whole run")},
         {Command::Opacification, QT_TR_NOOP("Opacification over time"), "G"},
     };
     return rows;

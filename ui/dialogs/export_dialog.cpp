@@ -3,6 +3,7 @@
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
 #include "ui/words/language.h"
+#include "ui/words/number.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,9 +25,12 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     : QDialog(parent),
       viewWidthPx_(viewWidthPx),
       aspect_(aspect),
+      part_(new QComboBox),
+      format_(new QComboBox),
       size_(new QComboBox),
       width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
       widthLabel_(roleLabel("label", tr("Width"))),
+      resolution_(new NumberField({10.0, 4800.0, 0, tr("dpi"), 50.0})),
       resulting_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colours with their scale"))),
       identity_(new QCheckBox(tr("Patient identity in the picture"))),
@@ -40,9 +44,13 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     setMinimumWidth(400);
     size_->addItems({tr("As in the window"), tr("1024 px wide"), tr("2048 px wide"), tr("Other width")});
     width_->showValue(1600.0);
+    part_->setObjectName(QStringLiteral("exportPart"));
+    part_->addItems({tr("Vessels over the image"), tr("The image alone"), tr("Grey values of the image, 16 bit")});
+    format_->setObjectName(QStringLiteral("exportFormat"));
+    format_->addItems({tr("PNG, pixels"), tr("SVG, lines and texts"), tr("PDF, lines and texts")});
 
-    auto* notice = roleLabel("hint", tr("The picture always says “Not for clinical use” and carries inputs, "
-                                        "method and pose in its text fields."));
+    auto* notice = roleLabel("hint", tr("The picture says “Not for clinical use” (grey values of 16 bit in their text "
+                                        "fields alone) and carries inputs, method and pose."));
     notice->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -51,6 +59,8 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     layout->addWidget(notice);
     layout->addLayout(makeButtons());
     connect(size_, &QComboBox::currentIndexChanged, this, &ExportDialog::showSize);
+    connect(part_, &QComboBox::currentIndexChanged, this, &ExportDialog::showPart);
+    connect(resolution_, &NumberField::edited, this, &ExportDialog::showSize);
     connect(width_, &NumberField::edited, this, &ExportDialog::showSize);
     connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
     connect(startBeside_, &QCheckBox::toggled, this, &ExportDialog::showSize);
@@ -63,8 +73,11 @@ QFormLayout* ExportDialog::makeForm()
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
+    form->addRow(roleLabel("label", tr("Picture")), part_);
+    form->addRow(roleLabel("label", tr("File")), format_);
     form->addRow(roleLabel("label", tr("Size")), size_);
     form->addRow(widthLabel_, width_);
+    form->addRow(roleLabel("label", tr("In print")), resolution_);
     for (QWidget* line :
          std::initializer_list<QWidget*>{resulting_, residuals_, startBeside_, cutout_, identity_, english_}) {
         form->addRow(QString(), line);
@@ -104,7 +117,10 @@ void ExportDialog::showChoice(const ExportChoice& choice)
     residuals_->setChecked(choice.residualColors == Choice::On);
     identity_->setChecked(choice.identity == Choice::On);
     english_->setChecked(choice.english == Choice::On);
-    showSize();
+    format_->setCurrentIndex(static_cast<int>(choice.format));
+    part_->setCurrentIndex(static_cast<int>(choice.part));
+    resolution_->showValue(choice.dotsPerInch);
+    showPart();
 }
 
 ExportChoice ExportDialog::choice() const
@@ -128,7 +144,24 @@ ExportChoice ExportDialog::choice() const
     result.english = english_->isChecked() ? Choice::On : Choice::Off;
     result.cutout = cutout_->isChecked() ? Choice::On : Choice::Off;
     result.startBeside = startBeside_->isChecked() ? Choice::On : Choice::Off;
+    result.part = static_cast<PicturePart>(part_->currentIndex());
+    result.format =
+        result.part == PicturePart::Frame16 ? PictureFormat::Png : static_cast<PictureFormat>(format_->currentIndex());
+    result.dotsPerInch = static_cast<int>(resolution_->value().value_or(300.0));
     return result;
+}
+
+/// What does not belong to the picture that is wanted cannot be chosen.
+void ExportDialog::showPart()
+{
+    const auto part = static_cast<PicturePart>(part_->currentIndex());
+    for (QWidget* ofVessels : std::initializer_list<QWidget*>{residuals_, startBeside_, cutout_}) {
+        ofVessels->setEnabled(part == PicturePart::Overlay);
+    }
+    for (QWidget* ofSeen : std::initializer_list<QWidget*>{format_, size_, width_, identity_, english_}) {
+        ofSeen->setEnabled(part != PicturePart::Frame16);
+    }
+    showSize();
 }
 
 void ExportDialog::showSize()
@@ -136,9 +169,19 @@ void ExportDialog::showSize()
     const bool isCustom = size_->currentIndex() == CustomSize;
     width_->setVisible(isCustom);
     widthLabel_->setVisible(isCustom);
-    const int width = choice().widthPx;
-    const QString size = tr("%1 × %2 px").arg(width).arg(std::lround(width * aspect_));
-    resulting_->setText(startBeside_->isChecked() ? tr("twice %1").arg(size) : size);
+    const ExportChoice wanted = choice();
+    if (wanted.part == PicturePart::Frame16) {
+        resulting_->setText(tr("as large as the frame"));
+        return;
+    }
+    const double cmPerPx = 2.54 / wanted.dotsPerInch;
+    const QString size =
+        tr("%1 × %2 px, %3 × %4 cm")
+            .arg(wanted.widthPx)
+            .arg(std::lround(wanted.widthPx * aspect_))
+            .arg(numberText(cmPerPx * wanted.widthPx, 1), numberText(cmPerPx * wanted.widthPx * aspect_, 1));
+    const bool isTwice = startBeside_->isChecked() && wanted.part == PicturePart::Overlay;
+    resulting_->setText(isTwice ? tr("twice %1").arg(size) : size);
 }
 
 }   // namespace angiopose::ui

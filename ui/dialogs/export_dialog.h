@@ -15,6 +15,9 @@ class NumberField;
 
 enum class Choice { Off, On };
 
+enum class PictureFormat { Png, Svg, Pdf };
+enum class PicturePart { Overlay, Frame, Frame16 };
+
 /// How the user wants the overlay exported.
 struct ExportChoice {
     int widthPx = 1024;
@@ -23,9 +26,12 @@ struct ExportChoice {
     Choice english = Choice::Off;   ///< texts in the picture, where the window speaks another language
     Choice cutout = Choice::Off;   ///< swipe or lens, where the window has one
     Choice startBeside = Choice::Off;   ///< a second picture with the vessels at the start pose
+    PictureFormat format = PictureFormat::Png;
+    PicturePart part = PicturePart::Overlay;   ///< grey values of 16 bit: PNG alone, at the frame's own size
+    int dotsPerInch = 300;
 };
 
-/// Asks size, residual colours and identity before an overlay is written. `chosen` follows on Export.
+/// Asks what, as what, how large and with what before an overlay is written. `chosen` follows on Export.
 class ExportDialog : public QDialog {
     Q_OBJECT
 public:
@@ -43,12 +49,16 @@ private:
     QFormLayout* makeForm();
     QHBoxLayout* makeButtons();
     void showSize();
+    void showPart();
 
     int viewWidthPx_;
     double aspect_;
+    QComboBox* part_;
+    QComboBox* format_;
     QComboBox* size_;
     NumberField* width_;
     QLabel* widthLabel_;
+    NumberField* resolution_;
     QLabel* resulting_;
     QCheckBox* residuals_;
     QCheckBox* identity_;

@@ -12,7 +12,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int progressSteps = 1000;
-constexpr int stripHeight = 78;
+constexpr int stripHeight = 88;
 constexpr int besideProgressPx = 10;   // its bar, and the gap above it
 
 }   // namespace
@@ -20,6 +20,7 @@ constexpr int besideProgressPx = 10;   // its bar, and the gap above it
 BottomStrip::BottomStrip(QWidget* parent)
     : QWidget(parent),
       frames_(new FrameBars),
+      play_(new PlayBar),
       frameNote_(new ElidedLabel("hint")),
       saveState_(new ElidedLabel("label")),
       undoState_(new ElidedLabel("hint")),
@@ -49,7 +50,12 @@ BottomStrip::BottomStrip(QWidget* parent)
     auto* centre = new QVBoxLayout;
     centre->setSpacing(3);
     centre->addWidget(frames_, 1);
-    centre->addWidget(frameNote_);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(10);
+    below->addWidget(play_);
+    below->addWidget(frameNote_, 1);
+    centre->addLayout(below);
+    play_->hide();
     auto* task = new QVBoxLayout;
     task->setSpacing(6);
     task->addWidget(status_, 1);
@@ -68,6 +74,7 @@ BottomStrip::BottomStrip(QWidget* parent)
     setFixedHeight(stripHeight);
     connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
     connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
+    connect(frames_, &FrameBars::loopMarked, this, &BottomStrip::loopMarked);
     connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
     connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
     speak(this, [this] {
@@ -90,6 +97,12 @@ void BottomStrip::showMasks(const std::vector<int>& frames, bool inUse)
 void BottomStrip::showCurrentFrame(int frame)
 {
     frames_->showCurrent(frame);
+}
+
+void BottomStrip::showLoop(const core::FrameRange& range)
+{
+    frames_->showLoop(range);
+    play_->setVisible(range.count() > 1);
 }
 
 void BottomStrip::showFrameNote(const QString& note)

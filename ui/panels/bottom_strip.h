@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/controls/elided_label.h"
+#include "ui/panels/play_bar.h"
 #include "ui/panels/told_messages.h"
 #include "ui/plots/frame_bars.h"
 
@@ -17,9 +18,11 @@ class BottomStrip : public QWidget {
 public:
     explicit BottomStrip(QWidget* parent = nullptr);
 
+    PlayBar& play() { return *play_; }
     void showFrames(const FrameCurve& curve);
     void showMasks(const std::vector<int>& frames, bool inUse);   ///< marked below their bars
     void showCurrentFrame(int frame);
+    void showLoop(const core::FrameRange& range);   ///< what of the run plays
     void showFrameNote(const QString& note);
     void showSaveState(const QString& text);
     void showUndoState(const QString& text);
@@ -33,6 +36,7 @@ public:
 signals:
     void frameRequested(int frame);
     void maskRangeMarked(int first, int last);
+    void loopMarked(const angiopose::core::FrameRange& range);
     void plotRequested();
     void stopRequested();
 
@@ -46,6 +50,7 @@ private:
     QString task_;   ///< whole
     ToldMessages told_;
     FrameBars* frames_;
+    PlayBar* play_;
     ElidedLabel* frameNote_;
     ElidedLabel* saveState_;
     ElidedLabel* undoState_;

@@ -9,9 +9,22 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace angiopose::ui {
+namespace {
+
+constexpr double laneHeight = 9.0;   // above the bars
+constexpr double grabPx = 7.0;
+constexpr double gripWidth = 4.0;
+
+bool isInLane(const QPointF& place)
+{
+    return place.y() < laneHeight;
+}
+
+}   // namespace
 
 QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame)
 {
@@ -28,12 +41,15 @@ QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, in
     if (std::ranges::find(masks, frame) != masks.end()) {
         parts << FrameBars::tr("mask");
     }
+    if (std::ranges::find(curve.rWaves, frame) != curve.rWaves.end()) {
+        parts << FrameBars::tr("R wave");
+    }
     return parts.join(QStringLiteral(" · "));
 }
 
 FrameBars::FrameBars(QWidget* parent) : QWidget(parent)
 {
-    setMinimumHeight(36);
+    setMinimumHeight(40);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     withName(this, [] { return tr("Frames by opacification"); });
@@ -43,6 +59,7 @@ void FrameBars::showFrames(const FrameCurve& curve)
 {
     curve_ = curve;
     marking_.reset();
+    dragged_.reset();
     setCursor(curve_.opacification.size() > 1 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     update();
 }
@@ -69,37 +86,94 @@ void FrameBars::showCurrent(int frame)
     update();
 }
 
+void FrameBars::showLoop(const core::FrameRange& range)
+{
+    loop_ = range;
+    update();
+}
+
+QRectF FrameBars::cellOf(int frame) const
+{
+    const double slot = width() / static_cast<double>(std::max(1, frameCount()));
+    const double gap = slot > 12.0 ? 3.0 : slot > 4.0 ? 1.0 : 0.0;
+    return {slot * frame + 1.0, laneHeight + 1.0, std::max(1.0, slot - gap - 1.0), height() - laneHeight - 2.0};
+}
+
+void FrameBars::paintCell(QPainter& painter, int frame) const
+{
+    const Palette& tones = activePalette();
+    const QRectF cell = cellOf(frame);
+    painter.setOpacity(loop_.contains(frame) ? 1.0 : 0.45);   // the rest does not play
+    painter.fillRect(cell, toQColor(tones.field));
+    const double filled = std::clamp(curve_.opacification[static_cast<std::size_t>(frame)], 0.0, 1.0) * cell.height();
+    painter.fillRect(QRectF(cell.left(), cell.bottom() - filled, cell.width(), filled),
+                     toQColor(tones.accent, frame == current_ ? 0.55 : 0.28));
+    if (frame == curve_.suggested && cell.width() > 7.0) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(toQColor(tones.fine));
+        painter.drawEllipse(QPointF(cell.center().x(), cell.top() + 6.0), 2.5, 2.5);
+        painter.setBrush(Qt::NoBrush);
+    }
+    if (isMask(frame)) {
+        const double strength = masksInUse_ || marking_ ? 1.0 : 0.5;
+        painter.fillRect(QRectF(cell.left(), cell.bottom() - 3.0, cell.width(), 3.0),
+                         toQColor(tones.attention, strength));
+    }
+    painter.setOpacity(1.0);
+    if (frame == current_) {
+        painter.setPen(QPen(toQColor(tones.accent), hasFocus() ? 2.0 : 1.5));
+        painter.drawRoundedRect(cell, 2.0, 2.0);
+    }
+}
+
+/// What plays, as a line between two grips.
+void FrameBars::paintLoop(QPainter& painter) const
+{
+    const Palette& tones = activePalette();
+    const double from = cellOf(loop_.first).left();
+    const double to = cellOf(loop_.last).right();
+    const bool isPart = loop_.count() < frameCount();
+    const QColor tone = toQColor(isPart || dragged_ ? tones.accent : tones.hint);
+    painter.fillRect(QRectF(from, 0.5 * laneHeight - 1.0, to - from, 1.5), tone);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tone);
+    for (const double x : {from, to - gripWidth}) {
+        painter.drawRoundedRect(QRectF(x, 0.0, gripWidth, laneHeight - 1.0), 1.5, 1.5);
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+/// A spike in the lane above each R wave.
+void FrameBars::paintBeats(QPainter& painter) const
+{
+    painter.setPen(QPen(toQColor(activePalette().textStrong), 1.2));
+    for (const int frame : curve_.rWaves) {
+        if (frame < frameCount()) {
+            const double x = cellOf(frame).center().x();
+            const double base = laneHeight - 1.0;
+            painter.drawPolyline(QPolygonF({{x - 4.0, base - 2.0},
+                                            {x - 1.5, base - 2.0},
+                                            {x, 0.5},
+                                            {x + 1.5, base},
+                                            {x + 2.5, base - 2.0},
+                                            {x + 5.0, base - 2.0}}));
+        }
+    }
+}
+
 void FrameBars::paintEvent(QPaintEvent*)
 {
     if (curve_.opacification.empty()) {
         return;
     }
-    const Palette& tones = activePalette();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double slot = width() / static_cast<double>(curve_.opacification.size());
-    const double gap = slot > 12.0 ? 3.0 : slot > 4.0 ? 1.0 : 0.0;
-    for (std::size_t i = 0; i < curve_.opacification.size(); ++i) {
-        const QRectF cell(slot * static_cast<double>(i) + 1.0, 1.0, std::max(1.0, slot - gap - 1.0), height() - 2.0);
-        painter.fillRect(cell, toQColor(tones.field));
-        const double filled = std::clamp(curve_.opacification[i], 0.0, 1.0) * cell.height();
-        painter.fillRect(QRectF(cell.left(), cell.bottom() - filled, cell.width(), filled),
-                         toQColor(tones.accent, static_cast<int>(i) == current_ ? 0.55 : 0.28));
-        if (static_cast<int>(i) == curve_.suggested && slot > 10.0) {
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(toQColor(tones.fine));
-            painter.drawEllipse(QPointF(cell.center().x(), cell.top() + 6.0), 2.5, 2.5);
-            painter.setBrush(Qt::NoBrush);
-        }
-        if (isMask(static_cast<int>(i))) {
-            const double strength = masksInUse_ || marking_ ? 1.0 : 0.5;
-            painter.fillRect(QRectF(cell.left(), cell.bottom() - 3.0, cell.width(), 3.0),
-                             toQColor(tones.attention, strength));
-        }
-        if (static_cast<int>(i) == current_) {
-            painter.setPen(QPen(toQColor(tones.accent), hasFocus() ? 2.0 : 1.5));
-            painter.drawRoundedRect(cell, 2.0, 2.0);
-        }
+    for (int frame = 0; frame < frameCount(); ++frame) {
+        paintCell(painter, frame);
+    }
+    if (frameCount() > 1) {
+        paintLoop(painter);
+        paintBeats(painter);
     }
 }
 
@@ -116,17 +190,54 @@ void FrameBars::request(int frame)
     }
 }
 
+std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& place) const
+{
+    if (!isInLane(place) || frameCount() < 2) {
+        return std::nullopt;
+    }
+    const double toFirst = std::abs(place.x() - cellOf(loop_.first).left() - 0.5 * gripWidth);
+    const double toLast = std::abs(place.x() - cellOf(loop_.last).right() + 0.5 * gripWidth);
+    if (std::min(toFirst, toLast) > grabPx) {
+        return std::nullopt;
+    }
+    return toFirst < toLast ? LoopEnd::First : LoopEnd::Last;
+}
+
+void FrameBars::dragLoop(int frame)
+{
+    core::FrameRange range = loop_;
+    if (range.count() == 1) {   // both grips in one place: whichever way they are pulled
+        dragged_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
+    }
+    if (*dragged_ == LoopEnd::First) {
+        range.first = std::min(frame, loop_.last);
+    } else {
+        range.last = std::max(frame, loop_.first);
+    }
+    if (range != loop_) {
+        emit loopMarked(range);
+    }
+    update();
+}
+
+void FrameBars::pressBars(int frame, Qt::KeyboardModifiers modifiers)
+{
+    if (modifiers.testFlag(Qt::ShiftModifier)) {
+        marking_ = {frame, frame};
+        update();
+    } else {
+        request(frame);
+    }
+}
+
 void FrameBars::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton || curve_.opacification.empty()) {
         return;
     }
-    const int frame = frameAt(event->position().x());
-    if (event->modifiers().testFlag(Qt::ShiftModifier)) {
-        marking_ = {frame, frame};
-        update();
-    } else {
-        request(frame);
+    dragged_ = loopEndAt(event->position());
+    if (!isInLane(event->position()) || frameCount() < 2) {
+        pressBars(frameAt(event->position().x()), event->modifiers());
     }
 }
 
@@ -136,9 +247,14 @@ void FrameBars::mouseMoveEvent(QMouseEvent* event)
         return;
     }
     const int frame = frameAt(event->position().x());
+    const bool isAtGrip = dragged_ || loopEndAt(event->position());
+    setCursor(isAtGrip ? Qt::SizeHorCursor : frameCount() > 1 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     setToolTip(describeFrame(curve_, masks_, frame) + QLatin1Char('\n') +
-               tr("Shift+drag marks mask frames, double click shows the curve"));
-    if (marking_) {
+               (isInLane(event->position()) ? tr("Drag the ends to play a part of the run, double click for all of it")
+                                            : tr("Shift+drag marks mask frames, double click shows the curve")));
+    if (dragged_) {
+        dragLoop(frame);
+    } else if (marking_) {
         marking_->second = frame;
         update();
     } else if (event->buttons() & Qt::LeftButton) {
@@ -148,7 +264,9 @@ void FrameBars::mouseMoveEvent(QMouseEvent* event)
 
 void FrameBars::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && marking_) {
+    if (event->button() == Qt::LeftButton && std::exchange(dragged_, std::nullopt)) {
+        update();
+    } else if (event->button() == Qt::LeftButton && marking_) {
         const auto [from, to] = *std::exchange(marking_, std::nullopt);
         const int low = std::min(from, to);
         const int high = std::max(from, to);
@@ -159,7 +277,12 @@ void FrameBars::mouseReleaseEvent(QMouseEvent* event)
 
 void FrameBars::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && !curve_.opacification.empty()) {
+    if (event->button() != Qt::LeftButton || curve_.opacification.empty()) {
+        return;
+    }
+    if (isInLane(event->position())) {
+        emit loopMarked({0, frameCount() - 1});
+    } else {
         emit plotRequested();
     }
 }

@@ -26,16 +26,31 @@ void addMarkLine(StrokeMesh& mesh, const PixelLine& line, int heightPx, const Co
     stroke(tone, {.widthPx = widthPx});
 }
 
-StrokeMesh meshOf(const std::vector<ImageMark>& marks, const MarkPlace& placeOf, int heightPx, const BurnSizes& sizes)
+void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, int heightPx,
+              const BurnSizes& sizes)
 {
     const Palette& tones = palette(ThemeMode::Dark);
-    StrokeMesh mesh;
     for (const ImageMark& mark : marks) {
         for (const PixelLine& line : linesOf(mark, placeOf, 0.4 * sizes.textPx)) {
             addMarkLine(mesh, line, heightPx, mark.isChosen ? tones.accent : tones.textStrong, sizes);
         }
     }
-    return mesh;
+}
+
+/// From the image that `part` shows to a picture.
+MarkPlace placeIn(const auto& picture, const ViewRect& part)
+{
+    const Eigen::Vector2d scale(picture.width / part.width(), picture.height / part.height());
+    return [scale, corner = Eigen::Vector2d(part.left, part.top)](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+        return (pixel - corner).cwiseProduct(scale);
+    };
+}
+
+void addLabels(auto& picture, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const BurnSizes& sizes)
+{
+    for (const ImageMark& mark : marks) {
+        burnLabel(picture, mark.label, labelPlace(mark, placeOf, 0.4 * sizes.textPx), sizes);
+    }
 }
 
 /// Rows from `top` on, through a canvas of their own.
@@ -63,19 +78,25 @@ void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, c
     if (marks.empty()) {
         return;
     }
-    const Eigen::Vector2d scale(picture.width / part.width(), picture.height / part.height());
-    const MarkPlace placeOf = [&](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
-        return (pixel - Eigen::Vector2d(part.left, part.top)).cwiseProduct(scale);
-    };
-    const StrokeMesh mesh = meshOf(marks, placeOf, picture.height, sizes);
+    const MarkPlace placeOf = placeIn(picture, part);
+    StrokeMesh mesh;
+    addMarks(mesh, marks, placeOf, picture.height, sizes);
     std::vector<std::uint32_t> band(static_cast<std::size_t>(picture.width) *
                                     static_cast<std::size_t>(std::min(picture.height, markBandHeight)));
     for (int top = 0; top < picture.height; top += markBandHeight) {
         fillBand(picture, mesh, top, band);
     }
-    for (const ImageMark& mark : marks) {
-        burnLabel(picture, mark.label, labelPlace(mark, placeOf, 0.4 * sizes.textPx), sizes);
-    }
+    addLabels(picture, marks, placeOf, sizes);
+}
+
+void burnMarks(VectorPicture& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
+               const BurnSizes& sizes)
+{
+    const MarkPlace placeOf = placeIn(picture, part);
+    StrokeMesh mesh;
+    mesh.shapes = &picture.shapes;
+    addMarks(mesh, marks, placeOf, picture.height, sizes);
+    addLabels(picture, marks, placeOf, sizes);
 }
 
 }   // namespace angiopose::ui

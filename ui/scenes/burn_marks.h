@@ -11,4 +11,7 @@ namespace angiopose::ui {
 void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
                const BurnSizes& sizes);
 
+void burnMarks(VectorPicture& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
+               const BurnSizes& sizes);
+
 }   // namespace angiopose::ui

@@ -10,7 +10,16 @@
 #include <string>
 
 namespace angiopose::ui {
+
+BurnSizes burnSizes(int width, int height)
+{
+    const int textPx = std::max(10, static_cast<int>(std::lround(0.0155 * std::min(width, height))));
+    return {textPx, textPx};
+}
+
 namespace {
+
+constexpr double baselineShare = 1.05;   // of the size, below the top of a line
 
 void blend(core::ColorImage& picture, int x, int y, const Color& color, double share)
 {
@@ -38,8 +47,43 @@ void fill(core::ColorImage& picture, const Rect& rect, const Color& color, doubl
     }
 }
 
-void drawMask(core::ColorImage& picture, const core::Mask2d& mask, int left, int top)
+void fill(VectorPicture& picture, const Rect& rect, const Color& color, double share)
 {
+    picture.fills.push_back(
+        {{1.0 * rect.left, 1.0 * rect.left + rect.width, 1.0 * rect.top, 1.0 * rect.top + rect.height}, color, share});
+}
+
+/// Lines of text as they are drawn, which tells their size.
+struct TextBlock {
+    TextBlock(std::vector<std::string> said, int px, TextAlign side)
+        : lines(std::move(said)), sizePx(px), align(side), mask(textMask(lines, px, side))
+    {
+    }
+    std::vector<std::string> lines;
+    int sizePx;
+    TextAlign align;
+    core::Mask2d mask;
+};
+
+void drawText(VectorPicture& picture, const TextBlock& text, int left, int top)
+{
+    if (text.mask.isEmpty()) {
+        return;
+    }
+    fill(picture, {left - 4, top - 3, text.mask.width + 8, text.mask.height + 6}, palette(ThemeMode::Dark).canvas, 0.4);
+    const double lineHeight = static_cast<double>(text.mask.height) / static_cast<double>(text.lines.size());
+    const double start = text.align == TextAlign::Left ? left : left + text.mask.width - 2;
+    for (std::size_t i = 0; i < text.lines.size(); ++i) {
+        picture.texts.push_back({text.lines[i],
+                                 {start, top + lineHeight * static_cast<double>(i) + baselineShare * text.sizePx},
+                                 text.align,
+                                 text.sizePx});
+    }
+}
+
+void drawText(core::ColorImage& picture, const TextBlock& text, int left, int top)
+{
+    const core::Mask2d& mask = text.mask;
     if (mask.isEmpty()) {
         return;
     }
@@ -61,29 +105,20 @@ std::string formatted(double value, int decimals, char decimalSign)
 }
 
 /// One label left of the scale, its middle at `y`.
-void drawLabel(core::ColorImage& picture, const std::string& text, int right, int y)
+void drawLabel(auto& picture, const std::string& text, int right, int y)
 {
-    const int sizePx = burnSizes(picture.width, picture.height).textPx;
-    const core::Mask2d mask = textMask({text}, sizePx, TextAlign::Right);
-    drawMask(picture, mask, right - mask.width, y - mask.height / 2);
+    const TextBlock block({text}, burnSizes(picture.width, picture.height).textPx, TextAlign::Right);
+    drawText(picture, block, right - block.mask.width, y - block.mask.height / 2);
 }
 
-}   // namespace
-
-BurnSizes burnSizes(int width, int height)
-{
-    const int textPx = std::max(10, static_cast<int>(std::lround(0.0155 * std::min(width, height))));
-    return {textPx, textPx};
-}
-
-void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes)
+void drawTexts(auto& picture, const CornerTexts& texts, const BurnSizes& sizes)
 {
     const int margin = sizes.marginPx;
     enum class Edge { Top, Bottom };
     const auto draw = [&](const std::vector<std::string>& lines, TextAlign align, Edge edge) {
-        const core::Mask2d mask = textMask(lines, sizes.textPx, align);
-        const int left = align == TextAlign::Left ? margin : picture.width - margin - mask.width;
-        drawMask(picture, mask, left, edge == Edge::Bottom ? picture.height - margin - mask.height : margin);
+        const TextBlock block(lines, sizes.textPx, align);
+        const int left = align == TextAlign::Left ? margin : picture.width - margin - block.mask.width;
+        drawText(picture, block, left, edge == Edge::Bottom ? picture.height - margin - block.mask.height : margin);
     };
     draw(texts.topLeft, TextAlign::Left, Edge::Top);
     draw(texts.topRight, TextAlign::Right, Edge::Top);
@@ -91,16 +126,17 @@ void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSi
     draw(texts.bottomRight, TextAlign::Right, Edge::Bottom);
 }
 
-void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes)
+void drawLabelAt(auto& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes)
 {
-    const core::Mask2d mask = textMask({text}, sizes.textPx, TextAlign::Left);
+    const TextBlock block({text}, sizes.textPx, TextAlign::Left);
     const auto inside = [](double wanted, int most) {
         return static_cast<int>(std::lround(std::clamp(wanted, 4.0, std::max(4.0, most - 4.0))));
     };
-    drawMask(picture, mask, inside(at.x(), picture.width - mask.width), inside(at.y(), picture.height - mask.height));
+    drawText(picture, block, inside(at.x(), picture.width - block.mask.width),
+             inside(at.y(), picture.height - block.mask.height));
 }
 
-void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes)
+void drawScale(auto& picture, const BurnScale& scale, const BurnSizes& sizes)
 {
     const int barWidth = sizes.textPx;
     const int barHeight = std::max(8 * sizes.textPx, picture.height / 6);
@@ -121,6 +157,38 @@ void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSize
     drawLabel(picture, "> " + formatted(maximum, decimals, scale.decimalSign), right, bar.top - capHeight / 2 - 2);
     drawLabel(picture, formatted(0.5 * maximum, decimals, scale.decimalSign), right, bar.top + bar.height / 2);
     drawLabel(picture, "0", right, bar.top + bar.height - sizes.textPx / 2);
+}
+
+}   // namespace
+
+void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes)
+{
+    drawTexts(picture, texts, sizes);
+}
+
+void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes& sizes)
+{
+    drawTexts(picture, texts, sizes);
+}
+
+void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes)
+{
+    drawLabelAt(picture, text, at, sizes);
+}
+
+void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes)
+{
+    drawLabelAt(picture, text, at, sizes);
+}
+
+void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes)
+{
+    drawScale(picture, scale, sizes);
+}
+
+void burnScale(VectorPicture& picture, const BurnScale& scale, const BurnSizes& sizes)
+{
+    drawScale(picture, scale, sizes);
 }
 
 }   // namespace angiopose::ui

@@ -2,6 +2,7 @@
 
 #include "core/imaging/image2d.h"
 #include "ui/scenes/render_offscreen.h"
+#include "ui/scenes/vector_picture.h"
 
 namespace angiopose::ui {
 
@@ -15,9 +16,11 @@ struct BurnSizes {
 BurnSizes burnSizes(int width, int height);
 
 void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes);
+void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes& sizes);
 
 /// One line with its upper left corner at a place, moved as far as it takes to stay in the picture.
 void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
+void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
 /// Where the ramp of colours ends.
 struct BurnScale {
@@ -29,5 +32,6 @@ struct BurnScale {
 
 /// The ramp with its end values at the right edge.
 void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes);
+void burnScale(VectorPicture& picture, const BurnScale& scale, const BurnSizes& sizes);
 
 }   // namespace angiopose::ui

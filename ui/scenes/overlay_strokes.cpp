@@ -172,21 +172,15 @@ void fade(StrokeMesh& mesh, double opacity)
     for (std::size_t i = 3; i < mesh.colors.size(); i += 4) {
         mesh.colors[i] = static_cast<std::uint8_t>(std::lround(opacity * mesh.colors[i]));
     }
+    for (std::size_t i = 0; mesh.shapes && i < mesh.shapes->size(); ++i) {
+        (*mesh.shapes)[i].pen.opacity *= opacity;
+    }
 }
 
-}   // namespace
-
-Eigen::Vector2d DeviceFromImage::operator*(const Eigen::Vector2d& imagePoint) const
+void addOverlay(StrokeMesh& mesh, const OverlayContent& content, const DeviceFromImage& device)
 {
-    return {(imagePoint.x() - rect.left) / (rect.right - rect.left) * width,
-            (rect.bottom - imagePoint.y()) / (rect.bottom - rect.top) * height};
-}
-
-StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& device)
-{
-    StrokeMesh mesh;
     if (content.isVeiled) {
-        return mesh;
+        return;
     }
     if (content.mode != OverlayMode::Hidden) {
         std::vector<BranchLines> branches;
@@ -218,7 +212,30 @@ StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& 
     if (content.isTracedShown) {
         addTraced(mesh, content, device);
     }
+}
+
+}   // namespace
+
+Eigen::Vector2d DeviceFromImage::operator*(const Eigen::Vector2d& imagePoint) const
+{
+    return {(imagePoint.x() - rect.left) / (rect.right - rect.left) * width,
+            (rect.bottom - imagePoint.y()) / (rect.bottom - rect.top) * height};
+}
+
+StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& device)
+{
+    StrokeMesh mesh;
+    addOverlay(mesh, content, device);
     return mesh;
+}
+
+std::vector<StrokeShape> overlayShapes(const OverlayContent& content, const DeviceFromImage& device)
+{
+    std::vector<StrokeShape> shapes;
+    StrokeMesh mesh;
+    mesh.shapes = &shapes;
+    addOverlay(mesh, content, device);
+    return shapes;
 }
 
 }   // namespace angiopose::ui

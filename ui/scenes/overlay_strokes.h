@@ -18,4 +18,7 @@ struct DeviceFromImage {
 /// Lines of the whole overlay, lowest first.
 StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
 
+/// The same as shapes.
+std::vector<StrokeShape> overlayShapes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
+
 }   // namespace angiopose::ui

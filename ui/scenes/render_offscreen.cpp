@@ -3,6 +3,8 @@
 #include "core/messages/says.h"
 #include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_painter.h"
+#include "ui/scenes/overlay_strokes.h"
+#include "ui/scenes/vector_picture.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -60,23 +62,63 @@ core::ColorImage drawBands(const OverlayScene& scene, int width, int height)
     return picture;
 }
 
+bool isDrawable(int width, int height)
+{
+    return width >= 1 && height >= 1 && width <= largestPicturePx && height <= largestPicturePx;
+}
+
+void annotate(auto& picture, const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
+{
+    const BurnSizes sizes = burnSizes(picture.width, picture.height);
+    burnTexts(picture, texts, sizes);
+    if (scaleMaximumPx > 0.0) {
+        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign, texts.scaleHeading}, sizes);
+    }
+}
+
+/// The frame as it is stored, without lines on it.
+core::ColorImage bareFrame(OverlayScene& scene)
+{
+    const OverlayMode mode = scene.mode();
+    const Cutout cutout = scene.cutout();
+    scene.setMode(OverlayMode::Hidden);
+    scene.setCutout(scene.hasRadiograph() ? cutout : Cutout{});
+    core::ColorImage frame = drawBands(scene, std::max(1, scene.frame().width), std::max(1, scene.frame().height));
+    scene.setMode(mode);
+    scene.setCutout(cutout);
+    return frame;
+}
+
 }   // namespace
 
 core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
                                                const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
-    if (width < 1 || height < 1 || width > largestPicturePx || height > largestPicturePx) {
+    if (!isDrawable(width, height)) {
         return core::Error(core::says::pictureSize(largestPicturePx));
     }
     const ViewKeeper keeper(scene);
     scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));
     scene.setViewRect(viewRect);
     core::ColorImage picture = drawBands(scene, width, height);
-    const BurnSizes sizes = burnSizes(width, height);
-    burnTexts(picture, texts, sizes);
-    if (scaleMaximumPx > 0.0) {
-        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign, texts.scaleHeading}, sizes);
+    annotate(picture, texts, scaleMaximumPx, scaleMaximumMm);
+    return picture;
+}
+
+core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
+                                        const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
+{
+    if (!isDrawable(width, height)) {
+        return core::Error(core::says::pictureSize(largestPicturePx));
     }
+    const ViewKeeper keeper(scene);
+    scene.setViewRect(viewRect);
+    scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));
+    VectorPicture picture{width, height, {}, {}, {}, {}};
+    picture.backdrops.push_back({bareFrame(scene), 0.0, 1.0 * width});
+    picture.shapes = visibleShapes(overlayShapes(scene.content(), {viewRect, width, height}), picture,
+                                   scene.hasRadiograph() ? Cutout{} : scene.cutout(), viewRect);
+    annotate(picture, texts, scaleMaximumPx, scaleMaximumMm);
     return picture;
 }
 

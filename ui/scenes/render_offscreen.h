@@ -22,4 +22,11 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
                                                const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                                double scaleMaximumMm = 0.0);
 
+struct VectorPicture;
+
+/// The same as vectors, on the frame (with the radiograph, where the scene shows one) at its own resolution.
+core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
+                                        const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
+                                        double scaleMaximumMm = 0.0);
+
 }   // namespace angiopose::ui

@@ -149,6 +149,10 @@ void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen)
     if (line.empty()) {
         return;
     }
+    if (mesh.shapes) {
+        mesh.shapes->push_back({StrokeShape::Kind::Line, line, {}, pen});
+        return;
+    }
     if (line.size() == 1) {
         addDot(mesh, line.front(), 0.5 * pen.widthPx, pen.opacity);
         return;
@@ -177,11 +181,19 @@ void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen)
 
 void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double opacity)
 {
+    if (mesh.shapes) {
+        mesh.shapes->push_back({StrokeShape::Kind::Line, {centre}, {}, {2.0 * radiusPx, opacity, 1.0}});
+        return;
+    }
     addSector(mesh, centre, 0.0, 2.0 * std::numbers::pi, profileOf({2.0 * radiusPx, opacity, 1.0}));
 }
 
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity)
 {
+    if (mesh.shapes) {
+        mesh.shapes->push_back({StrokeShape::Kind::Ribbon, left, right, {.opacity = opacity}});
+        return;
+    }
     const std::size_t count = std::min(left.size(), right.size());
     for (std::size_t i = 0; i < count; ++i) {
         addVertex(mesh, left[i].at, left[i].color, opacity);

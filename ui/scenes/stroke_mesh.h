@@ -8,16 +8,6 @@
 
 namespace angiopose::ui {
 
-/// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel: no multisampling needed.
-struct StrokeMesh {
-    std::vector<float> points;   ///< x, y, 0 per vertex
-    std::vector<std::uint8_t> colors;   ///< RGBA per vertex
-    std::vector<std::int32_t> triangles;   ///< 3 vertices each
-
-    void clear();
-    std::size_t vertexCount() const { return points.size() / 3; }
-};
-
 struct StrokePoint {
     Eigen::Vector2d at;
     Color color;
@@ -28,6 +18,26 @@ struct Pen {
     double widthPx = 2.0;
     double opacity = 1.0;
     double fadePx = 1.0;   ///< width of the soft edge; more makes a glow
+};
+
+/// Something drawn, as it was asked for. A line of one point is a dot.
+struct StrokeShape {
+    enum class Kind { Line, Ribbon };
+    Kind kind = Kind::Line;
+    StrokeLine line;   ///< of a ribbon one edge
+    StrokeLine other;   ///< of a ribbon the other edge
+    Pen pen;   ///< of a ribbon the opacity alone
+};
+
+/// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel: no multisampling needed.
+struct StrokeMesh {
+    std::vector<float> points;   ///< x, y, 0 per vertex
+    std::vector<std::uint8_t> colors;   ///< RGBA per vertex
+    std::vector<std::int32_t> triangles;   ///< 3 vertices each
+    std::vector<StrokeShape>* shapes = nullptr;   ///< takes what is drawn in place of triangles, for vector pictures
+
+    void clear();
+    std::size_t vertexCount() const { return points.size() / 3; }
 };
 
 struct DashPattern {

@@ -148,6 +148,20 @@ TEST(FrameBars, TellFrameTimeAndWhatIsSpecial)
     EXPECT_EQ(describeFrame(curve, {}, 2), QStringLiteral("Frame 2 · 0.13 s · 100 % · the fullest"));
 }
 
+TEST(FrameBars, RWavesAreSeenAndNamed)
+{
+    FrameCurve curve{{0.0, 0.1, 1.0, 0.7}, 2, 66.7};
+    FrameBars bars;
+    bars.resize(400, 44);
+    bars.showFrames(curve);
+    bars.showLoop({0, 3});
+    const QImage without = bars.grab().toImage();
+    curve.rWaves = {1};
+    bars.showFrames(curve);
+    EXPECT_NE(bars.grab().toImage(), without);
+    EXPECT_EQ(describeFrame(curve, {}, 1), QStringLiteral("Frame 1 · 0.07 s · 10 % · R wave"));
+}
+
 TEST(HistogramPlot, CountsWhatLiesAboveTheScaleByItself)
 {
     const auto counts = binned({0.0, 0.4, 0.6, 1.9, 2.0, 50.0, std::numeric_limits<double>::infinity()}, 2.0, 4);

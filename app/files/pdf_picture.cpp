@@ -1,0 +1,66 @@
+#include "app/files/pdf_picture.h"
+
+#include <QBuffer>
+#include <QFontMetricsF>
+#include <QPageLayout>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgRenderer>
+
+namespace angiopose::app {
+namespace {
+
+constexpr double screenDotsPerInch = 96.0;
+constexpr double pointsPerInch = 72.0;
+
+/// Qt draws the texts of an SVG as outlines, so they are written beside it. Right ones end where they should.
+void writeTexts(QPainter& painter, const ui::VectorPicture& picture)
+{
+    QFont font;
+    font.setFamilies({QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC"), QStringLiteral("sans-serif")});
+    painter.setPen(QColor(QString::fromStdString(ui::palette(ui::ThemeMode::Dark).textStrong.hex())));
+    for (const ui::VectorText& text : picture.texts) {
+        font.setPixelSize(text.sizePx);
+        painter.setFont(font);
+        const QString words = QString::fromStdString(text.text);
+        const double width =
+            text.align == ui::TextAlign::Right ? QFontMetricsF(font, painter.device()).horizontalAdvance(words) : 0.0;
+        painter.drawText(QPointF(text.at.x() - width, text.at.y()), words);
+    }
+}
+
+}   // namespace
+
+QByteArray pdfOf(const ui::VectorPicture& picture, const SvgFacts& facts)
+{
+    ui::VectorPicture withoutTexts = picture;
+    withoutTexts.texts.clear();
+    QSvgRenderer renderer(QByteArray::fromStdString(svgOf(withoutTexts, facts)));
+    if (!renderer.isValid()) {
+        return {};
+    }
+    const double dotsPerInch = facts.dotsPerInch > 0.0 ? facts.dotsPerInch : screenDotsPerInch;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setTitle(QString::fromStdString(facts.title));
+    writer.setCreator(QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
+    QString provenance;
+    for (const auto& [key, text] : facts.texts) {
+        provenance += QString::fromStdString(key + ": " + text + "\n");
+    }
+    writer.addFileAttachment(QStringLiteral("provenance.txt"), provenance.toUtf8(), QStringLiteral("text/plain"));
+    writer.setPageSize(QPageSize(renderer.viewBoxF().size() * pointsPerInch / dotsPerInch, QPageSize::Point, {},
+                                 QPageSize::ExactMatch));
+    writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
+    QPainter painter(&writer);
+    renderer.render(&painter, QRectF(0.0, 0.0, writer.width(), writer.height()));
+    painter.scale(1.0 * writer.width() / picture.width, 1.0 * writer.height() / picture.height);
+    writeTexts(painter, picture);
+    painter.end();
+    return bytes;
+}
+
+}   // namespace angiopose::app

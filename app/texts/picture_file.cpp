@@ -1,0 +1,82 @@
+#include "app/texts/picture_file.h"
+
+#include "app/messages/says.h"
+#include "io/image_file.h"
+#include "io/support/atomic_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace angiopose::app {
+namespace {
+
+std::string endOf(const std::string& path)
+{
+    std::string end = std::filesystem::path(path).extension().string();
+    std::ranges::transform(end, end.begin(),
+                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return end;
+}
+
+/// A picture of the image alone says nothing of vessels.
+core::Case frameAlone(core::Case theCase)
+{
+    theCase.shown().result.reset();
+    theCase.shown().measurements.clear();
+    return theCase;
+}
+
+OverlayPictureOptions withoutVessels(OverlayPictureOptions options)
+{
+    options.vessels = ui::OverlayMode::Hidden;
+    options.coloring = OverlayColoring::Branches;
+    options.cutout = {};
+    options.isStartBeside = false;
+    options.radiograph = nullptr;
+    return options;
+}
+
+}   // namespace
+
+core::Result<ui::VectorPicture> pictureVectors(const core::Case& theCase, const core::Centerline2d& target,
+                                               const OverlayPictureOptions& options, const PictureFile& file)
+{
+    if (file.content == PictureContent::Frame16) {
+        return core::Error(says::greyPictureKind());
+    }
+    const bool isFrame = file.content == PictureContent::Frame;
+    return isFrame ? drawOverlayVectors(frameAlone(theCase), {}, withoutVessels(options))
+                   : drawOverlayVectors(theCase, target, options);
+}
+
+SvgFacts factsOf(const core::Case& theCase, const PictureFile& file)
+{
+    return {theCase.title, provenanceTexts(theCase), file.dotsPerInch};
+}
+
+core::Status writePictureFile(const core::Case& theCase, const core::Centerline2d& target,
+                              const OverlayPictureOptions& options, const PictureFile& file, const std::string& path)
+{
+    if (endOf(path) == ".svg") {
+        const auto vectors = pictureVectors(theCase, target, options, file);
+        return vectors ? io::writeAtomically(path, svgOf(vectors.value(), factsOf(theCase, file)))
+                       : core::Status(vectors.error());
+    }
+    if (endOf(path) != ".png") {
+        return core::Error(says::pictureKindUnknown()).about(path);
+    }
+    const std::map<std::string, std::string> texts = provenanceTexts(theCase);
+    if (file.content == PictureContent::Frame16) {
+        const auto& run = theCase.shown().angiogram;
+        return run && theCase.shown().frame < run->frameCount()
+                   ? io::writeGreyPng(*run, theCase.shown().frame, path, texts, file.dotsPerInch)
+                   : core::Status(core::Error(says::overlayIncomplete()));
+    }
+    const bool isFrame = file.content == PictureContent::Frame;
+    const auto picture =
+        isFrame ? drawOverlay(frameAlone(theCase), {}, withoutVessels(options)) : drawOverlay(theCase, target, options);
+    return picture ? io::writePng(picture.value(), path, texts, file.dotsPerInch) : core::Status(picture.error());
+}
+
+}   // namespace angiopose::app

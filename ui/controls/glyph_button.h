@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QToolButton>
+
+namespace angiopose::ui {
+
+/// A tool button with a drawn sign in the tone of its text, sharp at any scale. Needs an accessible name.
+class GlyphButton : public QToolButton {
+    Q_OBJECT
+public:
+    enum class Glyph { Play, Pause, Loop, BackAndForth };
+
+    explicit GlyphButton(Glyph glyph, QWidget* parent = nullptr);
+
+    void showGlyph(Glyph glyph);
+    QSize sizeHint() const override { return {30, 24}; }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    Glyph glyph_;
+};
+
+}   // namespace angiopose::ui

@@ -1,0 +1,194 @@
+#include "ui/scenes/vector_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+namespace angiopose::ui {
+namespace {
+
+/// The cutout in px of the picture, y up.
+struct CutoutInPicture {
+    Cutout::Shape shape = Cutout::Shape::None;
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    double radius = 0.0;
+
+    bool contains(const Eigen::Vector2d& place) const
+    {
+        return shape == Cutout::Shape::RightOf ? place.x() > at.x()
+               : shape == Cutout::Shape::Disc  ? (place - at).norm() < radius
+                                               : false;
+    }
+};
+
+CutoutInPicture inPicture(const Cutout& cutout, const VectorPicture& picture, const ViewRect& part)
+{
+    const double scale = picture.width / part.width();
+    return {cutout.shape,
+            {(cutout.at.x() - part.left) * scale, (part.bottom - cutout.at.y()) * picture.height / part.height()},
+            cutout.radiusPx * scale};
+}
+
+struct CutSpan {
+    double from = 1.0;
+    double to = 0.0;
+
+    bool isEmpty() const { return from >= to; }
+};
+
+/// The part of a→b inside, as fractions.
+CutSpan insideCutout(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const CutoutInPicture& cutout)
+{
+    const Eigen::Vector2d step = b - a;
+    if (cutout.shape == Cutout::Shape::RightOf) {
+        if (step.x() == 0.0) {
+            return cutout.contains(a) ? CutSpan{0.0, 1.0} : CutSpan{};
+        }
+        const double crossing = (cutout.at.x() - a.x()) / step.x();
+        return step.x() > 0.0 ? CutSpan{std::max(0.0, crossing), 1.0} : CutSpan{0.0, std::min(1.0, crossing)};
+    }
+    const double length2 = step.squaredNorm();
+    if (cutout.shape == Cutout::Shape::None || length2 == 0.0) {
+        return {};
+    }
+    const double middle = (cutout.at - a).dot(step) / length2;
+    const double off2 = (a + middle * step - cutout.at).squaredNorm();
+    const double half2 = (cutout.radius * cutout.radius - off2) / length2;
+    if (half2 <= 0.0) {
+        return {};
+    }
+    return {std::max(0.0, middle - std::sqrt(half2)), std::min(1.0, middle + std::sqrt(half2))};
+}
+
+StrokePoint onSegment(const StrokePoint& a, const StrokePoint& b, double fraction)
+{
+    return {a.at + fraction * (b.at - a.at), mixed(a.color, b.color, fraction)};
+}
+
+std::vector<StrokeLine> outsideParts(const StrokeLine& line, const CutoutInPicture& cutout)
+{
+    std::vector<StrokeLine> parts(1);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const StrokePoint& a = line[i - 1];
+        const StrokePoint& b = line[i];
+        const CutSpan cut = insideCutout(a.at, b.at, cutout);
+        if (parts.back().empty() && (cut.isEmpty() || cut.from > 0.0)) {
+            parts.back().push_back(a);
+        }
+        if (cut.isEmpty()) {
+            parts.back().push_back(b);
+            continue;
+        }
+        if (cut.from > 0.0) {
+            parts.back().push_back(onSegment(a, b, cut.from));
+        }
+        parts.emplace_back();
+        if (cut.to < 1.0) {
+            parts.back() = {onSegment(a, b, cut.to), b};
+        }
+    }
+    std::erase_if(parts, [](const StrokeLine& part) { return part.size() < 2; });
+    return parts;
+}
+
+/// Cross-sections of a ribbon whose both edges are seen, in runs.
+std::vector<StrokeShape> ribbonParts(const StrokeShape& ribbon, const CutoutInPicture& cutout)
+{
+    const StrokeShape empty{ribbon.kind, {}, {}, ribbon.pen};
+    std::vector<StrokeShape> parts{empty};
+    for (std::size_t i = 0; i < std::min(ribbon.line.size(), ribbon.other.size()); ++i) {
+        if (cutout.contains(ribbon.line[i].at) || cutout.contains(ribbon.other[i].at)) {
+            parts.push_back(empty);
+            continue;
+        }
+        parts.back().line.push_back(ribbon.line[i]);
+        parts.back().other.push_back(ribbon.other[i]);
+    }
+    std::erase_if(parts, [](const StrokeShape& each) { return each.line.size() < 2; });
+    return parts;
+}
+
+bool isInPicture(const Eigen::Vector2d& at, const VectorPicture& picture)
+{
+    return at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= picture.width && at.y() <= picture.height;
+}
+
+std::vector<StrokeShape> lineParts(const StrokeShape& shape, const VectorPicture& picture,
+                                   const CutoutInPicture& cutout)
+{
+    if (shape.line.size() < 2) {   // a dot of a dotted line
+        const bool isSeen = !shape.line.empty() && isInPicture(shape.line.front().at, picture) &&
+                            !cutout.contains(shape.line.front().at);
+        return isSeen ? std::vector{shape} : std::vector<StrokeShape>{};
+    }
+    std::vector<StrokeShape> parts;
+    for (const StrokeLine& seen : clipped(shape.line, {0.0, 0.0}, {picture.width, picture.height})) {
+        for (StrokeLine& line : outsideParts(seen, cutout)) {
+            parts.push_back({shape.kind, std::move(line), {}, shape.pen});
+        }
+    }
+    return parts;
+}
+
+/// The rim of the cutout, as pictures of pixels have it.
+std::vector<StrokeShape> rimOf(const CutoutInPicture& cutout, const VectorPicture& picture)
+{
+    constexpr int corners = 180;
+    const Color tone = palette(ThemeMode::Dark).label;
+    StrokeLine rim;
+    if (cutout.shape == Cutout::Shape::RightOf) {
+        rim = {{{cutout.at.x(), 0.0}, tone}, {{cutout.at.x(), 1.0 * picture.height}, tone}};
+    }
+    for (int i = 0; cutout.shape == Cutout::Shape::Disc && i <= corners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / corners;
+        rim.push_back({cutout.at + cutout.radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)), tone});
+    }
+    return lineParts({StrokeShape::Kind::Line, rim, {}, {.widthPx = 1.0}}, picture, {});
+}
+
+}   // namespace
+
+std::vector<StrokeShape> visibleShapes(const std::vector<StrokeShape>& shapes, const VectorPicture& picture,
+                                       const Cutout& cutout, const ViewRect& part)
+{
+    const CutoutInPicture cut = inPicture(cutout, picture, part);
+    std::vector<StrokeShape> seen;
+    for (const StrokeShape& shape : shapes) {
+        std::ranges::move(
+            shape.kind == StrokeShape::Kind::Ribbon ? ribbonParts(shape, cut) : lineParts(shape, picture, cut),
+            std::back_inserter(seen));
+    }
+    std::ranges::move(rimOf(cut, picture), std::back_inserter(seen));
+    return seen;
+}
+
+VectorPicture besideEachOther(VectorPicture left, const VectorPicture& right, int gap)
+{
+    const double shift = left.width + gap;
+    for (VectorBackdrop backdrop : right.backdrops) {
+        backdrop.left += shift;
+        left.backdrops.push_back(std::move(backdrop));
+    }
+    for (StrokeShape shape : right.shapes) {
+        for (StrokeLine* line : {&shape.line, &shape.other}) {
+            for (StrokePoint& point : *line) {
+                point.at.x() += shift;
+            }
+        }
+        left.shapes.push_back(std::move(shape));
+    }
+    for (VectorFill fill : right.fills) {
+        fill.rect.left += shift;
+        fill.rect.right += shift;
+        left.fills.push_back(fill);
+    }
+    for (VectorText text : right.texts) {
+        text.at.x() += shift;
+        left.texts.push_back(std::move(text));
+    }
+    left.width += gap + right.width;
+    return left;
+}
+
+}   // namespace angiopose::ui
