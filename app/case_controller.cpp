@@ -28,7 +28,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
                   window.angiogramView(), window.strip(), window}),
       registration_(document_, target_),
-      session_(document_, target_, registration_, notices_,
+      session_(document_, target_, registration_, preview_, notices_,
                {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
       profile_(document_, branches_, session_.exporting(),
                {window.actions(), window.profile(), window.angiogramView(), window.treeView(), window.slices()}),

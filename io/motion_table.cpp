@@ -1,5 +1,6 @@
 #include "io/motion_table.h"
 
+#include "core/registration/deformable/bent_tree.h"
 #include "io/support/atomic_file.h"
 #include "io/support/numbers.h"
 
@@ -30,9 +31,10 @@ void addRow(const core::VesselBranch& branch, const core::BranchMotion& motion, 
 core::Status writeMotion(const core::VesselTree& tree, const core::DeformableResult& bent, const std::string& path)
 {
     std::string table = "x,y,z,radius,branch,dx,dy,dz,inPlaneSigma,depthSigma\n";
-    for (std::size_t b = 0; b < bent.branches.size(); ++b) {
-        for (std::size_t i = 0; i < bent.branches[b].displacementMm.size(); ++i) {
-            addRow(tree.branches[b], bent.branches[b], i, table);
+    const std::vector<core::VesselBranch> none;
+    for (const core::VesselBranch& branch : core::isOf(tree, bent) ? tree.branches : none) {
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            addRow(branch, *core::motionOf(bent, branch.id), i, table);
         }
     }
     return writeAtomically(path, table);

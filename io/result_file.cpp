@@ -3,10 +3,10 @@
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
+#include "io/case/fields/bent_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/edited_curves.h"
 #include "io/support/atomic_file.h"
-#include "io/support/deformable_json.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/message_json.h"
@@ -76,7 +76,7 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
     if (result.bent) {
-        root["deformable"] = Json::parse(deformableJson(*result.bent));
+        root["deformable"] = bentSummary(*result.bent);
     }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -121,8 +121,8 @@ std::string jointJson(const core::RegisteredCase& registered)
         }
         json["views"].push_back(std::move(view));
     }
-    if (registered.bent) {
-        json["deformable"] = Json::parse(deformableJson(*registered.bent));
+    if (const auto& bent = registered.result().bent) {
+        json["deformable"] = bentSummary(*bent);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }

@@ -12,21 +12,6 @@
 namespace angiopose::app {
 namespace {
 
-core::Result<core::PartSight> sightFor(const core::VesselTree& tree, const AnglesArguments& arguments)
-{
-    std::vector<core::VesselPiece> all = core::vesselPiecesOf(tree);
-    if (arguments.isTakeOff) {
-        auto part = core::piecesOfTakeOff(tree, arguments.branchId);
-        return part ? core::Result<core::PartSight>(core::PartSight(std::move(part).value(), std::move(all)))
-                    : part.error();
-    }
-    std::vector<core::VesselPiece> part = core::piecesOfBranch(all, arguments.branchId);
-    if (part.empty()) {
-        return core::Error(core::says::noSuchBranch(arguments.branchId));
-    }
-    return core::PartSight(std::move(part), std::move(all));
-}
-
 std::string percent(double share)
 {
     return fixedText(100.0 * share, 0) + " %";
@@ -72,7 +57,8 @@ int runAngles(const AnglesArguments& arguments)
         return failInput(loaded.error(), arguments.format);
     }
     const core::Case& theCase = loaded.value();
-    const auto sight = sightFor(*theCase.vessels.tree, arguments);
+    const auto sight = core::sightOf(*theCase.vessels.tree, arguments.branchId,
+                                     arguments.isTakeOff ? core::SightOf::TakeOff : core::SightOf::Branch);
     const auto poseAt = core::turningGantry(theCase.shown());
     if (!sight || !poseAt) {
         return failInput((sight ? poseAt.error() : sight.error()).about(arguments.casePath), arguments.format);

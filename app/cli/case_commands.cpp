@@ -77,6 +77,9 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
     command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
     command->add_option("--swipe", arguments->swipePx, "Column of the angiogram: right of it without vessels");
+    command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
+    command->add_flag("--motion", arguments->isMotionColored,
+                      "Colours: how far the bent vessels lie from the rigid ones");
     command->add_flag("--before-after", arguments->startBeside, "The vessels at the start pose beside it, on the left");
     command->add_option("--dpi", arguments->dotsPerInch, "Pixels to an inch, for print")->check(CLI::Range(10, 4800));
     command->add_flag("--bare", arguments->isFrameAlone, "The image alone, without vessels");

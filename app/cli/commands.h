@@ -47,6 +47,8 @@ struct ProjectArguments {
     double dotsPerInch = 0.0;   ///< 0: not told
     bool isFrameAlone = false;
     bool is16Bit = false;   ///< the frame alone, its grey values
+    bool isRigid = false;   ///< the vessels of the rigid pose, where the case keeps bent ones
+    bool isMotionColored = false;   ///< coloured by how far the bent vessels lie from the rigid ones
 };
 int runProject(const ProjectArguments& arguments);
 

@@ -1,5 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
+#include "app/messages/says.h"
 #include "app/texts/picture_file.h"
 #include "io/pose_file.h"
 
@@ -32,9 +33,14 @@ int runProject(const ProjectArguments& arguments)
         theCase.shown().cameraFromPatient = pose.value();
         theCase.shown().result.reset();
     }
+    const core::View& shown = theCase.shown();
+    if (arguments.isMotionColored && !drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
+        return failInput(core::Error(says::noBentVessels().about(arguments.casePath)));
+    }
     OverlayPictureOptions options;
     options.widthPx = arguments.widthPx;
-    options.coloring = OverlayColoring::Branches;
+    options.coloring = arguments.isMotionColored ? OverlayColoring::Motion : OverlayColoring::Branches;
+    options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
     options.depthCue = arguments.depthCue ? ui::DepthCue::NearBright : ui::DepthCue::None;
     if (arguments.swipePx) {
         options.cutout = {ui::Cutout::Shape::RightOf, {*arguments.swipePx, 0.0}, 0.0};

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
+#include "core/registration/deformable/deform_vessels.h"
 #include "core/support/stopwatch.h"
 #include "io/result_file.h"
 
@@ -34,7 +35,7 @@ core::Status addOtherViews(core::Case& theCase, const std::vector<std::string>& 
 
 int exitCodeOf(const core::RegisteredCase& registered)
 {
-    const auto& bent = registered.bent;
+    const auto& bent = registered.result().bent;
     if (registered.result().stopReason == core::StopReason::StoppedByUser ||
         (bent && bent->stopReason == core::StopReason::StoppedByUser)) {
         return exitStopped;

@@ -5,6 +5,7 @@
 #include "app/texts/overlay_picture.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "io/image_file.h"
 #include "io/motion_table.h"
@@ -33,6 +34,34 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
+core::Status writePicture(const core::Case& theCase, const core::Centerline2d& target,
+                          const OverlayPictureOptions& options, const fs::path& path)
+{
+    const auto picture = drawOverlay(theCase, target, options);
+    return picture ? io::writePng(picture.value(), path.string(), provenanceTexts(theCase))
+                   : core::Status(picture.error());
+}
+
+/// As the window shows them; of bent vessels also the rigid ones, and how far the bent ones lie from them.
+core::Status writePictures(const core::Case& theCase, const core::Centerline2d& target, const fs::path& folder)
+{
+    OverlayPictureOptions options;
+    if (auto status = writePicture(theCase, target, options, folder / "overlay.png"); !status) {
+        return status;
+    }
+    const core::View& shown = theCase.shown();
+    if (!drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
+        return core::Done{};
+    }
+    options.coloring = OverlayColoring::Motion;
+    if (auto status = writePicture(theCase, target, options, folder / "motion.png"); !status) {
+        return status;
+    }
+    options.coloring = OverlayColoring::Residuals;
+    options.shape = VesselShape::Rigid;
+    return writePicture(theCase, target, options, folder / "rigid.png");
+}
+
 core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
 {
     const fs::path folder(folderName);
@@ -47,18 +76,14 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
     if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    const auto picture = drawOverlay(theCase, target);
-    if (!picture) {
-        return picture.error();
-    }
-    return io::writePng(picture.value(), (folder / "overlay.png").string(), provenanceTexts(theCase));
+    return writePictures(theCase, target, folder);
 }
 
 /// Where nothing is bent there is nothing to write, unless the user asked for it.
 bool isBentWritten(const RegisteredCase& registered)
 {
-    return registered.bent && (registered.bent->verdict != core::BendVerdict::Rigid ||
-                               registered.theCase.options.bending == core::Bending::Always);
+    return registered.result().bent && (registered.result().bent->verdict != core::BendVerdict::Rigid ||
+                                        registered.theCase.options.bending == core::Bending::Always);
 }
 
 /// The tree as it was in the image, in patient coordinates, and how each of its points came there.
@@ -66,11 +91,12 @@ core::Status writeBent(const RegisteredCase& registered, const std::string& fold
 {
     const fs::path folder(folderName);
     const core::VesselTree& tree = *registered.theCase.vessels.tree;
-    if (auto status = io::writeVesselTree(core::bentTree(tree, *registered.bent), (folder / "bent.vtp").string());
+    if (auto status =
+            io::writeVesselTree(core::bentTree(tree, *registered.result().bent), (folder / "bent.vtp").string());
         !status) {
         return status;
     }
-    return io::writeMotion(tree, *registered.bent, (folder / "motion.csv").string());
+    return io::writeMotion(tree, *registered.result().bent, (folder / "motion.csv").string());
 }
 
 void printLine(const std::string& label, const std::string& text)
@@ -168,8 +194,8 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());
     }
-    if (registered.bent) {
-        printBent(*registered.bent);
+    if (registered.result().bent) {
+        printBent(*registered.result().bent);
     }
     printLine("written", registered.joint ? (fs::path(folder) / "joint.json").string()
                                           : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");

@@ -3,9 +3,9 @@
 #include "app/document/edit_case.h"
 #include "app/editing/auxiliary_words.h"
 #include "ui/actions/window_actions.h"
-#include "ui/panels/snapshot_panel.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
+#include "ui/words/method_words.h"
 
 #include <set>
 

@@ -4,8 +4,8 @@
 #include "core/registration/options/option_fields.h"
 #include "core/support/quantile.h"
 #include "ui/panels/result_sentences.h"
-#include "ui/panels/snapshot_panel.h"
 #include "ui/words/language.h"
+#include "ui/words/method_words.h"
 #include "ui/words/number.h"
 
 #include <algorithm>

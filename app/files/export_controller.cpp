@@ -5,12 +5,15 @@
 #include "app/jobs/radiograph_source.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
+#include "app/texts/bent_vessels.h"
 #include "app/texts/picture_file.h"
 #include "app/words/corner_words.h"
 #include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "io/centerline2d_file.h"
 #include "io/measurement_table.h"
+#include "io/motion_table.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
 #include "io/support/atomic_file.h"
@@ -43,9 +46,9 @@ core::Status writePdf(const core::Case& theCase, const core::Centerline2d& targe
 
 }   // namespace
 
-ExportController::ExportController(CaseDocument& document, TargetProvider& target, ui::AngiogramView& view,
-                                   QWidget& dialogParent, QObject* parent)
-    : QObject(parent), document_(document), target_(target), view_(view), dialogParent_(dialogParent)
+ExportController::ExportController(CaseDocument& document, TargetProvider& target, const PosePreview& preview,
+                                   ui::AngiogramView& view, QWidget& dialogParent, QObject* parent)
+    : QObject(parent), document_(document), target_(target), preview_(preview), view_(view), dialogParent_(dialogParent)
 {
 }
 
@@ -122,14 +125,15 @@ void ExportController::askOverlay()
 OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) const
 {
     ui::AngiogramView& view = view_;
-    OverlayPictureOptions options{
-        choice.widthPx,
-        choice.residualColors == ui::Choice::On ? OverlayColoring::Residuals : OverlayColoring::Branches,
-        choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
-        choice.english == ui::Choice::On ? englishTexts : windowTexts};
+    const OverlayColoring coloring = preview_.isMotionColored() ? OverlayColoring::Motion : OverlayColoring::Residuals;
+    OverlayPictureOptions options{choice.widthPx,
+                                  choice.residualColors == ui::Choice::On ? coloring : OverlayColoring::Branches,
+                                  choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
+                                  choice.english == ui::Choice::On ? englishTexts : windowTexts};
     options.vessels = view.scene().mode();   // as they are seen
     options.range = view.shownRange();
     options.depthCue = view.scene().depthCue();
+    options.shape = preview_.shape();
     options.cutout = choice.cutout == ui::Choice::On ? view.scene().cutout() : ui::Cutout{};
     options.isStartBeside = choice.startBeside == ui::Choice::On;
     if (view.scene().hasRadiograph()) {
@@ -263,6 +267,24 @@ void ExportController::askMeasurements()
     askFile({tr("Export measurements"), tr("Tables (*.csv)"), QStringLiteral("measurements.csv")},
             [snapshot = document_.current()](const QString& path) {
                 return io::writeMeasurements(snapshot, path.toStdString());
+            });
+}
+
+void ExportController::askBent()
+{
+    const core::Case& current = document_.current();
+    const auto bent = drawableBend(current.shown(), current.vessels, current.shown().cameraFromPatient);
+    if (!bent) {
+        emit failed(tr("No bent vessels are known of this pose. Register first (R)."));
+        return;
+    }
+    askFile({tr("Export bent vessels"),
+             tr("Bent centrelines (*.vtp)") + QStringLiteral(";;") + tr("How each point moved (*.csv)"),
+             QStringLiteral("bent.vtp")},
+            [tree = current.vessels.tree, bent](const QString& path) -> core::Status {
+                return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
+                           ? io::writeMotion(*tree, *bent, path.toStdString())
+                           : io::writeVesselTree(core::bentTree(*tree, *bent), path.toStdString());
             });
 }
 

@@ -3,6 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/jobs/file_queue.h"
 #include "app/registration/target_provider.h"
+#include "app/showing/pose_preview.h"
 #include "app/texts/overlay_picture.h"
 #include "ui/dialogs/export_dialog.h"
 
@@ -22,8 +23,8 @@ namespace angiopose::app {
 class ExportController : public QObject {
     Q_OBJECT
 public:
-    ExportController(CaseDocument& document, TargetProvider& target, ui::AngiogramView& view, QWidget& dialogParent,
-                     QObject* parent = nullptr);
+    ExportController(CaseDocument& document, TargetProvider& target, const PosePreview& preview,
+                     ui::AngiogramView& view, QWidget& dialogParent, QObject* parent = nullptr);
 
     struct FileQuestion {
         QString title;
@@ -44,6 +45,7 @@ public:
     void askTrace();
     void askMeasurements();
     void askVessels(const Then& then = {});
+    void askBent();   ///< the tree as it is bent, or how each of its points moved
 
 signals:
     void started();
@@ -58,6 +60,7 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
+    const PosePreview& preview_;   ///< which vessels pictures show
     ui::AngiogramView& view_;
     QWidget& dialogParent_;
     FileQueue files_;

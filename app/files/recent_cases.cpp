@@ -20,12 +20,15 @@ QStringList recentCases()
 void rememberCase(const QString& path)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList cases = recentCases();
+    const QStringList before = recentCases();
+    QStringList cases = before;
     cases.removeAll(absolute);
     cases.prepend(absolute);
     cases = cases.first(std::min(cases.size(), keptCases));
-    settings::recentCases.write(cases);
-    keepCasePictures(cases);
+    if (cases != before) {
+        settings::recentCases.write(cases);
+        keepCasePictures(cases);
+    }
 }
 
 void forgetRecentCases()

@@ -7,9 +7,9 @@
 #include "core/case/case_patients.h"
 #include "io/edited_curves.h"
 #include "ui/panels/result_sentences.h"
-#include "ui/panels/snapshot_panel.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
+#include "ui/words/method_words.h"
 #include "ui/words/number.h"
 #include "ui/words/terms.h"
 

@@ -20,14 +20,14 @@
 namespace angiopose::app {
 
 SessionController::SessionController(CaseDocument& document, TargetProvider& target,
-                                     RegistrationController& registration, Notices& notices, const Ui& ui,
-                                     QObject* parent)
+                                     RegistrationController& registration, const PosePreview& preview, Notices& notices,
+                                     const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
       notices_(notices),
       ui_(ui),
       open_(document),
-      export_(document, target, ui.view, ui.dialogParent),
+      export_(document, target, preview, ui.view, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
       close_(document, save_, registration, ui.actions, ui.dialogParent)
@@ -130,6 +130,7 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
     connect(actions[ui::Command::ExportMeasurements], &QAction::triggered, &export_,
             &ExportController::askMeasurements);
+    connect(actions[ui::Command::ExportBent], &QAction::triggered, &export_, &ExportController::askBent);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
     connect(&export_, &ExportController::exported, this, [this](const QString& path) {

@@ -37,7 +37,7 @@ public:
         QWidget& dialogParent;
     };
     SessionController(CaseDocument& document, TargetProvider& target, RegistrationController& registration,
-                      Notices& notices, const Ui& ui, QObject* parent = nullptr);
+                      const PosePreview& preview, Notices& notices, const Ui& ui, QObject* parent = nullptr);
 
     /// Notice, recovery offer and the files of the command line.
     void begin(const QStringList& paths);

@@ -17,7 +17,14 @@ struct Setting {
         const QVariant stored = QSettings().value(QLatin1String(key));
         return stored.isValid() ? stored.value<T>() : fallback;
     }
-    void write(const T& value) const { QSettings().setValue(QLatin1String(key), QVariant::fromValue(value)); }
+    /// What is the same already is not written again: that would wait for the disk.
+    void write(const T& value) const
+    {
+        QSettings stored;
+        if (!stored.contains(QLatin1String(key)) || read() != value) {
+            stored.setValue(QLatin1String(key), QVariant::fromValue(value));
+        }
+    }
 };
 
 /// Every preference that outlives a session. Poses and options belong to the case, not here.

@@ -4,8 +4,8 @@
 #include "app/words/snapshot_texts.h"
 #include "core/registration/methods/method_info.h"
 #include "core/support/utc_time.h"
-#include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
+#include "ui/words/method_words.h"
 
 namespace angiopose::app {
 

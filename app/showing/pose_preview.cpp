@@ -51,6 +51,20 @@ core::RigidTransform PosePreview::poseIn(std::size_t view) const
     return core::poseMovedAlong(current, view, pose_);
 }
 
+void PosePreview::setShape(VesselShape shape)
+{
+    if (std::exchange(shape_, shape) != shape) {
+        emit changed();
+    }
+}
+
+void PosePreview::setMotionColored(bool colored)
+{
+    if (std::exchange(isMotionColored_, colored) != colored) {
+        emit changed();
+    }
+}
+
 void PosePreview::setMovesAllViews(bool all)
 {
     if (std::exchange(movesAllViews_, all) != all) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/texts/bent_vessels.h"
 
 #include <QObject>
 
@@ -16,8 +17,8 @@ enum class PreviewOf { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Fram
 /// pose is not, and colours of one pose on another would lie.
 enum class ResidualColors { Kept, Hidden };
 
-/// Which pose is shown: the document's, or one that somebody shows for a while. There is one at a time: the newest is
-/// seen, whom it takes the place of is told, and each can end its own only.
+/// Which pose is shown: the document's, or one that somebody shows for a while; and which vessels at it. There is one
+/// at a time: the newest is seen, whom it takes the place of is told, and each can end its own only.
 class PosePreview : public QObject {
     Q_OBJECT
 public:
@@ -35,6 +36,13 @@ public:
     bool movesAllViews() const { return movesAllViews_; }
     ResidualColors colors() const { return colors_; }
 
+    /// How the vessels lie on the images where bent ones are known of the pose that is shown, and whether their colours
+    /// tell how far these moved.
+    void setShape(VesselShape shape);
+    VesselShape shape() const { return shape_; }
+    void setMotionColored(bool colored);
+    bool isMotionColored() const { return isMotionColored_; }
+
 signals:
     void changed();
     void gaveWay(app::PreviewOf whose);   ///< to another's
@@ -45,6 +53,8 @@ private:
     core::RigidTransform pose_;   ///< of the preview
     ResidualColors colors_ = ResidualColors::Kept;
     bool movesAllViews_ = true;
+    VesselShape shape_ = VesselShape::Bent;
+    bool isMotionColored_ = false;
 };
 
 }   // namespace angiopose::app

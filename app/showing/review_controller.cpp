@@ -31,6 +31,29 @@ ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, PoseP
 {
     connectMotion();
     connectWindow();
+    connectShape();
+}
+
+void ReviewController::connectShape()
+{
+    QAction* bent = ui_.actions[ui::Command::BentVessels];
+    bent->setChecked(preview_.shape() == VesselShape::Bent);
+    connect(bent, &QAction::toggled, this, [this](bool on) {
+        preview_.setShape(on ? VesselShape::Bent : VesselShape::Rigid);
+        sayShape(on ? tr("Vessels as they are bent") : tr("Vessels as the rigid pose has them"));
+    });
+    connect(ui_.actions[ui::Command::MotionColors], &QAction::toggled, this, [this](bool on) {
+        preview_.setMotionColored(on);
+        sayShape(on ? tr("Colours: how far the bent vessels lie from the rigid ones")
+                    : tr("Colours: how far from the traced vessels"));
+    });
+}
+
+void ReviewController::sayShape(const QString& words)
+{
+    const core::Case& current = document_.current();
+    const bool isKnown = drawableBend(current.shown(), current.vessels, preview_.pose()) != nullptr;
+    ui_.strip.showStatus(isKnown ? words : tr("No bent vessels are known of this pose"));
 }
 
 void ReviewController::connectMotion()

@@ -44,6 +44,8 @@ public:
 private:
     void connectMotion();
     void connectWindow();
+    void connectShape();
+    void sayShape(const QString& words);
     void setFlickering(bool on);
     void flick();
     void applyTheme(const QString& name);

@@ -3,6 +3,7 @@
 #include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
 #include "app/words/corner_words.h"
+#include "core/evaluation/trial/branch_distances.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"
 #include "ui/panels/bottom_strip.h"
@@ -68,6 +69,7 @@ void ViewSync::refresh()
     if (!preview_.shown()) {
         showPose();
     }
+    showShape();
     ui_.view.setOrientationKnown(shownCamera_ && isOrientationKnown(current.shown(), current.vessels));
     showCornerTexts();
 }
@@ -77,13 +79,35 @@ void ViewSync::showTree()
     shownTree_ = document_.current().vessels.tree;
     shownHidden_ = document_.current().vessels.hiddenBranchIds;
     const core::VesselTree tree = shownTree_ ? *shownTree_ : core::VesselTree{};
-    const core::VesselTree drawn = core::without(tree, shownHidden_);
     ui::AngiogramView& view = ui_.view;
     view.scene().clearResiduals();
-    view.scene().setTree(drawn);
+    drawTree();
     view.setPivot(shownTree_ ? core::centroidInPatient(tree) : Eigen::Vector3d::Zero());
-    ui_.treeView.scene().setTree(drawn);
     ui_.branches.showTree(tree);
+}
+
+/// Bent vessels come and go with the pose they were found from.
+void ViewSync::showShape()
+{
+    const core::Case& current = document_.current();
+    const auto known = drawableBend(current.shown(), current.vessels, preview_.pose());
+    if (known == drawn_.known && (!known || preview_.shape() == drawn_.shape)) {
+        return;
+    }
+    drawTree();
+    showResidualColors();
+    showCornerTexts();
+}
+
+void ViewSync::drawTree()
+{
+    const core::Case& current = document_.current();
+    drawn_ = drawnVessels(current.shown(), current.vessels, preview_.pose(), preview_.shape());
+    const core::VesselTree tree = core::without(drawn_.tree, shownHidden_);
+    ui_.view.scene().setTree(tree);
+    ui_.view.update();
+    ui_.treeView.scene().setTree(tree);
+    ui_.treeView.requestRender();
 }
 
 void ViewSync::showAngiogram()
@@ -154,10 +178,13 @@ void ViewSync::showPose()
 void ViewSync::followPreview()
 {
     const bool areHidden = preview_.colors() == ResidualColors::Hidden;
-    if (std::exchange(colorsHidden_, areHidden) != areHidden) {
+    const bool isMotionNew = std::exchange(isMotionColored_, preview_.isMotionColored()) != isMotionColored_;
+    if (std::exchange(colorsHidden_, areHidden) != areHidden || isMotionNew) {
         showResidualColors();
+        showCornerTexts();
     }
     showPose();
+    showShape();
 }
 
 void ViewSync::showMarks(const ui::BranchMarks& marks)
@@ -174,6 +201,7 @@ void ViewSync::showMarks(const ui::BranchMarks& marks)
 
 void ViewSync::showTarget(const SharedCenterline& target)
 {
+    target_ = target;
     ui_.view.scene().setTracedCenterline(target ? *target : core::Centerline2d{});
     ui_.view.update();
 }
@@ -205,11 +233,31 @@ void ViewSync::showResidualColors()
         view.setResidualScale(0.0, 0.0);
     } else {
         const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
-        const double scalePx = residualScaleMaximumPx(*shownCamera_, depthMm);
-        view.scene().setResiduals(judgement_->residualPx, scalePx);
-        view.setResidualScale(scalePx, scalePx * core::millimetresPerPixel(*shownCamera_, depthMm));
+        const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
+        if (drawn_.known && isMotionColored_) {
+            colorByMotion(mmPerPx);
+        } else {
+            colorByResiduals(residualScaleMaximumPx(*shownCamera_, depthMm), mmPerPx);
+        }
     }
     view.update();
+}
+
+void ViewSync::colorByMotion(double mmPerPx)
+{
+    const double endMm = drawn_.motion.scaleMaximumMm;
+    ui_.view.scene().setResiduals(drawn_.motion.distanceMm, endMm);
+    ui_.view.setResidualScale(endMm / mmPerPx, endMm);
+}
+
+/// Of the vessels as they are drawn: the judgement is about the rigid ones.
+void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
+{
+    const bool isBent = drawn_.shape == VesselShape::Bent && target_;
+    ui_.view.scene().setResiduals(
+        isBent ? core::branchDistances(drawn_.tree, *target_, *shownCamera_, preview_.pose()) : judgement_->residualPx,
+        scalePx);
+    ui_.view.setResidualScale(scalePx, scalePx * mmPerPx);
 }
 
 void ViewSync::setIdentityHidden(bool hidden)
@@ -221,7 +269,12 @@ void ViewSync::setIdentityHidden(bool hidden)
 void ViewSync::showCornerTexts()
 {
     const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
-    ui_.view.setCornerTexts(windowTexts(cornerLines(document_.current(), identity)));
+    CornerLines lines = cornerLines(document_.current(), identity);
+    if (drawn_.known) {
+        lines.bottomLeft = shapeLines(drawn_);
+        lines.scaleHeading = isMotionColored_ ? std::optional(motionHeading()) : std::nullopt;
+    }
+    ui_.view.setCornerTexts(windowTexts(lines));
 }
 
 void ViewSync::showFrameNote()

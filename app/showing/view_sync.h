@@ -5,6 +5,7 @@
 #include "app/jobs/judge_job.h"
 #include "app/jobs/trace_job.h"
 #include "app/showing/pose_preview.h"
+#include "app/texts/bent_vessels.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/scenes/overlay_scene.h"
 
@@ -59,12 +60,16 @@ private:
         std::vector<int> masks;
     };
     void showTree();
+    void showShape();
+    void drawTree();
     void showAngiogram();
     void clearFrame();
     void showCamera();
     void followPreview();
     void showPose();
     void showResidualColors();
+    void colorByMotion(double mmPerPx);
+    void colorByResiduals(double scalePx, double mmPerPx);
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
@@ -75,12 +80,15 @@ private:
     Ui ui_;
     std::shared_ptr<const core::VesselTree> shownTree_;
     std::vector<int> shownHidden_;
+    DrawnVessels drawn_;
+    SharedCenterline target_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
     bool isGreyNew_ = false;   ///< the next frame has other grey values than the last
     SharedJudgement judgement_;
     bool colorsHidden_ = false;
+    bool isMotionColored_ = false;
     bool identityHidden_ = false;
     std::shared_ptr<const core::Angiogram> measuredRun_;
     ui::FrameCurve frameCurve_;

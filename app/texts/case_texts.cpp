@@ -137,7 +137,9 @@ ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::strin
         }
         return texts;
     };
-    return {all(lines.topLeft), all(lines.topRight), all(lines.bottomLeft), all(lines.bottomRight)};
+    ui::CornerTexts texts{all(lines.topLeft), all(lines.topRight), all(lines.bottomLeft), all(lines.bottomRight)};
+    texts.scaleHeading = lines.scaleHeading ? toText(*lines.scaleHeading) : std::string();
+    return texts;
 }
 
 ui::CornerTexts englishTexts(const CornerLines& lines)

@@ -5,6 +5,7 @@
 #include "ui/scenes/render_offscreen.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace angiopose::app {
@@ -18,6 +19,7 @@ std::string originText(core::Origin origin);
 /// What stands in the corners of a picture, a line each.
 struct CornerLines {
     core::Messages topLeft, topRight, bottomLeft, bottomRight;
+    std::optional<core::Message> scaleHeading = {};   ///< with the unit; not set: residuals
 };
 
 /// Each line as `toText` says it.

@@ -31,7 +31,7 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
 }
 
 /// `heading` tells two pictures beside each other apart.
-ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptions& options,
+ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptions& options, const DrawnVessels& drawn,
                             const std::optional<core::Message>& heading)
 {
     CornerLines lines = cornerLines(theCase, options.identity);
@@ -45,21 +45,34 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
     if (theCase.shown().result) {
         const core::RegistrationResult& result = *theCase.shown().result;
         const core::Quantity median{result.metrics.medianPx, 2, "px"};
-        lines.bottomLeft.push_back(result.trustworthy ? says::poseOfMethod(result.method, median)
-                                                      : says::poseNotTrustworthy(result.method, median));
+        const core::Message pose = result.trustworthy ? says::poseOfMethod(result.method, median)
+                                                      : says::poseNotTrustworthy(result.method, median);
+        lines.bottomLeft.push_back(drawn.shape == VesselShape::Bent ? says::ofRigidVessels(pose) : pose);
+    }
+    if (drawn.known) {
+        const core::Messages shape = shapeLines(drawn);
+        lines.bottomLeft.insert(lines.bottomLeft.end(), shape.begin(), shape.end());
+        lines.scaleHeading =
+            options.coloring == OverlayColoring::Motion ? std::optional(motionHeading()) : std::nullopt;
     }
     ui::CornerTexts texts = options.texts(lines);
     texts.topLeft.insert(texts.topLeft.begin(), theCase.title);   // the user's words
     return texts;
 }
 
-void dressScene(ui::OverlayScene& scene, const core::Case& theCase, const core::ProjectionCamera& camera)
+DrawnVessels shownVessels(const core::Case& theCase, VesselShape wanted)
+{
+    return drawnVessels(theCase.shown(), theCase.vessels, theCase.shown().cameraFromPatient, wanted);
+}
+
+void dressScene(ui::OverlayScene& scene, const core::Case& theCase, const core::ProjectionCamera& camera,
+                const core::VesselTree& tree)
 {
     const core::ImageF& frame = theCase.shown().angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
     scene.setFrame(frame);
     setAutomaticWindow(scene, frame);
     scene.setCamera(camera);
-    scene.setTree(core::without(*theCase.vessels.tree, theCase.vessels.hiddenBranchIds));
+    scene.setTree(core::without(tree, theCase.vessels.hiddenBranchIds));
     scene.setPose(theCase.shown().cameraFromPatient);
     ui::BranchMarks marks;
     marks.auxiliary = {theCase.vessels.auxiliaryBranchIds.begin(), theCase.vessels.auxiliaryBranchIds.end()};
@@ -87,9 +100,35 @@ double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depth
 
 namespace {
 
-/// The scene as the options want it; the residual, in px, at which its colours end, 0 without colours.
-double styleScene(ui::OverlayScene& scene, const core::Case& theCase, const core::Centerline2d& target,
-                  const OverlayPictureOptions& options)
+/// Where a scale of colours ends; 0: there is none.
+struct ScaleEnd {
+    double px = 0.0;
+    double mm = 0.0;
+};
+
+ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& theCase, const core::Centerline2d& target,
+                      const OverlayPictureOptions& options, const DrawnVessels& drawn)
+{
+    const core::ProjectionCamera camera = core::cameraOf(theCase.shown()).value();
+    const core::RigidTransform& pose = theCase.shown().cameraFromPatient;
+    const double depthMm = (pose * core::centroidInPatient(*theCase.vessels.tree)).z();
+    const double shownDepthMm = std::max(depthMm, core::minProjectableDepthMm);
+    if (options.coloring == OverlayColoring::Motion && drawn.known) {
+        const double endMm = drawn.motion.scaleMaximumMm;
+        scene.setResiduals(drawn.motion.distanceMm, endMm);
+        return {endMm / core::millimetresPerPixel(camera, shownDepthMm), endMm};
+    }
+    if (options.coloring == OverlayColoring::Branches || target.pointCount() == 0) {
+        return {};
+    }
+    const double endPx = residualScaleMaximumPx(camera, shownDepthMm);
+    scene.setResiduals(core::branchDistances(drawn.tree, target, camera, pose), endPx);
+    return {endPx, residualScaleMaximumMm};
+}
+
+/// The scene as the options want it.
+ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& theCase, const core::Centerline2d& target,
+                    const OverlayPictureOptions& options, const DrawnVessels& drawn)
 {
     scene.setMode(options.radiograph ? ui::OverlayMode::Hidden : options.vessels);
     scene.setDepthCue(options.depthCue);
@@ -97,16 +136,7 @@ double styleScene(ui::OverlayScene& scene, const core::Case& theCase, const core
     if (options.range) {
         scene.setWindowLevel(options.range->window(), options.range->level());
     }
-    const bool isColored = options.coloring == OverlayColoring::Residuals && target.pointCount() > 0;
-    if (!isColored || scene.mode() == ui::OverlayMode::Hidden) {
-        return 0.0;
-    }
-    const core::ProjectionCamera camera = core::cameraOf(theCase.shown()).value();
-    const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
-    const double maximumPx = residualScaleMaximumPx(camera, std::max(depthMm, core::minProjectableDepthMm));
-    scene.setResiduals(core::branchDistances(*theCase.vessels.tree, target, camera, theCase.shown().cameraFromPatient),
-                       maximumPx);
-    return maximumPx;
+    return scene.mode() == ui::OverlayMode::Hidden ? ScaleEnd{} : colorVessels(scene, theCase, target, options, drawn);
 }
 
 /// What was measured on the frame, in the words of the picture.
@@ -139,8 +169,9 @@ core::Result<Picture> drawOne(const core::Case& theCase, const core::Centerline2
         return camera.error();
     }
     ui::OverlayScene scene;
-    dressScene(scene, theCase, camera.value());
-    const double scaleMaximumPx = styleScene(scene, theCase, target, options);
+    const DrawnVessels drawn = shownVessels(theCase, options.radiograph ? VesselShape::Rigid : options.shape);
+    dressScene(scene, theCase, camera.value(), drawn.tree);
+    const ScaleEnd scale = styleScene(scene, theCase, target, options, drawn);
     const core::ImageF& frame = theCase.shown().angiogram->frames.front();
     const int width = options.widthPx > 0 ? options.widthPx : 2 * frame.width;
     const int height =
@@ -153,8 +184,8 @@ core::Result<Picture> drawOne(const core::Case& theCase, const core::Centerline2
         }
         scene.setRadiograph(radiograph.value());
     }
-    auto rendered = drawScene<Picture>(scene, width, height, wholeImage(frame), exportTexts(theCase, options, heading),
-                                       scaleMaximumPx, residualScaleMaximumMm);
+    auto rendered = drawScene<Picture>(scene, width, height, wholeImage(frame),
+                                       exportTexts(theCase, options, drawn, heading), scale.px, scale.mm);
     if (!rendered) {
         return rendered.error();
     }
@@ -242,7 +273,7 @@ core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widt
         return camera.error();
     }
     ui::OverlayScene scene;
-    dressScene(scene, theCase, camera.value());
+    dressScene(scene, theCase, camera.value(), shownVessels(theCase, VesselShape::Bent).tree);
     const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
     const int height = std::max(1, widthPx * frame.height / frame.width);
     scene.setLineWidthPx(std::max(1.0, widthPx / 80.0));

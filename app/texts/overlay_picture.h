@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/texts/bent_vessels.h"
 #include "app/texts/case_texts.h"
 #include "core/case/case.h"
 #include "core/imaging/display_range.h"
@@ -15,7 +16,9 @@
 
 namespace angiopose::app {
 
-enum class OverlayColoring { Residuals, Branches };
+/// Residuals of the vessels as they are drawn; Motion: how far the bent ones lie from the rigid ones, where they are
+/// known.
+enum class OverlayColoring { Residuals, Motion, Branches };
 
 /// How an exported overlay looks.
 struct OverlayPictureOptions {
@@ -26,6 +29,7 @@ struct OverlayPictureOptions {
     ui::OverlayMode vessels = ui::OverlayMode::Centerline;
     std::optional<core::DisplayRange> range = std::nullopt;   ///< not set: found from the frame
     ui::DepthCue depthCue = ui::DepthCue::None;
+    VesselShape shape = VesselShape::Bent;   ///< where the pose has bent vessels; the picture says which they are
     ui::Cutout cutout = {};   ///< swipe or lens where the vessels step aside, image px
     /// Before and after: a second picture on the left with the vessels at the start pose.
     bool isStartBeside = false;
@@ -33,8 +37,8 @@ struct OverlayPictureOptions {
     std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> radiograph = nullptr;
 };
 
-/// The picture that reports carry: angiogram, projected tree at the case's pose, residual colours against `target`
-/// with their scale, corner texts and the notice. Needs no display.
+/// The picture that reports carry: angiogram, projected tree at the case's pose, colours (of residuals against
+/// `target`) with their scale, corner texts and the notice. Needs no display.
 core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
                                            const OverlayPictureOptions& options = {});
 

@@ -66,16 +66,12 @@ core::Result<AngleController::Question> AngleController::question() const
     if (!camera || !poseAt) {
         return camera ? poseAt.error() : camera.error();
     }
-    std::vector<core::VesselPiece> all = core::vesselPiecesOf(*current.vessels.tree);
-    auto part = dialog_->isTakeOff() ? core::piecesOfTakeOff(*current.vessels.tree, branch->id)
-                                     : core::Result(core::piecesOfBranch(all, branch->id));
-    if (!part) {
-        return part.error();
+    auto sight = core::sightOf(*current.vessels.tree, branch->id,
+                               dialog_->isTakeOff() ? core::SightOf::TakeOff : core::SightOf::Branch);
+    if (!sight) {
+        return sight.error();
     }
-    return Question{branch->id,
-                    {std::move(part).value(), std::move(all)},
-                    poseAt.value(),
-                    *core::gantryAnglesOf(current.shown()),
+    return Question{branch->id, std::move(sight).value(), poseAt.value(), *core::gantryAnglesOf(current.shown()),
                     camera.value()};
 }
 

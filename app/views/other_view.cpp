@@ -2,8 +2,10 @@
 
 #include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
+#include "app/words/corner_words.h"
 #include "app/words/measure_words.h"
 #include "core/case/registration_input.h"
+#include "core/evaluation/trial/branch_distances.h"
 #include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
 
@@ -54,8 +56,29 @@ void OtherView::showTree()
     hidden_ = vessels.hiddenBranchIds;
     hideResiduals();   // colours of what was would lie
     ui::AngiogramView& image = on_.pane.image();
-    image.scene().setTree(tree_ ? core::without(*tree_, hidden_) : core::VesselTree());
+    drawTree();
     image.setPivot(tree_ ? core::centroidInPatient(*tree_) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+}
+
+/// Bent vessels come and go with the pose they were found from.
+void OtherView::showShape()
+{
+    const auto known = drawableBend(view(), current().vessels, pose_);
+    if (known != drawn_.known || (known && on_.preview.shape() != drawn_.shape)) {
+        hideResiduals();
+        drawTree();
+    }
+}
+
+void OtherView::drawTree()
+{
+    drawn_ = drawnVessels(view(), current().vessels, pose_, on_.preview.shape());
+    ui::AngiogramView& image = on_.pane.image();
+    image.scene().setTree(core::without(drawn_.tree, hidden_));
+    CornerLines lines;
+    lines.bottomLeft = shapeLines(drawn_);
+    image.setCornerTexts(windowTexts(lines));
+    image.update();
 }
 
 void OtherView::showImage()
@@ -92,6 +115,7 @@ void OtherView::showPose()
 {
     pose_ = on_.preview.poseIn(place_);
     on_.pane.image().setPose(pose_);
+    showShape();
     on_.pane.image().setMarks(windowMarks({view(), tree_.get(), pose_}, frame_));
     showColors();
 }
@@ -102,6 +126,11 @@ void OtherView::showColors()
     const bool areHidden = on_.preview.colors() == ResidualColors::Hidden || on_.document.isLocked();
     if (!target || !tree_ || areHidden) {
         hideResiduals();
+        return;
+    }
+    if (drawn_.known && on_.preview.isMotionColored()) {
+        hideResiduals();
+        on_.pane.image().scene().setResiduals(drawn_.motion.distanceMm, drawn_.motion.scaleMaximumMm);
         return;
     }
     Judged wanted{sightOf(view()), tree_, current().vessels.excludedBranchIds, target};
@@ -122,8 +151,10 @@ void OtherView::showColors()
 void OtherView::showResiduals(const core::PoseJudgement& judgement)
 {
     ui::AngiogramView& image = on_.pane.image();
-    image.scene().setResiduals(judgement.residualPx,
-                               residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
+    const bool isBent = drawn_.shape == VesselShape::Bent && judged_;
+    image.scene().setResiduals(
+        isBent ? core::branchDistances(drawn_.tree, *judged_->target, image.camera(), pose_) : judgement.residualPx,
+        residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
     image.update();
 }
 
@@ -148,6 +179,7 @@ void OtherView::clear()
     hideResiduals();
     isBrightnessOwn_ = false;
     tree_.reset();
+    drawn_ = {};
     hidden_.clear();
     angiogram_.reset();
     frame_ = -1;
@@ -155,6 +187,7 @@ void OtherView::clear()
     image.scene().setTree({});
     image.scene().setTracedCenterline({});
     image.setMarks({});
+    image.setCornerTexts({});
     image.setFrame({});
 }
 

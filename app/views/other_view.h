@@ -4,6 +4,7 @@
 #include "app/jobs/judge_job.h"
 #include "app/review/look_controller.h"
 #include "app/showing/pose_preview.h"
+#include "app/texts/bent_vessels.h"
 #include "app/views/look_at_view.h"
 #include "app/views/view_controller.h"
 
@@ -57,6 +58,8 @@ private:
     const core::Case& current() const { return on_.document.current(); }
     const core::View& view() const { return current().views[place_]; }
     void showTree();
+    void showShape();
+    void drawTree();
     void showImage();
     void showFrame();
     void showResiduals(const core::PoseJudgement& judgement);
@@ -66,6 +69,7 @@ private:
     std::size_t place_ = 0;
     std::shared_ptr<const core::VesselTree> tree_;
     std::vector<int> hidden_;
+    DrawnVessels drawn_;
     std::shared_ptr<const core::Angiogram> angiogram_;
     int frame_ = -1;
     core::RigidTransform pose_;

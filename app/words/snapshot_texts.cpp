@@ -1,7 +1,8 @@
 #include "app/words/snapshot_texts.h"
 
 #include "core/support/utc_time.h"
-#include "ui/panels/snapshot_panel.h"
+#include "ui/words/method_words.h"
+#include "ui/words/short_time.h"
 
 namespace angiopose::app {
 

@@ -1,6 +1,7 @@
 #include "core/registration/bending_doubt.h"
 
 #include "core/messages/says.h"
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/shape_tolerance.h"
 #include "core/registration/judging/pose_uncertainty.h"
 
@@ -18,6 +19,7 @@ namespace {
 constexpr double leastOffsetPx = 0.4;   // of stretches beside their vessels
 constexpr double leastFoundShare = 0.52;   // of the visible tree: the rest may have moved away
 constexpr double mostRigidOffMm = 1.9;   // to be expected of the tree's points; errors from 2 mm on shall be flagged
+
 /// Share of the tree inside the image that lies along traced vessels.
 double foundShare(const Alignment& alignment, const CentroidPose& pose)
 {
@@ -59,7 +61,18 @@ void withdrawExplained(RigidJudgement judgement)
     }
 }
 
-/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said.
+/// How far the rigid overlay is off, as surely as the bend is known.
+Message offWords(const DeformableResult& bent)
+{
+    const Quantity mean = inMm(bent.rigid.meanMm, 1);
+    const Quantity farthest = inMm(bent.rigid.farthestMm, 1);
+    const std::string branch = std::to_string(bent.rigid.farthestBranchId);
+    return bent.verdict == BendVerdict::Bent ? says::bendRigidOff(mean, farthest, branch)
+                                             : says::bendMayBeOff(mean, farthest, branch);
+}
+
+/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said,
+/// first where it is sure.
 void tellBend(const DeformableResult& bent, RigidJudgement judgement)
 {
     const bool isOff = std::hypot(bent.rigid.meanMm, bent.placeStdMm) > mostRigidOffMm;
@@ -67,12 +80,11 @@ void tellBend(const DeformableResult& bent, RigidJudgement judgement)
         withdrawExplained(judgement);
     }
     judgement.trustworthy = judgement.trustworthy && !isOff;
-    Messages said{says::bendRigidOff(inMm(bent.rigid.meanMm, 1), inMm(bent.rigid.farthestMm, 1),
-                                     std::to_string(bent.rigid.farthestBranchId))
-                      .as(isOff ? Severity::Warning : Severity::Note)};
+    Messages said{offWords(bent).as(isOff ? Severity::Warning : Severity::Note)};
     std::ranges::copy_if(bent.messages, std::back_inserter(said),
                          [](const Message& message) { return !message.is(says::bendDepthUnknown); });
-    const auto place = isOff ? judgement.warnings.begin() : judgement.warnings.end();
+    const auto place =
+        isOff && bent.verdict == BendVerdict::Bent ? judgement.warnings.begin() : judgement.warnings.end();
     judgement.warnings.insert(place, said.begin(), said.end());
 }
 
@@ -105,7 +117,10 @@ std::shared_ptr<const DeformableResult> judgeByBending(std::span<const Deformabl
         return nullptr;
     }
     auto result = std::make_shared<const DeformableResult>(std::move(bent).value());
-    if (result->verdict != BendVerdict::Rigid && result->stopReason != StopReason::StoppedByUser) {
+    if (result->stopReason == StopReason::StoppedByUser) {   // what looked bent stays in doubt
+        judgement.trustworthy = false;
+        judgement.warnings.insert(judgement.warnings.begin(), says::bendStopped().as(Severity::Warning));
+    } else if (result->verdict != BendVerdict::Rigid) {
         const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
         replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);
         tellBend(*result, judgement);

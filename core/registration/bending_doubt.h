@@ -30,8 +30,9 @@ struct RigidJudgement {
 DeformableOptions bendingOptions(const RegistrationOptions& options);
 
 /// Bends the vessels from rigid poses and lets the rigid result say what that found: the covariance holds how far the
-/// pose is off, trust falls where the overlay is, and the words tell which part lies how far off. Null where the
-/// vessels cannot be bent (points without curves). `observe`: see deformVessels.
+/// pose is off, trust falls where the overlay is, and the words tell which part lies how far off, and how surely.
+/// Stopped before its end it leaves the result untrusted. Null where the vessels cannot be bent (points without
+/// curves). `observe`: see deformVessels.
 std::shared_ptr<const DeformableResult> judgeByBending(std::span<const DeformableView> views,
                                                        const DeformableOptions& options, RigidJudgement judgement,
                                                        const IterationObserver& observe);

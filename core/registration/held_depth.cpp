@@ -1,5 +1,6 @@
 #include "core/registration/held_depth.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/graduated_refinement.h"
 #include "core/registration/judging/pose_shift.h"
 

@@ -82,7 +82,8 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
         const DeformableView view = bendView(input, result);
         result.bent = judgeByBending({&view, 1}, bendingOptions(options),
                                      {result.uncertainty, result.trustworthy, result.warnings},
-                                     [&](const IterationReport&) { return progress.askAgain("bend"); });
+                                     [&](const IterationReport&) { return progress.askAgain("bending"); });
+        result.stopReason = progress.isStopped() ? StopReason::StoppedByUser : result.stopReason;
     }
     result.method = options.method;
     result.history = progress.history();

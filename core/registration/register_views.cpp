@@ -208,7 +208,10 @@ void hearBending(MultiViewResult& result, std::span<const RegistrationInput> inp
     bending.geometryDeg = multiView.relativeRotationStdDeg;
     bending.geometryMm = multiView.relativeShiftStdMm;
     result.bent = judgeByBending(views, bending, {result.uncertainty, result.trustworthy, result.warnings},
-                                 [&](const IterationReport&) { return progress.askAgain("bend"); });
+                                 [&](const IterationReport&) { return progress.askAgain("bending"); });
+    for (RegistrationResult& view : result.views) {
+        view.stopReason = progress.isStopped() ? StopReason::StoppedByUser : view.stopReason;
+    }
 }
 
 }   // namespace

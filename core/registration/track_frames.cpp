@@ -1,5 +1,6 @@
 #include "core/registration/track_frames.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/pose_ranking.h"
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"

@@ -1,6 +1,7 @@
 #include "core/viewing/part_sight.h"
 
 #include "core/geometry/projection_camera.h"
+#include "core/messages/says.h"
 
 #include <algorithm>
 #include <cmath>
@@ -149,6 +150,20 @@ std::vector<double> PartSight::coveredShares(const RigidTransform& cameraFromPat
         });
     }
     return covered;
+}
+
+Result<PartSight> sightOf(const VesselTree& tree, int branchId, SightOf what)
+{
+    std::vector<VesselPiece> all = vesselPiecesOf(tree);
+    if (what == SightOf::TakeOff) {
+        auto takeOff = piecesOfTakeOff(tree, branchId);
+        return takeOff ? Result(PartSight(std::move(takeOff).value(), std::move(all))) : takeOff.error();
+    }
+    std::vector<VesselPiece> branch = piecesOfBranch(all, branchId);
+    if (branch.empty()) {
+        return Error(says::noSuchBranch(branchId));
+    }
+    return PartSight(std::move(branch), std::move(all));
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/rigid_transform.h"
+#include "core/support/result.h"
 #include "core/viewing/vessel_pieces.h"
 
 #include <vector>
@@ -32,5 +33,12 @@ private:
     std::vector<VesselPiece> part_, all_;
     double partLengthMm_ = 0.0;
 };
+
+/// What of a branch shall be seen.
+enum class SightOf { Branch, TakeOff };
+
+/// A branch, or where it takes off (piecesOfTakeOff), among all vessels of the tree. Fails for a branch that the tree
+/// does not have, and for a take-off of one that meets no other.
+Result<PartSight> sightOf(const VesselTree& tree, int branchId, SightOf what);
 
 }   // namespace angiopose::core

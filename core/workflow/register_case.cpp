@@ -3,6 +3,7 @@
 #include "core/case/case_views.h"
 #include "core/case/registration_input.h"
 #include "core/messages/says.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -79,7 +80,6 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
 {
     RegistrationResult result = joint.views.front();
     result.uncertainty = joint.uncertainty;
-    result.bent = joint.bent;
     result.camera = joint.cameras.empty() ? std::nullopt : std::optional(joint.cameras.front());
     result.trustworthy = joint.trustworthy;
     for (const Message& warning : joint.warnings) {
@@ -141,7 +141,11 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
         notes.addTo(result, k);
-        takeOver(run.theCase.views[run.places[k]], k == 0 ? resultOfAll(*run.joint) : result);
+        RegistrationResult kept = k == 0 ? resultOfAll(*run.joint) : result;
+        if (run.joint->bent) {
+            kept.bent = std::make_shared<const DeformableResult>(seenFirst(*run.joint->bent, k));
+        }
+        takeOver(run.theCase.views[run.places[k]], std::move(kept));
     }
     return Done{};
 }
@@ -167,7 +171,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!traced) {
         return traced.error();
     }
-    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}, {}};
+    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
     const IterationObserver observer = solverObserver(course, run.places, begin);
     const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},
@@ -177,12 +181,6 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
         run.places.size() > 1 ? registerTogether(run, notes, observer) : registerOne(run, notes, observer);
     if (!status) {
         return status.error();
-    }
-    run.bent = run.result().bent;
-    for (View& view : run.theCase.views) {   // a case keeps no bent vessels: saved and reopened it says the same
-        if (view.result) {
-            view.result->bent.reset();
-        }
     }
     return run;
 }

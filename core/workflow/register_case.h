@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/case/case.h"
-#include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/register_views.h"
 #include "core/workflow/observer.h"
 
@@ -29,7 +28,6 @@ struct RegisteredCase {
     std::vector<std::size_t> places;   ///< of the registered views in `theCase.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< what they were registered to, in the same order
     std::optional<MultiViewResult> joint;   ///< of several views
-    std::shared_ptr<const DeformableResult> bent;   ///< of the shown view's result; null where it was not asked
 
     const RegistrationResult& result() const { return *theCase.shown().result; }
 };

@@ -1,5 +1,6 @@
 #include "io/case/stale_results.h"
 
+#include "core/registration/deformable/bent_tree.h"
 #include "io/messages/says.h"
 
 #include <optional>
@@ -27,6 +28,13 @@ bool isAsNoted(const core::View& noted, const core::View& read)
            isAsNoted(noted.target.file, read.target.file);
 }
 
+/// Bent vessels of another tree would be drawn where none are.
+bool isOfTree(const core::View& view, const core::Vessels& vessels)
+{
+    const core::DeformableResult* const bent = view.result ? view.result->bent.get() : nullptr;
+    return !bent || !vessels.tree || core::isOf(*vessels.tree, *bent);
+}
+
 /// Why the result of a view does not count any more, if it does not.
 std::optional<core::Message> whyStale(const core::View& noted, const ViewNotes& notes, const core::View& read,
                                       bool haveVesselsChanged)
@@ -45,9 +53,10 @@ std::optional<core::Message> whyStale(const core::View& noted, const ViewNotes& 
 void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
                       core::Messages& warnings)
 {
-    const bool haveVesselsChanged = !areAsNoted(noted.vessels, read.vessels);
+    const bool areVesselsNoted = areAsNoted(noted.vessels, read.vessels);
     for (std::size_t k = 0; k < read.views.size(); ++k) {
         core::View& view = read.views[k];
+        const bool haveVesselsChanged = !areVesselsNoted || !isOfTree(view, read.vessels);
         const auto why = whyStale(noted.views[k], notes[k], view, haveVesselsChanged);
         if (why && std::exchange(view.result, std::nullopt) && noted.views[k].caseFile.path.empty()) {
             warnings.push_back(why->about(view.imageFile.path));

@@ -396,6 +396,22 @@
         <translation>In diesem Bild sind noch keine Gefäße erkannt.</translation>
     </message>
     <message>
+        <source>How each point moved (*.csv)</source>
+        <translation>Bewegung jedes Punkts (*.csv)</translation>
+    </message>
+    <message>
+        <source>Bent centrelines (*.vtp)</source>
+        <translation>Gebogene Mittellinien (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export bent vessels</source>
+        <translation>Gebogene Gefäße exportieren</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose. Register first (R).</source>
+        <translation>Zu dieser Lage sind keine gebogenen Gefäße bekannt. Zuerst registrieren (R).</translation>
+    </message>
+    <message>
         <source>Export traced vessels</source>
         <translation>Erkannte Gefäße exportieren</translation>
     </message>
@@ -1272,6 +1288,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Before: start pose</source>
         <translation>Vorher: Startlage</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose</source>
+        <translation>Zu dieser Lage sind keine gebogenen Gefäße bekannt</translation>
+    </message>
+    <message>
+        <source>Colours: how far from the traced vessels</source>
+        <translation>Farben: wie weit von den erkannten Gefäßen</translation>
+    </message>
+    <message>
+        <source>Colours: how far the bent vessels lie from the rigid ones</source>
+        <translation>Farben: wie weit die gebogenen Gefäße von den starren liegen</translation>
+    </message>
+    <message>
+        <source>Vessels as the rigid pose has them</source>
+        <translation>Gefäße, wie die starre Lage sie zeigt</translation>
+    </message>
+    <message>
+        <source>Vessels as they are bent</source>
+        <translation>Gefäße, wie sie gebogen sind</translation>
     </message>
     <message>
         <source>After: pose as it is</source>
@@ -2541,6 +2577,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einpassen</translation>
     </message>
     <message>
+        <source>bending</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>von Hand angehalten</translation>
     </message>
@@ -2787,6 +2827,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt keinen Freiheitsgrad „%1“ zum Sperren. Möglich: %2 oder none.</translation>
     </message>
     <message>
+        <source>no bent vessels are known of its pose. Register it where they look bent, or with the option deformable=always.</source>
+        <comment>command.no-bent-vessels</comment>
+        <translation>zu seiner Lage sind keine gebogenen Gefäße bekannt. Registrieren Sie ihn, wo sie gebogen aussehen, oder mit der Option deformable=always.</translation>
+    </message>
+    <message>
         <source>the image of this view could not be read.</source>
         <comment>command.view-image-unread</comment>
         <translation>das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
@@ -2965,6 +3010,36 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>%1 · median %2 · not trustworthy</source>
         <comment>picture.pose-not-trustworthy</comment>
         <translation>%1 · Median %2 · nicht vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <comment>picture.motion-scale</comment>
+        <translation>bewegt, mm</translation>
+    </message>
+    <message>
+        <source>bend along the ray: not told</source>
+        <comment>picture.bent-depth-untold</comment>
+        <translation>Biegung längs des Strahls: unbekannt</translation>
+    </message>
+    <message>
+        <source>rigid: %1</source>
+        <comment>picture.of-rigid-vessels</comment>
+        <translation>starr: %1</translation>
+    </message>
+    <message>
+        <source>vessels rigid; bent ones are known</source>
+        <comment>picture.vessels-rigid</comment>
+        <translation>Gefäße starr; gebogene sind bekannt</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1, not sure</source>
+        <comment>picture.vessels-bent-unsure</comment>
+        <translation>Gefäße um bis zu %1 gebogen, nicht sicher</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1</source>
+        <comment>picture.vessels-bent</comment>
+        <translation>Gefäße um bis zu %1 gebogen</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -3670,6 +3745,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The vessels are bent against the tree: the rigid overlay lies %1 off in the mean, most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
         <translation>Die Gefäße sind gegen den Baum verbogen: Die starre Überlagerung liegt im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
+    </message>
+    <message>
+        <source>The vessels may be bent against the tree, the image does not show it surely: the rigid overlay would lie %1 off in the mean, most at branch %3 (%2).</source>
+        <comment>bend.may-be-off</comment>
+        <translation>Die Gefäße sind vielleicht gegen den Baum verbogen, sicher zeigt es das Bild nicht: Die starre Überlagerung läge im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
         <source>Bending was stopped before its end: the rigid pose stays.</source>
@@ -6515,6 +6595,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Startlage und Lage im Wechsel</translation>
     </message>
     <message>
+        <source>Colours: how far bent vessels moved</source>
+        <translation>Farben: wie weit gebogene Gefäße sich bewegten</translation>
+    </message>
+    <message>
+        <source>Vessels bent, where that is known, or rigid</source>
+        <translation>Gefäße gebogen, wo bekannt, oder starr</translation>
+    </message>
+    <message>
         <source>Replay the last run</source>
         <translation>Letzten Lauf wiedergeben</translation>
     </message>
@@ -6885,6 +6973,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Export vessel tree …</source>
         <translation>Gefäßbaum exportieren …</translation>
+    </message>
+    <message>
+        <source>Export bent vessels …</source>
+        <translation>Gebogene Gefäße exportieren …</translation>
     </message>
     <message>
         <source>Export report …</source>
@@ -8883,6 +8975,13 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
+    <name>angiopose::ui::MethodWords</name>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
@@ -8935,10 +9034,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Delete	Del</source>
         <translation>Löschen	Entf</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
     </message>
     <message>
         <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>

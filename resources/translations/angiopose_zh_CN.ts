@@ -396,6 +396,22 @@
         <translation>此帧尚未提取血管。</translation>
     </message>
     <message>
+        <source>How each point moved (*.csv)</source>
+        <translation>各点位移 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Bent centrelines (*.vtp)</source>
+        <translation>弯曲中心线 (*.vtp)</translation>
+    </message>
+    <message>
+        <source>Export bent vessels</source>
+        <translation>导出弯曲血管</translation>
+    </message>
+    <message>
+        <source>No bent vessels are known of this pose. Register first (R).</source>
+        <translation>此位姿没有已知的弯曲血管。请先配准 (R)。</translation>
+    </message>
+    <message>
         <source>Export traced vessels</source>
         <translation>导出提取的血管</translation>
     </message>
@@ -464,7 +480,7 @@
     </message>
     <message>
         <source>Following the vessels through the run …</source>
-        <translation>正在序列中跟踪血管…</translation>
+        <translation>正在序列中跟踪血管……</translation>
     </message>
     <message>
         <source>The vessels were moved meanwhile: follow them again.</source>
@@ -1274,6 +1290,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>之前：初始位姿</translation>
     </message>
     <message>
+        <source>No bent vessels are known of this pose</source>
+        <translation>此位姿没有已知的弯曲血管</translation>
+    </message>
+    <message>
+        <source>Colours: how far from the traced vessels</source>
+        <translation>颜色：到提取血管的距离</translation>
+    </message>
+    <message>
+        <source>Colours: how far the bent vessels lie from the rigid ones</source>
+        <translation>颜色：弯曲血管到刚性血管的距离</translation>
+    </message>
+    <message>
+        <source>Vessels as the rigid pose has them</source>
+        <translation>血管：按刚性位姿显示</translation>
+    </message>
+    <message>
+        <source>Vessels as they are bent</source>
+        <translation>血管：按弯曲显示</translation>
+    </message>
+    <message>
         <source>After: pose as it is</source>
         <translation>之后：当前位姿</translation>
     </message>
@@ -1357,7 +1393,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Save the vessels …</source>
-        <translation>保存血管…</translation>
+        <translation>保存血管……</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1940,7 +1976,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Name this view…</source>
-        <translation>为此视图命名…</translation>
+        <translation>为此视图命名……</translation>
     </message>
     <message>
         <source>Name this view</source>
@@ -2541,6 +2577,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>稳定</translation>
     </message>
     <message>
+        <source>bending</source>
+        <translation>弯曲</translation>
+    </message>
+    <message>
         <source>stopped by the user</source>
         <translation>用户停止</translation>
     </message>
@@ -2787,6 +2827,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有可锁定的自由度“%1”。可用：%2，或 none。</translation>
     </message>
     <message>
+        <source>no bent vessels are known of its pose. Register it where they look bent, or with the option deformable=always.</source>
+        <comment>command.no-bent-vessels</comment>
+        <translation>其位姿没有已知的弯曲血管。请在血管看似弯曲处配准，或使用选项 deformable=always。</translation>
+    </message>
+    <message>
         <source>the image of this view could not be read.</source>
         <comment>command.view-image-unread</comment>
         <translation>无法读取该视图的图像。</translation>
@@ -2965,6 +3010,36 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>%1 · median %2 · not trustworthy</source>
         <comment>picture.pose-not-trustworthy</comment>
         <translation>%1 · 中位数 %2 · 不可信</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <comment>picture.motion-scale</comment>
+        <translation>位移，mm</translation>
+    </message>
+    <message>
+        <source>bend along the ray: not told</source>
+        <comment>picture.bent-depth-untold</comment>
+        <translation>沿射线的弯曲：未知</translation>
+    </message>
+    <message>
+        <source>rigid: %1</source>
+        <comment>picture.of-rigid-vessels</comment>
+        <translation>刚性：%1</translation>
+    </message>
+    <message>
+        <source>vessels rigid; bent ones are known</source>
+        <comment>picture.vessels-rigid</comment>
+        <translation>血管为刚性；弯曲血管已知</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1, not sure</source>
+        <comment>picture.vessels-bent-unsure</comment>
+        <translation>血管弯曲，最多 %1，不确定</translation>
+    </message>
+    <message>
+        <source>vessels bent by up to %1</source>
+        <comment>picture.vessels-bent</comment>
+        <translation>血管弯曲，最多 %1</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -3670,6 +3745,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The vessels are bent against the tree: the rigid overlay lies %1 off in the mean, most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
         <translation>血管相对于血管树发生了弯曲：刚性叠加平均偏离 %1，在分支 %3 处最大（%2）。</translation>
+    </message>
+    <message>
+        <source>The vessels may be bent against the tree, the image does not show it surely: the rigid overlay would lie %1 off in the mean, most at branch %3 (%2).</source>
+        <comment>bend.may-be-off</comment>
+        <translation>血管可能相对于血管树发生了弯曲，但图像不能确定：刚性叠加平均将偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
     <message>
         <source>Bending was stopped before its end: the rigid pose stays.</source>
@@ -6515,6 +6595,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始与当前位姿闪烁对比</translation>
     </message>
     <message>
+        <source>Colours: how far bent vessels moved</source>
+        <translation>颜色：弯曲血管的位移</translation>
+    </message>
+    <message>
+        <source>Vessels bent, where that is known, or rigid</source>
+        <translation>血管：弯曲（若已知）或刚性</translation>
+    </message>
+    <message>
         <source>Replay the last run</source>
         <translation>回放上次配准</translation>
     </message>
@@ -6820,11 +6908,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export followed poses …</source>
-        <translation>导出跟踪位姿…</translation>
+        <translation>导出跟踪位姿……</translation>
     </message>
     <message>
         <source>Add a view …</source>
-        <translation>添加视图…</translation>
+        <translation>添加视图……</translation>
     </message>
     <message>
         <source>Show the next view</source>
@@ -6884,15 +6972,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export vessel tree …</source>
-        <translation>导出血管树…</translation>
+        <translation>导出血管树……</translation>
+    </message>
+    <message>
+        <source>Export bent vessels …</source>
+        <translation>导出弯曲血管…</translation>
     </message>
     <message>
         <source>Export report …</source>
-        <translation>导出报告…</translation>
+        <translation>导出报告……</translation>
     </message>
     <message>
         <source>Export measurements …</source>
-        <translation>导出测量…</translation>
+        <translation>导出测量……</translation>
     </message>
     <message>
         <source>Measure a length</source>
@@ -6908,7 +7000,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export measures of the branches …</source>
-        <translation>导出各分支的测量…</translation>
+        <translation>导出各分支的测量……</translation>
     </message>
 </context>
 <context>
@@ -8004,7 +8096,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Reading the labels …</source>
-        <translation>正在读取标签…</translation>
+        <translation>正在读取标签……</translation>
     </message>
     <message>
         <source>%1 of %2 ticked, %3</source>
@@ -8882,6 +8974,13 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
+    <name>angiopose::ui::MethodWords</name>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::SnapshotPanel</name>
     <message>
         <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
@@ -8934,10 +9033,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Delete	Del</source>
         <translation>删除	Del</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>手动</translation>
     </message>
     <message>
         <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
@@ -9422,7 +9517,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Table …</source>
-        <translation>表格…</translation>
+        <translation>表格……</translation>
     </message>
     <message>
         <source>Where it is measured</source>
@@ -9511,11 +9606,11 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>All branches …</source>
-        <translation>所有分支…</translation>
+        <translation>所有分支……</translation>
     </message>
     <message>
         <source>Profile …</source>
-        <translation>轮廓…</translation>
+        <translation>轮廓……</translation>
     </message>
     <message>
         <source>Writes length, diameters, narrowing and bends of all branches as a CSV table.</source>

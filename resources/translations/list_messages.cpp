@@ -43,8 +43,8 @@ std::string sentences()
 
 std::string terms()
 {
-    std::set<std::string> all{"search",    "refine", "settle", "rotation",
-                              "auxiliary", "full",   "affine", "joint"};   // stages
+    std::set<std::string> all{"search", "refine", "settle", "rotation", "auxiliary",
+                              "full",   "affine", "joint",  "bending"};   // stages
     for (const core::OptionField& field : core::optionFields()) {
         all.insert({std::string(field.label), std::string(field.help)});
         for (const std::string_view key : core::namesOf(field)) {

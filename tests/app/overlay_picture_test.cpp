@@ -2,6 +2,7 @@
 
 #include "app/files/sample_case.h"
 #include "io/case/case_file.h"
+#include "tests/support/bent_case.h"
 
 #include <gtest/gtest.h>
 #include <cstdlib>
@@ -75,6 +76,23 @@ TEST_F(OverlayPicture, LeavesHiddenBranchesOutAsTheWindowDoes)
     EXPECT_GT(differing(plain, none, 0, plain.width), 200);
     options.vessels = ui::OverlayMode::Hidden;
     EXPECT_EQ(differing(drawn(options), none, 0, plain.width), 0);
+}
+
+TEST_F(OverlayPicture, ShowsBentVesselsWhereTheyAreKnownOfThePose)
+{
+    const core::ColorImage rigid = drawn(options);
+    sample = test::withBentVessels(sample, 8.0);
+    const core::ColorImage bent = drawn(options);
+    EXPECT_GT(differing(rigid, bent, 0, rigid.width), 200);
+    options.shape = VesselShape::Rigid;
+    EXPECT_EQ(differing(rigid, drawn(options), 0, rigid.width), 0);
+    options.coloring = OverlayColoring::Motion;
+    EXPECT_GT(differing(rigid, drawn(options), 0, rigid.width), 200);
+
+    options.coloring = OverlayColoring::Branches;
+    options.shape = VesselShape::Bent;
+    sample.shown().cameraFromPatient.translation.x() += 1e-9;   // another pose
+    EXPECT_EQ(differing(rigid, drawn(options), 0, rigid.width), 0);
 }
 
 TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)

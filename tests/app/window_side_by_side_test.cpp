@@ -1,16 +1,11 @@
-#include "tests/app/open_window.h"
-#include "tests/support/simulated_views.h"
+#include "tests/app/beside_window.h"
 #include "tests/support/temporary_folder.h"
 
 #include "core/case/case_views.h"
 #include "core/case/registration_input.h"
-#include "core/geometry/epipolar_line.h"
 #include "core/workflow/pose_judgement.h"
 #include "ui/places/pane_title.h"
-#include "ui/places/side_by_side.h"
-#include "ui/places/view_pane.h"
 
-#include <QCheckBox>
 #include <QListWidget>
 #include <QScrollBar>
 #include <QToolButton>
@@ -19,49 +14,9 @@
 namespace angiopose::app {
 namespace {
 
+using test::BesideWindow;
 using test::OpenWindow;
-
-/// A simulated tree in views of known geometry, named "first", "second", …
-core::Case simulatedViews(std::size_t count = 2)
-{
-    core::Case values = test::twoViewCase();
-    while (values.views.size() < count) {
-        values.views.push_back(values.views.back());
-        values.views.back().cameraFromPatient.translation.x() += 5.0;
-    }
-    const std::array names{"first", "second", "third", "fourth"};
-    for (std::size_t i = 0; i < values.views.size(); ++i) {
-        values.views[i].name = names[i];
-    }
-    return values;
-}
-
-/// The views of a case beside each other.
-struct BesideWindow : OpenWindow {
-    explicit BesideWindow(const core::Case& shown = simulatedViews())
-    {
-        controller.document().replace(shown, {});
-        press(Qt::Key_6);
-        QApplication::processEvents();
-    }
-    ui::SideBySide& images() { return window.sideBySide(); }
-    ui::AngiogramView& image() { return window.angiogramView(); }
-    ui::AngiogramView& other(std::size_t index = 0) { return images().pane(index).image(); }
-    core::RigidTransform poseOf(std::size_t view) { return current().views[view].cameraFromPatient; }
-    void setTogether(bool together)
-    {
-        auto* box = window.registration().findChild<QCheckBox*>();
-        ASSERT_TRUE(box->isVisible());
-        if (box->isChecked() != together) {
-            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
-        }
-    }
-    void pointAt(ui::AngiogramView& view, const QPoint& at)
-    {
-        QTest::mouseMove(&view, at + QPoint(3, 3));
-        QTest::mouseMove(&view, at);
-    }
-};
+using test::simulatedViews;
 
 TEST(WindowSideBySide, ShowsTheOtherViewWithItsOwnFrameGeometryAndPose)
 {
@@ -163,11 +118,7 @@ TEST(WindowSideBySide, AnotherViewFollowsADragThatIsUnderWay)
 {
     BesideWindow w;
     const core::RigidTransform before = w.poseOf(1);
-    const QPoint from = w.image().rect().center() + QPoint(3, 4);
-    w.press(Qt::Key_N);
-    QTest::mousePress(&w.image(), Qt::LeftButton, {}, from);
-    QTest::mouseMove(&w.image(), from + QPoint(15, 8));
-    QTest::mouseMove(&w.image(), from + QPoint(30, 16));
+    w.drag({30, 16});
     const core::RigidTransform dragged = w.controller.preview().pose();
     ASSERT_GT(test::distance(dragged, w.poseOf(0)), 0.5);
     EXPECT_EQ(w.image().cameraFromPatient().matrix(), dragged.matrix());
@@ -193,14 +144,10 @@ TEST(WindowSideBySide, PosesThatAreIndependentStayAndSaySo)
     w.setTogether(false);
     EXPECT_EQ(title.note(), QStringLiteral("pose of its own"));
     const core::RigidTransform before = w.poseOf(1);
-    const QPoint from = w.image().rect().center() + QPoint(3, 4);
-    w.press(Qt::Key_N);
-    QTest::mousePress(&w.image(), Qt::LeftButton, {}, from);
-    QTest::mouseMove(&w.image(), from + QPoint(15, 8));
-    QTest::mouseMove(&w.image(), from + QPoint(30, 16));
+    const QPoint to = w.drag({30, 16});
     EXPECT_GT(test::distance(w.image().cameraFromPatient(), w.poseOf(0)), 0.5);
     EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
-    QTest::mouseRelease(&w.image(), Qt::LeftButton, {}, from + QPoint(30, 16));
+    QTest::mouseRelease(&w.image(), Qt::LeftButton, {}, to);
     EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
     w.setTogether(true);
     EXPECT_EQ(title.note(), QStringLiteral("moves along"));
@@ -327,96 +274,6 @@ TEST(WindowSideBySide, ABlindTrialHidesThem)
     EXPECT_EQ(w.images().paneCount(), 0U);
     w.controller.poses().blindTrial().abandon();
     EXPECT_EQ(w.images().paneCount(), 1U);
-}
-
-/// A place on the tree, well inside the shown image, and the widget px nearest to where it is seen.
-struct SeenPlace {
-    Eigen::Vector3d inPatient;
-    QPoint at;
-};
-
-SeenPlace seenPlace(BesideWindow& w)
-{
-    for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
-        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            const auto here = w.image().placeOf(point);
-            const auto there = w.other().placeOf(point);
-            const QRectF inside = QRectF(w.image().rect()).adjusted(60, 120, -60, -120);
-            if (here && there && inside.contains(*here) && QRectF(w.other().rect()).contains(*there)) {
-                return {point, here->toPoint()};
-            }
-        }
-    }
-    ADD_FAILURE() << "no point of the tree is seen in both views";
-    return {};
-}
-
-double distancePx(const core::ImageSegment& line, const Eigen::Vector2d& point)
-{
-    const Eigen::Vector2d way = (line.endPx - line.beginPx).normalized();
-    const Eigen::Vector2d from = point - line.beginPx;
-    return std::abs(way.x() * from.y() - way.y() * from.x());
-}
-
-TEST(WindowSideBySide, ThePointerIsALineInTheOtherViewThroughWhatItPointsAt)
-{
-    BesideWindow w;
-    const SeenPlace place = seenPlace(w);
-    w.pointAt(w.image(), place.at);
-    ASSERT_TRUE(w.other().crosshair().linePx);
-    EXPECT_FALSE(w.image().crosshair().linePx) << "under the pointer it would be a point";
-    const auto seenIn = [](const ui::AngiogramView& image, const Eigen::Vector3d& point) {
-        return *core::project(image.camera(), image.cameraFromPatient() * point);
-    };
-    // the pointer stands on whole px of the widget: what it exactly points at lies on its own ray, as deep as the place
-    const Eigen::Vector3d inCamera = w.image().cameraFromPatient() * place.inPatient;
-    const Eigen::Vector3d ray = core::rayThroughPixel(w.image().camera(), w.image().imageFromWidget(place.at));
-    const Eigen::Vector3d pointed =
-        w.image().cameraFromPatient().inverse() * Eigen::Vector3d(ray * (inCamera.z() / ray.z()));
-    ASSERT_LT((pointed - place.inPatient).norm(), 1.0);
-    EXPECT_LT(distancePx(*w.other().crosshair().linePx, seenIn(w.other(), pointed)), 1e-6);
-    EXPECT_LT(distancePx(*w.other().crosshair().linePx, seenIn(w.other(), place.inPatient)), 1.0 / w.image().zoom());
-
-    for (ui::AngiogramView* image : w.images().images()) {   // the vessel under the pointer is a point in all
-        ASSERT_TRUE(image->crosshair().pointInPatient);
-        EXPECT_LT((seenIn(w.image(), *image->crosshair().pointInPatient) - seenIn(w.image(), place.inPatient)).norm(),
-                  2.0 / w.image().zoom());
-    }
-}
-
-TEST(WindowSideBySide, TheLineFollowsPosesAndGoesWithThePointerOrByKey)
-{
-    BesideWindow w;
-    const SeenPlace place = seenPlace(w);
-    w.pointAt(w.image(), place.at);
-    ASSERT_TRUE(w.other().crosshair().linePx);
-    w.setTogether(false);   // moves the pointer out of the image
-    w.pointAt(w.image(), place.at);
-    const Eigen::Vector2d before = w.other().crosshair().linePx->beginPx;
-    w.press(Qt::Key_N);
-    w.press(Qt::Key_PageUp, Qt::ShiftModifier);
-    w.press(Qt::Key_Up, Qt::ShiftModifier);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.other().crosshair().linePx->beginPx != before; }, test::patienceMs));
-    const core::Sight first{w.image().camera(), w.image().cameraFromPatient()};
-    const core::Sight second{w.other().camera(), w.other().cameraFromPatient()};
-    const auto expected = core::epipolarLine(first, w.image().imageFromWidget(place.at), second);
-    ASSERT_TRUE(expected);
-    EXPECT_LT((w.other().crosshair().linePx->beginPx - expected->beginPx).norm(), 1e-9);
-
-    w.press(Qt::Key_N);
-    w.press(Qt::Key_Z);
-    EXPECT_FALSE(w.other().crosshair().linePx);
-    w.pointAt(w.image(), place.at);
-    EXPECT_FALSE(w.other().crosshair().linePx);
-    w.press(Qt::Key_Z);
-    EXPECT_TRUE(w.other().crosshair().linePx);
-
-    w.pointAt(w.other(), w.other().rect().center());   // the other way round
-    EXPECT_TRUE(w.image().crosshair().linePx);
-    EXPECT_FALSE(w.other().crosshair().linePx);
-    QEvent leave(QEvent::Leave);
-    QApplication::sendEvent(&w.other(), &leave);
-    EXPECT_FALSE(w.image().crosshair().linePx);
 }
 
 }   // namespace

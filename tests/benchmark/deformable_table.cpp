@@ -2,7 +2,7 @@
 // over all points of the tree (mm at the object) of the best rigid pose that truth allows, of our rigid registration,
 // and of the bent tree; how honest the covariance of every point is; time. Several views: distance in space.
 
-#include "core/registration/deformable/deform_vessels.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"

@@ -259,6 +259,23 @@ std::vector<Pixels> seen(const RootedTree& shown, const std::vector<std::size_t>
     return curves;
 }
 
+/// Short wriggling curves, or points one by one.
+std::vector<Pixels> noVessels(ForeignScene scene, ForeignRandom& random)
+{
+    const bool isCurves = scene == ForeignScene::Scribbles;
+    std::vector<Pixels> found(isCurves ? 2000 : 20'000);
+    for (Pixels& curve : found) {
+        Eigen::Vector2d at(random.uniform(0.0, imagePx - 1.0), random.uniform(0.0, imagePx - 1.0));
+        double heading = random.uniform(0.0, 2.0 * std::numbers::pi);
+        for (int left = isCurves ? 66 : 1; left > 0 && at.minCoeff() >= 0.0 && at.maxCoeff() < imagePx; --left) {
+            curve.push_back(at);
+            heading += 0.15 * random.normal();
+            at += stepPx * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+        }
+    }
+    return found;
+}
+
 /// The gantry turned about the isocentre; `degrees` to the side.
 core::RigidTransform turnedGantry(double degrees)
 {
@@ -283,11 +300,12 @@ ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tr
                             std::uint64_t trial)
 {
     ForeignRandom random(7919 * trial + 101 * tree + 13);
-    const bool isOther = scene == ForeignScene::OtherPatient || scene == ForeignScene::OtherTerritory;
+    const bool isOther = scene >= ForeignScene::OtherPatient;
     const RootedTree& shown = trees[isOther ? (tree + 1) % trees.size() : tree];
     const core::RigidTransform view = drawnView(shown, random);
     const std::vector<std::size_t> filled = filledIn(shown, scene, random);
-    std::vector<Pixels> curves = seen(shown, filled, view, random);
+    std::vector<Pixels> curves =
+        scene >= ForeignScene::Scribbles ? noVessels(scene, random) : seen(shown, filled, view, random);
     for (int extra = scene == ForeignScene::LeavesMissing ? 5 : 0; extra > 0; --extra) {
         curves.push_back(traced(foreignCurve(random), random));
     }

@@ -8,7 +8,7 @@
 
 namespace angiopose::benchmarks {
 
-/// What the image shows of the tree, and how its points are handed over.
+/// What the image shows of the tree, and how its points are handed over. The last four hold no right answer.
 enum class ForeignScene {
     WholeTree,
     OneTerritory,   ///< a subtree of a tenth to a half of the tree's length
@@ -18,8 +18,10 @@ enum class ForeignScene {
     ShuffledPoints,   ///< the whole tree, all points in one curve in any order
     SkeletonPixels,   ///< the whole tree, pixels row by row
     ShuffledRows,   ///< the whole tree, each branch a curve with its points in any order
-    OtherPatient,   ///< the image shows another tree whole: there is no right answer
+    OtherPatient,   ///< the image shows another tree whole
     OtherTerritory,   ///< … or one territory of it
+    Scribbles,   ///< … or two thousand short curves that are no vessels
+    LoosePoints,   ///< … or twenty thousand points all over it
 };
 
 struct NamedScene {
@@ -27,7 +29,7 @@ struct NamedScene {
     std::string_view key;   ///< for the command line
     std::string_view words;
 };
-inline constexpr std::array<NamedScene, 10> foreignScenes{{
+inline constexpr std::array<NamedScene, 12> foreignScenes{{
     {ForeignScene::WholeTree, "whole", "whole tree"},
     {ForeignScene::OneTerritory, "one", "one territory filled"},
     {ForeignScene::TwoTerritories, "two", "two territories filled"},
@@ -38,6 +40,8 @@ inline constexpr std::array<NamedScene, 10> foreignScenes{{
     {ForeignScene::ShuffledRows, "rows", "whole tree, rows of branches in any order"},
     {ForeignScene::OtherPatient, "other", "another patient's tree"},
     {ForeignScene::OtherTerritory, "other-one", "another patient's territory"},
+    {ForeignScene::Scribbles, "other-curves", "2000 curves, no vessels"},
+    {ForeignScene::LoosePoints, "other-points", "20,000 points, no vessels"},
 }};
 
 /// One question to the solver and its answer.

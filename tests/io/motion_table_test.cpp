@@ -1,6 +1,6 @@
 #include "io/motion_table.h"
 
-#include "io/support/deformable_json.h"
+#include "io/case/fields/bent_fields.h"
 #include "io/vessel_tree_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -55,10 +55,10 @@ TEST(MotionTable, AnUnwritablePathIsAnError)
     EXPECT_FALSE(writeMotion(moved.tree, moved.bent, "/no/such/folder/motion.csv"));
 }
 
-TEST(DeformableJson, SaysWhatMovedHowFar)
+TEST(BentSummary, SaysWhatMovedHowFar)
 {
     const MovedBranch moved;
-    const auto json = nlohmann::json::parse(deformableJson(moved.bent));
+    const Json json = bentSummary(moved.bent);
     EXPECT_EQ(json["verdict"], "bent");
     EXPECT_EQ(json["perBranch"][0]["branch"], 7);
     EXPECT_EQ(json["perBranch"][0]["largestMotionMm"], 5.0);

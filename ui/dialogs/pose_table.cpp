@@ -1,13 +1,16 @@
 #include "ui/dialogs/pose_table.h"
 
 #include "core/registration/methods/method_info.h"
-#include "ui/panels/snapshot_panel.h"
+#include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/method_words.h"
 #include "ui/words/number.h"
+#include "ui/words/short_time.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -19,7 +22,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int poseTableWidth = 1240;
+constexpr int poseTableWidth = 1280;
 constexpr int poseTableHeight = 560;
 constexpr int poseIdRole = Qt::UserRole;
 constexpr int orderRole = Qt::UserRole + 1;

@@ -12,6 +12,8 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int progressSteps = 1000;
+constexpr int stripHeight = 88;
+constexpr int besideProgressPx = 10;   // its bar, and the gap above it
 
 }   // namespace
 
@@ -69,14 +71,14 @@ BottomStrip::BottomStrip(QWidget* parent)
     layout->addLayout(left, 3);
     layout->addLayout(centre, 12);
     layout->addLayout(right, 4);
-    setFixedHeight(88);
+    setFixedHeight(stripHeight);
     connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
     connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
     connect(frames_, &FrameBars::loopMarked, this, &BottomStrip::loopMarked);
     connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
     connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
     speak(this, [this] {
-        if (progress_->isHidden() || status_->text().isEmpty()) {
+        if (progress_->isHidden() || task_.isEmpty()) {
             showIdle(tr("Ready"));
         }
     });
@@ -126,25 +128,55 @@ void BottomStrip::showStatus(const QString& text)
 
 void BottomStrip::showTask(const QString& text)
 {
-    status_->setText(text);
+    task_ = text;
     status_->setToolTip(text);
+    fitTask();
+}
+
+void BottomStrip::resizeEvent(QResizeEvent*)
+{
+    fitTask();
+}
+
+/// As much as there is room for, with dots where more is said: by the tip and the list of messages.
+void BottomStrip::fitTask()
+{
+    const int room = contentsRect().height() - layout()->contentsMargins().top() -
+                     layout()->contentsMargins().bottom() - (progress_->isHidden() ? 0 : besideProgressPx);
+    const auto fits = [&](const QString& text) {
+        return status_->fontMetrics()
+                   .boundingRect(QRect(0, 0, status_->width(), 10 * stripHeight), Qt::TextWordWrap, text)
+                   .height() <= room;
+    };
+    const auto cut = [this](qsizetype length) { return task_.left(length).trimmed() + QStringLiteral(" …"); };
+    if (fits(task_)) {
+        status_->setText(task_);
+        return;
+    }
+    qsizetype fitting = 0;
+    qsizetype tooLong = task_.size();
+    while (tooLong - fitting > 1) {
+        const qsizetype middle = (fitting + tooLong) / 2;
+        (fits(cut(middle)) ? fitting : tooLong) = middle;
+    }
+    status_->setText(cut(fitting));
 }
 
 void BottomStrip::showBusy(const QString& text)
 {
-    showTask(text);
     progress_->setRange(0, 0);
     progress_->show();
     stop_->show();
+    showTask(text);
 }
 
 void BottomStrip::showProgress(const QString& text, double fraction)
 {
-    showTask(text);
     progress_->setRange(0, progressSteps);
     progress_->setValue(static_cast<int>(fraction * progressSteps));
     progress_->show();
     stop_->show();
+    showTask(text);
 }
 
 void BottomStrip::showIdle(const QString& text)
@@ -152,9 +184,9 @@ void BottomStrip::showIdle(const QString& text)
     if (text != tr("Ready")) {
         told_.add(text);
     }
-    showTask(text);
     progress_->hide();
     stop_->hide();
+    showTask(text);
 }
 
 }   // namespace angiopose::ui

@@ -40,9 +40,14 @@ signals:
     void plotRequested();
     void stopRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showTask(const QString& text);
+    void fitTask();
 
+    QString task_;   ///< whole
     ToldMessages told_;
     FrameBars* frames_;
     PlayBar* play_;

@@ -1,5 +1,6 @@
 #include "ui/panels/result_panel.h"
 
+#include "ui/controls/lingering_height.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
@@ -9,6 +10,7 @@
 #include "ui/words/terms.h"
 
 #include <QHBoxLayout>
+#include <QTimer>
 
 #include <algorithm>
 
@@ -30,7 +32,7 @@ void showIn(QLabel* box, const QStringList& sentences)
     box->setVisible(!sentences.isEmpty());
 }
 
-/// While a pose is moved by hand its sentences come and go: what lies below stays where it is.
+/// While a pose is moved by hand its sentences come and go: what lies below stays where it is until the hand rests.
 void keepRoom(QLabel* box, bool isKept)
 {
     const int heightPx = isKept && box->isVisible() ? box->height() : box->minimumHeight();
@@ -84,8 +86,12 @@ ResultPanel::ResultPanel(QWidget* parent)
       doubtful_(sentenceBox("attentionBox")),
       histogram_(new HistogramPlot),
       convergence_(new ConvergencePlot),
-      motion_(new MotionPlot)
+      motion_(new MotionPlot),
+      rest_(new QTimer(this))
 {
+    rest_->setSingleShot(true);
+    rest_->setInterval(restBeforeShrinkingMs);
+    connect(rest_, &QTimer::timeout, this, [this] { keepRooms(false); });
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(4);
     numbers->addWidget(makeNumber(
@@ -157,9 +163,7 @@ void ResultPanel::showJudgement(const JudgedPose& judged, const core::VesselTree
 
 void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree& tree)
 {
-    for (QLabel* box : {certain_, doubtful_}) {
-        keepRoom(box, judged.source == PoseSource::Edited);
-    }
+    keepRooms(judged.source == PoseSource::Edited);
     if (judged.source == PoseSource::Start) {
         showIn(certain_, {});
         showIn(doubtful_, {tr("This is the start pose: nothing is fitted yet. R registers, N nudges.")});
@@ -173,15 +177,21 @@ void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree
                             : sentences.doubtful);
 }
 
+void ResultPanel::keepRooms(bool areKept)
+{
+    for (QLabel* box : {certain_, doubtful_}) {
+        keepRoom(box, areKept);
+    }
+    areKept ? rest_->start() : rest_->stop();
+}
+
 void ResultPanel::showNothing(const QString& why)
 {
     for (QLabel* label : {median_, p95_, coverage_}) {
         label->setText(QStringLiteral("–"));
     }
     section_->setHint(why);
-    for (QLabel* box : {certain_, doubtful_}) {
-        keepRoom(box, false);
-    }
+    keepRooms(false);
     showIn(certain_, {});
     showIn(doubtful_, {});
     histogram_->showValues({}, 0.0);

@@ -6,6 +6,8 @@
 #include "ui/panels/solution_strip.h"
 #include "ui/plots/motion_plot.h"
 
+class QTimer;
+
 namespace angiopose::ui {
 
 class ConvergencePlot;
@@ -47,6 +49,7 @@ public:
 private:
     QWidget* makeNumber(QLabel*& value, const Words& caption, const Words& toolTip);
     void showSentences(const JudgedPose& judged, const core::VesselTree& tree);
+    void keepRooms(bool areKept);
 
     Section* section_;
     SolutionStrip* solutions_;
@@ -61,6 +64,7 @@ private:
     HistogramPlot* histogram_;
     ConvergencePlot* convergence_;
     MotionPlot* motion_;
+    QTimer* rest_;   ///< the pose has not been moved for a while
 };
 
 }   // namespace angiopose::ui

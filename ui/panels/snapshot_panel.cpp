@@ -1,13 +1,12 @@
 #include "ui/panels/snapshot_panel.h"
 
-#include "core/registration/methods/method_info.h"
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
-#include "ui/words/language.h"
+#include "ui/words/method_words.h"
 #include "ui/words/number.h"
+#include "ui/words/short_time.h"
 #include "ui/words/spoken.h"
 
-#include <QDateTime>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -306,32 +305,6 @@ void SnapshotPanel::fitHeight()
     }
     const int rowHeight = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 6);
     list_->setFixedHeight(std::clamp(rows, 1, mostSnapshotRows) * rowHeight + 2);
-}
-
-QString shortTime(const std::string& isoTime)
-{
-    const QDateTime time = QDateTime::fromString(toQt(isoTime), Qt::ISODate).toLocalTime();
-    if (!time.isValid()) {
-        return {};
-    }
-    const QLocale locale = languageLocale();
-    const QString clock = locale.toString(time.time(), QStringLiteral("HH:mm"));
-    return time.date() == QDate::currentDate()
-               ? clock
-               : locale.toString(time.date(), QLocale::ShortFormat) + QLatin1Char(' ') + clock;
-}
-
-QString methodWords(const std::string& methodId)
-{
-    if (methodId.empty()) {
-        return SnapshotPanel::tr("by hand");
-    }
-    for (const core::MethodInfo& info : core::methodInfos()) {
-        if (info.id == methodId) {
-            return QString::fromUtf8(info.label.data(), static_cast<qsizetype>(info.label.size()));
-        }
-    }
-    return toQt(methodId);
 }
 
 }   // namespace angiopose::ui

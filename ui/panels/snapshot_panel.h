@@ -68,10 +68,4 @@ private:
     bool showing_ = false;   ///< true while the owner, not the user, changes the list
 };
 
-/// "14:32" today, "21 Nov 14:32" otherwise, in local time; empty for no time.
-QString shortTime(const std::string& isoTime);
-
-/// The method's name for users, or "by hand".
-QString methodWords(const std::string& methodId);
-
 }   // namespace angiopose::ui

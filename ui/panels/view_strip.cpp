@@ -10,10 +10,16 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace angiopose::ui {
 namespace {
 
 constexpr int viewPictureSize = 52;
+constexpr int leastPictureSize = 28;
+constexpr int viewItemPadding = 22;   // around and between picture and words
+constexpr int listRim = 4;   // what the list takes beside its items
+constexpr int fewestWordsPx = 40;   // less beside a picture is not worth reading
 
 QPixmap emptyPicture(double ratio)
 {
@@ -31,6 +37,8 @@ ViewStrip::ViewStrip(QWidget* parent)
 {
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
+    sideBySide_->setIcon(QIcon(QStringLiteral(":/icons/side_by_side.svg")));
+    crosshair_->setIcon(QIcon(QStringLiteral(":/icons/crosshair.svg")));
     withName(list_, [] { return tr("Views of the case"); });
     list_->setFlow(QListView::LeftToRight);
     list_->setMovement(QListView::Static);
@@ -109,6 +117,7 @@ void ViewStrip::showSideBySide(bool on)
 {
     sideBySide_->setChecked(on);
     crosshair_->setVisible(on);
+    fit();
 }
 
 void ViewStrip::showCrosshair(bool on)
@@ -131,13 +140,71 @@ void ViewStrip::showViews(const std::vector<ViewLine>& views, int shown)
     while (list_->count() < count) {
         new QListWidgetItem(QIcon(emptyPicture(devicePixelRatioF())), {}, list_);
     }
-    for (int i = 0; i < count; ++i) {
-        const ViewLine& view = views[static_cast<std::size_t>(i)];
-        list_->item(i)->setText(view.words);
-        list_->item(i)->setToolTip(view.toolTip);
-    }
+    views_ = views;
     list_->setCurrentRow(shown);
     setVisible(count > 1);
+    fit();
+}
+
+void ViewStrip::resizeEvent(QResizeEvent*)
+{
+    fit();
+}
+
+int ViewStrip::wordsWidthPx(int index) const
+{
+    const QStringList lines = views_[static_cast<std::size_t>(index)].words.split(QLatin1Char('\n'));
+    int widest = 0;
+    for (const QString& line : lines) {
+        widest = std::max(widest, list_->fontMetrics().horizontalAdvance(line));
+    }
+    return viewPictureSize + viewItemPadding + widest;
+}
+
+/// Words on the switches where every picture has room for some of its own then, else signs.
+void ViewStrip::fit()
+{
+    const int count = std::min(list_->count(), static_cast<int>(views_.size()));
+    if (count == 0) {
+        return;
+    }
+    const auto roomFor = [&] {
+        layout()->activate();
+        return (list_->width() - listRim) / count;
+    };
+    fitSwitches(true);
+    int room = roomFor();
+    if (room < viewPictureSize + viewItemPadding + fewestWordsPx) {
+        fitSwitches(false);
+        room = roomFor();
+    }
+    const bool hasWords = room >= viewPictureSize + viewItemPadding + fewestWordsPx;
+    const int besideNumber = room - viewItemPadding - list_->fontMetrics().horizontalAdvance(QString::number(count));
+    const int side = hasWords ? viewPictureSize : std::clamp(besideNumber, leastPictureSize, viewPictureSize);
+    list_->setIconSize({side, side});
+    for (int i = 0; i < count; ++i) {
+        fitItem(i, hasWords ? std::min(wordsWidthPx(i), room) : 0);
+    }
+}
+
+void ViewStrip::fitSwitches(bool hasWords)
+{
+    for (QToolButton* button : {sideBySide_, crosshair_}) {
+        button->setToolButtonStyle(hasWords ? Qt::ToolButtonTextOnly : Qt::ToolButtonIconOnly);
+    }
+}
+
+/// No width: a number instead of words.
+void ViewStrip::fitItem(int index, int widthPx)
+{
+    const ViewLine& view = views_[static_cast<std::size_t>(index)];
+    const bool isWhole = widthPx > 0 && wordsWidthPx(index) <= widthPx;
+    const QString number = QString::number(index + 1);
+    const int numberPx = list_->iconSize().width() + viewItemPadding + list_->fontMetrics().horizontalAdvance(number);
+    QListWidgetItem* item = list_->item(index);
+    item->setText(widthPx > 0 ? view.words : number);
+    item->setToolTip(isWhole ? view.toolTip : view.words + QLatin1Char('\n') + view.toolTip);
+    item->setSizeHint({widthPx > 0 ? widthPx : numberPx, viewPictureSize + 6});
 }
 
 void ViewStrip::showPicture(int index, const core::ColorImage& picture)

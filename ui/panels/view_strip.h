@@ -17,7 +17,8 @@ struct ViewLine {
     QString toolTip;
 };
 
-/// The views of the case as small pictures, the shown one marked; hidden while there is only one.
+/// The views of the case as small pictures, the shown one marked; hidden while there is only one. Where there is no
+/// room for words beside the pictures, numbers stand there and the tips say the words.
 class ViewStrip : public QWidget {
     Q_OBJECT
 public:
@@ -40,8 +41,15 @@ signals:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void fit();
+    void fitSwitches(bool hasWords);
+    void fitItem(int index, int widthPx);
+    int wordsWidthPx(int index) const;   ///< of a picture with its words
+
+    std::vector<ViewLine> views_;
     QListWidget* list_;
     QToolButton* sideBySide_;
     QToolButton* crosshair_;

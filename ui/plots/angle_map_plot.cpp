@@ -40,13 +40,19 @@ QString tickText(double deg, const char* negative, const char* positive)
     return deg == 0.0 ? number : QLatin1String(deg < 0.0 ? negative : positive) + QLatin1Char(' ') + number;
 }
 
+/// On the map's own colours, in every theme.
+QColor markTone()
+{
+    return toQColor(palette(ThemeMode::Dark).textStrong);
+}
+
 void drawOutlined(QPainter& painter, const QPointF& place, const QString& text, const Palette& tones)
 {
     painter.setPen(toQColor(tones.canvas));
     for (const QPointF& offset : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
         painter.drawText(place + offset, text);
     }
-    painter.setPen(Qt::white);
+    painter.setPen(markTone());
     painter.drawText(place, text);
 }
 
@@ -136,7 +142,8 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
                          tickText(deg, "RAO", "LAO"));
     });
     ticks(map_->secondaryDeg, secondaryTickDeg, [&](double deg) {
-        const double y = placeOf({map_->primaryDeg.front(), deg}).y();
+        const double place = placeOf({map_->primaryDeg.front(), deg}).y();
+        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // clear of the other axis
         painter.drawText(QRectF(0, y - 10, angleLabelWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                          tickText(deg, "CAU", "CRA"));
     });
@@ -158,11 +165,11 @@ void AngleMapPlot::paintMarks(QPainter& painter) const
     if (now_) {
         painter.setPen(QPen(toQColor(tones.canvas), 3.5));
         painter.drawEllipse(placeOf(*now_), 6, 6);
-        painter.setPen(QPen(Qt::white, 1.5));
+        painter.setPen(QPen(markTone(), 1.5));
         painter.drawEllipse(placeOf(*now_), 6, 6);
     }
     const QPointF at = placeOf(picked_);
-    for (const auto& [color, width] : {std::pair{toQColor(tones.canvas), 4.0}, std::pair{QColor(Qt::white), 1.5}}) {
+    for (const auto& [color, width] : {std::pair{toQColor(tones.canvas), 4.0}, std::pair{markTone(), 1.5}}) {
         painter.setPen(QPen(color, width));
         painter.drawLine(at - QPointF(9, 0), at + QPointF(9, 0));
         painter.drawLine(at - QPointF(0, 9), at + QPointF(0, 9));

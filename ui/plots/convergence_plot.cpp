@@ -1,5 +1,6 @@
 #include "ui/plots/convergence_plot.h"
 
+#include "ui/controls/lingering_height.h"
 #include "ui/plots/log_lane.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/spoken.h"
@@ -26,9 +27,9 @@ void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
 
 }   // namespace
 
-ConvergencePlot::ConvergencePlot(QWidget* parent) : QWidget(parent)
+ConvergencePlot::ConvergencePlot(QWidget* parent)
+    : QWidget(parent), height_(new LingeringHeight(*this, emptyConvergenceHeight))
 {
-    setMinimumHeight(emptyConvergenceHeight);
     withName(this, [] { return tr("Convergence"); });
     withTip(this, [] {
         return tr(
@@ -43,6 +44,7 @@ void ConvergencePlot::showHistory(const std::vector<core::IterationReport>& hist
     iterations_.clear();
     medianPx_.clear();
     stepMm_.clear();
+    height_->ask(emptyConvergenceHeight);
     for (const core::IterationReport& report : history) {
         append(report);
     }
@@ -57,7 +59,7 @@ void ConvergencePlot::append(const core::IterationReport& report)
         stepMm_.push_back(report.stepMm);
     }
     if (iterations_.size() > 1) {
-        setMinimumHeight(fullConvergenceHeight);   // and stays: nothing below moves when runs come and go
+        height_->ask(fullConvergenceHeight);
     }
     update();
 }

@@ -8,6 +8,8 @@
 
 namespace angiopose::ui {
 
+class LingeringHeight;
+
 /// A run step by step, one lane above the other: the median distance of the tree to the traced vessels, and how far
 /// the step moved the tree. Both logarithmic, each on a scale of its own.
 class ConvergencePlot : public QWidget {
@@ -23,6 +25,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    LingeringHeight* height_;
     std::vector<int> iterations_;
     std::vector<double> medianPx_, stepMm_;
 };

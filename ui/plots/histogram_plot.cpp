@@ -1,5 +1,6 @@
 #include "ui/plots/histogram_plot.h"
 
+#include "ui/controls/lingering_height.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
@@ -18,9 +19,9 @@ constexpr int fullHistogramHeight = 92;
 
 }   // namespace
 
-HistogramPlot::HistogramPlot(QWidget* parent) : QWidget(parent)
+HistogramPlot::HistogramPlot(QWidget* parent)
+    : QWidget(parent), height_(new LingeringHeight(*this, emptyHistogramHeight))
 {
-    setMinimumHeight(emptyHistogramHeight);
     withName(this, [] { return tr("Histogram of residuals"); });
 }
 
@@ -28,9 +29,7 @@ void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scale
 {
     scaleMaximumMm_ = scaleMaximumMm;
     counts_ = valuesMm.empty() ? std::vector<int>{} : binned(valuesMm, scaleMaximumMm, binCount);
-    if (!counts_.empty()) {
-        setMinimumHeight(fullHistogramHeight);   // and stays: nothing below moves when values come and go
-    }
+    height_->ask(counts_.empty() ? emptyHistogramHeight : fullHistogramHeight);
     update();
 }
 

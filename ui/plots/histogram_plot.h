@@ -6,6 +6,8 @@
 
 namespace angiopose::ui {
 
+class LingeringHeight;
+
 /// Residuals of all points as bars in the colours of the overlay's ramp; the last bar holds all that lies above.
 class HistogramPlot : public QWidget {
     Q_OBJECT
@@ -19,6 +21,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    LingeringHeight* height_;
     std::vector<int> counts_;
     double scaleMaximumMm_ = 0.0;
 };

@@ -1,5 +1,6 @@
 #include "ui/plots/simulated_view.h"
 
+#include "core/viewing/vessel_pieces.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/spoken.h"
 
@@ -12,7 +13,6 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double thinnestPx = 1.2;
-constexpr double unknownRadiusMm = 1.0;
 
 }   // namespace
 
@@ -44,7 +44,8 @@ void SimulatedView::paintEvent(QPaintEvent*)
         std::min(static_cast<double>(width()) / camera.width, static_cast<double>(height()) / camera.height);
     painter.translate((width() - scale * camera.width) / 2.0, (height() - scale * camera.height) / 2.0);
     painter.setClipRect(QRectF(0.0, 0.0, scale * camera.width, scale * camera.height));
-    painter.fillRect(QRectF(0.0, 0.0, scale * camera.width, scale * camera.height), QColor(46, 46, 46));
+    painter.fillRect(QRectF(0.0, 0.0, scale * camera.width, scale * camera.height),
+                     toQColor(ui::palette(ThemeMode::Dark).line));
     for (const core::VesselBranch& branch : tree_->branches) {
         if (branch.id != branchId_) {
             paintBranch(painter, branch, scale);
@@ -57,15 +58,15 @@ void SimulatedView::paintEvent(QPaintEvent*)
 
 void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& branch, double scale) const
 {
-    const Color accent = ui::palette(ThemeMode::Dark).accent;   // the ground is dark in every theme
-    QPen pen(branch.id == branchId_ ? toQColor(accent) : QColor(150, 150, 150));
+    const Palette& tones = ui::palette(ThemeMode::Dark);   // the ground is dark in every theme
+    QPen pen(toQColor(branch.id == branchId_ ? tones.accent : tones.label));
     pen.setCapStyle(Qt::RoundCap);
     std::optional<Eigen::Vector2d> before;
     for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
         const Eigen::Vector3d inCamera = sight_->cameraFromPatient * branch.pointsInPatient[i];
         const auto pixel = core::project(sight_->camera, inCamera);
         if (pixel && before) {
-            const double radiusMm = branch.radiusMm.empty() ? unknownRadiusMm : branch.radiusMm[i];
+            const double radiusMm = branch.radiusMm.empty() ? core::assumedRadiusMm : branch.radiusMm[i];
             const double widthPx = 2.0 * radiusMm * std::abs(sight_->camera.fy) / inCamera.z();
             pen.setWidthF(std::max(thinnestPx, scale * widthPx));
             painter.setPen(pen);

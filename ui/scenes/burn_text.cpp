@@ -152,7 +152,8 @@ void drawScale(auto& picture, const BurnScale& scale, const BurnSizes& sizes)
     const double maximum = inMm ? scale.maximumMm : scale.maximumPx;
     const int decimals = residualScaleDecimals(maximum);
     const int right = bar.left - sizes.textPx / 2;
-    drawLabel(picture, inMm ? "mm" : "px", right, bar.top - 5 * sizes.textPx / 2);
+    const std::string unit = inMm ? "mm" : "px";
+    drawLabel(picture, scale.heading.empty() ? unit : scale.heading, right, bar.top - 5 * sizes.textPx / 2);
     drawLabel(picture, "> " + formatted(maximum, decimals, scale.decimalSign), right, bar.top - capHeight / 2 - 2);
     drawLabel(picture, formatted(0.5 * maximum, decimals, scale.decimalSign), right, bar.top + bar.height / 2);
     drawLabel(picture, "0", right, bar.top + bar.height - sizes.textPx / 2);

@@ -22,14 +22,15 @@ void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes
 void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
-/// Where the residual ramp ends.
+/// Where the ramp of colours ends.
 struct BurnScale {
     double maximumPx = 0.0;
     double maximumMm = 0.0;   ///< 0: labelled in px
     char decimalSign = '.';
+    std::string heading = {};   ///< empty: the unit
 };
 
-/// Residual ramp with its end values at the right edge.
+/// The ramp with its end values at the right edge.
 void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes);
 void burnScale(VectorPicture& picture, const BurnScale& scale, const BurnSizes& sizes);
 

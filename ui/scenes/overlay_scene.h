@@ -37,7 +37,8 @@ public:
     void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden unless shown
     void showTracedCenterline(bool shown);
 
-    /// Colours the tree by distance to the traced vessels; `residualPx[branch id]` holds one value per tree point.
+    /// Colours the tree by distance to the traced vessels; `residualPx[branch id]` holds one value per tree point. Any
+    /// other value of its points is coloured alike, with its own unit for both.
     void setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx);
     void recolor();   ///< after another colour scheme was chosen
     void clearResiduals();

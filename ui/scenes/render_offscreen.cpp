@@ -72,7 +72,7 @@ void annotate(auto& picture, const CornerTexts& texts, double scaleMaximumPx, do
     const BurnSizes sizes = burnSizes(picture.width, picture.height);
     burnTexts(picture, texts, sizes);
     if (scaleMaximumPx > 0.0) {
-        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign}, sizes);
+        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign, texts.scaleHeading}, sizes);
     }
 }
 

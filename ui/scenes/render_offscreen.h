@@ -12,7 +12,8 @@ namespace angiopose::ui {
 /// Text burned into an exported overlay, one list per corner.
 struct CornerTexts {
     std::vector<std::string> topLeft, topRight, bottomLeft, bottomRight;
-    char decimalSign = '.';   ///< of the numbers at the residual scale
+    char decimalSign = '.';   ///< of the numbers at the scale of colours
+    std::string scaleHeading = {};   ///< above that scale; empty: the unit alone
 };
 
 /// Renders the scene into a picture, without display or OpenGL; safe on any thread that owns the scene. `viewRect`

@@ -132,10 +132,12 @@ void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations
     painter.setFont(sized(painter.font(), 11));
     const int flags = Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine;
     const auto label = [&](double y, const QString& text, const Color& tone) {
-        drawShadowedText(painter, QRectF(bar.left() - 64.0, y - 8.0, 58.0, 16.0), flags, text, colorOf(tone));
+        drawShadowedText(painter, QRectF(bar.left() - 94.0, y - 8.0, 88.0, 16.0), flags, text, colorOf(tone));
     };
     const int decimals = residualScaleDecimals(maximum);
-    label(bar.top() - 24.0, inMm ? QStringLiteral("mm") : QStringLiteral("px"), annotationTones().label);
+    const QString unit = inMm ? QStringLiteral("mm") : QStringLiteral("px");
+    const QString heading = QString::fromStdString(annotations.texts.scaleHeading);
+    label(bar.top() - 24.0, heading.isEmpty() ? unit : heading, annotationTones().label);
     label(bar.top() - 6.0, QStringLiteral("> %1").arg(numberText(maximum, decimals)), annotationTones().text);
     label(bar.center().y(), numberText(0.5 * maximum, decimals), annotationTones().text);
     label(bar.bottom() - 1.0, QStringLiteral("0"), annotationTones().text);
@@ -182,6 +184,18 @@ double clearHeight(double middle, double wanted, const std::vector<QRectF>& take
     return block == taken.end() ? wanted : clearHeight(middle, wanted + step, taken, step);
 }
 
+/// Where the letter of the right edge goes: in the middle, or above or below the residual scale, clear of the corners.
+double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& taken)
+{
+    if (scale.isEmpty()) {
+        return 0.5 * size.height();
+    }
+    const double above = scale.top() - 56.0;
+    const QRectF letter(size.width() - 40.0, above - 9.0, 40.0, 18.0);
+    const bool isFree = std::ranges::none_of(taken, [&](const QRectF& block) { return block.intersects(letter); });
+    return isFree && letter.top() >= 0.0 ? above : scale.bottom() + 26.0;
+}
+
 /// Letters in the middle of each edge: the side of the patient that lies there.
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
                 const std::vector<QRectF>& taken)
@@ -194,7 +208,6 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     constexpr double step = 8.0;
     const double middle = 0.5 * size.width();
     const double below = clearHeight(middle, annotations.mode.text.isEmpty() ? 18.0 : 34.0, taken, step);
-    const double besideScale = scale.isEmpty() ? 0.5 * size.height() : scale.top() - 56.0;
     letter({middle, below}, annotations.sides.top);
     if (!annotations.sideMark.isEmpty()) {
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(annotations.sideMark) + 16.0;
@@ -205,7 +218,7 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     }
     letter({middle, clearHeight(middle, size.height() - 18.0, taken, -step)}, annotations.sides.bottom);
     letter({20.0, 0.5 * size.height()}, annotations.sides.left);
-    letter({size.width() - 20.0, besideScale}, annotations.sides.right);
+    letter({size.width() - 20.0, besideScale(size, scale, taken)}, annotations.sides.right);
 }
 
 }   // namespace

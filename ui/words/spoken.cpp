@@ -2,7 +2,9 @@
 
 #include "ui/words/spoken_signal.h"
 
+#include <QApplication>
 #include <QComboBox>
+#include <QEvent>
 
 namespace angiopose::ui {
 
@@ -25,6 +27,8 @@ void setWords(QComboBox& box, const QStringList& choices)
     for (int i = 0; i < choices.size(); ++i) {
         box.setItemText(i, choices[i]);
     }
+    QEvent measuredAnew(QEvent::StyleChange);   // Qt keeps the least width that the words before needed
+    QApplication::sendEvent(&box, &measuredAnew);
 }
 
 }   // namespace angiopose::ui

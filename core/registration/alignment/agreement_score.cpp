@@ -1,5 +1,6 @@
 #include "core/registration/alignment/agreement_score.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/support/cell_index.h"
 
 #include <algorithm>

@@ -10,11 +10,6 @@ namespace {
 constexpr double agreeingGate = 0.5;   // within 33°
 constexpr double cutOff = 4.0;   // beyond 4 ℓ a Welsch weight is below 4e-4: nothing
 
-AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
-{
-    return {tree.points[i] - tree.centroid, tree.tangents[i], tree.branchIndex[i]};
-}
-
 bool isInImage(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
 {
     return pixel.x() >= -0.5 && pixel.y() >= -0.5 && pixel.x() <= camera.width - 0.5 &&
@@ -279,47 +274,6 @@ double Alignment::medianDistancePx(const CentroidPose& pose, std::vector<double>
     const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
     std::nth_element(scratch.begin(), middle, scratch.end());
     return std::sqrt(*middle);
-}
-
-std::size_t strideFor(std::size_t count, std::size_t wanted)
-{
-    return std::max<std::size_t>(1, (count + wanted - 1) / wanted);
-}
-
-std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride)
-{
-    std::vector<AlignmentPoint> points;
-    points.reserve(tree.size() / stride + 1);
-    for (std::size_t i = stride / 2; i < tree.size(); i += stride) {
-        points.push_back(alignmentPoint(tree, i));
-    }
-    return points;
-}
-
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx, double spacingPx)
-{
-    const double leastMm = spacingPx * mmPerPx;
-    std::vector<AlignmentPoint> points;
-    points.reserve(tree.size());
-    std::size_t last = 0;
-    for (std::size_t i = 0; i < tree.size(); ++i) {
-        if (i == 0 || tree.branchIndex[i] != tree.branchIndex[last] ||
-            (tree.points[i] - tree.points[last]).squaredNorm() >= leastMm * leastMm) {
-            points.push_back(alignmentPoint(tree, i));
-            last = i;
-        }
-    }
-    return points;
-}
-
-std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers)
-{
-    std::vector<AlignmentPoint> points;
-    points.reserve(numbers.size());
-    for (const int number : numbers) {
-        points.push_back(alignmentPoint(tree, static_cast<std::size_t>(number)));
-    }
-    return points;
 }
 
 }   // namespace angiopose::core

@@ -1,5 +1,6 @@
 #include "core/registration/alignment/final_refinement.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/shape_tolerance.h"
 
 #include <algorithm>

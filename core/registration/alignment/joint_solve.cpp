@@ -1,5 +1,6 @@
 #include "core/registration/alignment/joint_solve.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/shape_tolerance.h"
 #include "core/support/symmetric.h"

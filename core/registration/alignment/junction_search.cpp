@@ -1,6 +1,7 @@
 #include "core/registration/alignment/junction_search.h"
 
 #include "core/geometry/angle_units.h"
+#include "core/registration/alignment/alignment_points.h"
 #include "core/support/cell_index.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,10 @@
 #include "core/registration/alignment/junctions.h"
 
+#include "core/registration/matching/bin_grid.h"
+
 #include <algorithm>
+#include <cstdint>
+#include <tuple>
 
 namespace angiopose::core {
 namespace {
@@ -15,14 +19,10 @@ public:
     Meetings(std::span<const Vector> points, std::span<const int> curveIndex, const JunctionScale& scale)
         : points_(points), curveIndex_(curveIndex), scale_(scale)
     {
-        for (std::size_t from = 0; from < points.size();) {
-            std::size_t to = from + 1;
-            while (to < points.size() && curveIndex[to] == curveIndex[from]) {
-                ++to;
-            }
-            curves_.push_back({from, to});
-            from = to;
-        }
+        std::vector<Eigen::Vector2d> seen(points.size());
+        std::transform(points.begin(), points.end(), seen.begin(),
+                       [](const Vector& p) { return p.template head<2>(); });
+        near_.fill(seen, scale.touching);
     }
 
     std::vector<Junction<Dimension>> junctions() const
@@ -30,8 +30,8 @@ public:
         std::vector<Junction<Dimension>> found;
         for (const Vector& place : places()) {
             Junction<Dimension> junction{place, {}};
-            for (const Curve& curve : curves_) {
-                addWays(curve, junction);
+            for (const std::size_t nearest : meetingAt(place)) {
+                addWays(nearest, junction);
             }
             if (junction.directions.size() >= leastWays) {
                 found.push_back(std::move(junction));
@@ -41,61 +41,57 @@ public:
     }
 
 private:
-    struct Curve {
-        std::size_t from, to;
-    };
-
-    std::size_t nearestOf(const Curve& curve, const Vector& place) const
+    /// Of each curve that meets the place, the point nearest to it; in the order of the curves.
+    std::vector<std::size_t> meetingAt(const Vector& place) const
     {
-        std::size_t nearest = curve.from;
-        for (std::size_t i = curve.from; i < curve.to; ++i) {
-            if ((points_[i] - place).squaredNorm() < (points_[nearest] - place).squaredNorm()) {
-                nearest = i;
+        std::vector<std::size_t> nearest;
+        const auto distance = [&](std::size_t i) { return (points_[i] - place).squaredNorm(); };
+        near_.visitNear(place.template head<2>(), [&](std::size_t i) {
+            if (distance(i) <= scale_.touching * scale_.touching) {
+                nearest.push_back(i);
             }
-        }
+        });
+        std::sort(nearest.begin(), nearest.end(), [&](std::size_t a, std::size_t b) {
+            return std::tuple(curveIndex_[a], distance(a), a) < std::tuple(curveIndex_[b], distance(b), b);
+        });
+        const auto isSameCurve = [&](std::size_t a, std::size_t b) { return curveIndex_[a] == curveIndex_[b]; };
+        nearest.erase(std::unique(nearest.begin(), nearest.end(), isSameCurve), nearest.end());
         return nearest;
     }
 
-    bool touchesOther(const Curve& own, const Vector& end) const
+    bool isEnd(std::size_t i) const
     {
-        for (const Curve& curve : curves_) {
-            if (curve.from != own.from && (points_[nearestOf(curve, end)] - end).norm() <= scale_.touching) {
-                return true;
-            }
-        }
-        return false;
+        return i == 0 || i + 1 == points_.size() || curveIndex_[i - 1] != curveIndex_[i] ||
+               curveIndex_[i + 1] != curveIndex_[i];
     }
 
-    /// Ends that touch something, one for all that lie together.
+    /// Ends that touch another curve, one for all that lie together.
     std::vector<Vector> places() const
     {
         std::vector<Vector> places;
-        for (const Curve& curve : curves_) {
-            for (const std::size_t i : {curve.from, curve.to - 1}) {
-                const bool isKnown = std::any_of(places.begin(), places.end(), [&](const Vector& place) {
-                    return (place - points_[i]).norm() <= scale_.touching;
-                });
-                if (!isKnown && touchesOther(curve, points_[i])) {
-                    places.push_back(points_[i]);
-                }
+        std::vector<std::uint8_t> isTaken(points_.size(), 0);
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (!isEnd(i) || isTaken[i] || meetingAt(points_[i]).size() < 2) {
+                continue;
             }
+            places.push_back(points_[i]);
+            near_.visitNear(points_[i].template head<2>(), [&](std::size_t other) {
+                isTaken[other] |= (points_[other] - points_[i]).norm() <= scale_.touching;
+            });
         }
         return places;
     }
 
-    /// Where the curve, walked from its point nearest to the junction, has gone the length of `leaving`.
-    void addWays(const Curve& curve, Junction<Dimension>& junction) const
+    /// Where the curve of its point nearest to the junction, walked from there, has gone the length of `leaving`.
+    void addWays(std::size_t nearest, Junction<Dimension>& junction) const
     {
-        const std::size_t nearest = nearestOf(curve, junction.point);
-        if ((points_[nearest] - junction.point).norm() > scale_.touching) {
-            return;
-        }
-        for (std::size_t i = nearest; i < curve.to; ++i) {
+        const int curve = curveIndex_[nearest];
+        for (std::size_t i = nearest; i < points_.size() && curveIndex_[i] == curve; ++i) {
             if (addWay(points_[i], junction)) {
                 break;
             }
         }
-        for (std::size_t i = nearest + 1; i-- > curve.from;) {
+        for (std::size_t i = nearest + 1; i-- > 0 && curveIndex_[i] == curve;) {
             if (addWay(points_[i], junction)) {
                 break;
             }
@@ -115,7 +111,7 @@ private:
     std::span<const Vector> points_;
     std::span<const int> curveIndex_;
     JunctionScale scale_;
-    std::vector<Curve> curves_;
+    BinGrid near_;   ///< by the first two coordinates
 };
 
 }   // namespace

@@ -1,4 +1,5 @@
 #include "core/registration/alignment/pose_ranking.h"
+#include "core/registration/alignment/alignment_points.h"
 
 #include <algorithm>
 #include <cmath>

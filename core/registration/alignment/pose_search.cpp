@@ -1,5 +1,6 @@
 #include "core/registration/alignment/pose_search.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/coarse_search.h"
 #include "core/registration/alignment/junction_search.h"
 #include "core/registration/alignment/territory_search.h"

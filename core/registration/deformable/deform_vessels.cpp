@@ -125,7 +125,7 @@ public:
     Verdict report(const BendFit& fit, double annealingPx)
     {
         IterationReport report;
-        report.stage = "bend";
+        report.stage = "bending";
         report.iteration = ++iterations_;
         report.progress = static_cast<double>(iterations_) / allSteps;
         report.scalePx = annealingPx;

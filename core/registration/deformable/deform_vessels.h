@@ -82,9 +82,6 @@ struct DeformableResult {
 Result<DeformableResult> deformVessels(std::span<const DeformableView> views, const DeformableOptions& options = {},
                                        const IterationObserver& observe = {});
 
-/// The tree with the displacements of a result, patient LPS.
-VesselTree bentTree(const VesselTree& tree, const DeformableResult& result);
-
 /// "rigid", "bent", "unsure".
 std::string_view toText(BendVerdict verdict);
 

@@ -1,5 +1,6 @@
 #include "core/registration/deformable/motion_of_tree.h"
 
+#include "core/registration/deformable/bent_tree.h"
 #include "core/registration/deformable/rigid_offset.h"
 #include "core/vessel/polyline.h"
 
@@ -237,6 +238,7 @@ DeformableResult bentResult(std::span<const DeformableView> views, const BendPro
         result.branches[b].displacementMm = atPoints(branches[b], &motion[first], count);
         result.branches[b].covariance = atPoints(branches[b], &covariances[first], count);
         result.branches[b].seenShare = seen[b];
+        roundMotion(result.branches[b]);
     }
     result.spreadMm = rmsInPlane(spread, knots.lengthMm);
     result.placeStdMm = rmsInPlane(covariances, knots.lengthMm);
@@ -244,19 +246,6 @@ DeformableResult bentResult(std::span<const DeformableView> views, const BendPro
     result.explainedShare = fit.explainedShare();
     result.noisePx = fit.state().noisePx;
     return result;
-}
-
-VesselTree bentTree(const VesselTree& tree, const DeformableResult& result)
-{
-    VesselTree bent = tree;
-    for (std::size_t b = 0; b < std::min(bent.branches.size(), result.branches.size()); ++b) {
-        auto& points = bent.branches[b].pointsInPatient;
-        const auto& motion = result.branches[b].displacementMm;
-        for (std::size_t i = 0; i < std::min(points.size(), motion.size()); ++i) {
-            points[i] += motion[i];
-        }
-    }
-    return bent;
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,7 @@
 #include "core/registration/judging/followed_vessels.h"
 
 #include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/alignment_points.h"
 
 #include <cmath>
 

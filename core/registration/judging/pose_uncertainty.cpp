@@ -1,6 +1,7 @@
 #include "core/registration/judging/pose_uncertainty.h"
 
 #include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/shape_tolerance.h"
 #include "core/support/symmetric.h"

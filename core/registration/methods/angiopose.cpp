@@ -2,6 +2,7 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/messages/says.h"
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/final_refinement.h"
 #include "core/registration/alignment/pose_ranking.h"
 #include "core/registration/alignment/pose_search.h"

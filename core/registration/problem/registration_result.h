@@ -138,7 +138,8 @@ struct RegistrationResult {
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<UnfilledBranch> unfilled;   ///< in the tree's order; the pose rests on the others
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
-    /// What bending the vessels from this pose found; null: it was not asked. Of several views it belongs to the first.
+    /// What bending the vessels from this pose found; null: it was not asked. Of views that are
+    /// registered together every result has it with its own view as the first (MultiViewResult: once for all).
     std::shared_ptr<const DeformableResult> bent;
     std::vector<IterationReport> history;   ///< for the convergence plot
     bool trustworthy = false;

@@ -1,15 +1,9 @@
 #include "io/case/fields/result_fields.h"
 
-#include "io/case/fields/json_values.h"
+#include "io/case/fields/bent_fields.h"
 #include "io/case/fields/option_values.h"
+#include "io/case/fields/result_rows.h"
 #include "io/support/lasting_text.h"
-#include "io/support/message_json.h"
-#include "io/support/pose_matrix.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 
 namespace angiopose::io {
 namespace {
@@ -24,29 +18,9 @@ using core::PoseUncertainty;
 using core::Provenance;
 using core::RegistrationResult;
 using core::StageTimes;
-using core::StopReason;
 using core::UnfilledBranch;
 
 constexpr std::size_t longestStageName = 40;
-
-/// A number that need not be known: JSON has no NaN, null stands for it.
-Json measureSchema()
-{
-    return {{"type", {"number", "null"}}};
-}
-
-double measureFrom(const Json& value)
-{
-    return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
-}
-
-template <class Owner>
-StoredField<Owner> storedMeasure(std::string key, double Owner::*member)
-{
-    StoredField<Owner> field = storedValue(std::move(key), measureSchema(), member);
-    field.read = [member](const Json& value, Owner& owner, Reading&) { owner.*member = measureFrom(value); };
-    return field;
-}
 
 /// A column is a list, a matrix a list of its rows.
 template <class Owner, int Rows, int Columns>
@@ -72,21 +46,6 @@ StoredField<Owner> storedMeasures(std::string key, Eigen::Matrix<double, Rows, C
                 }
                 return json;
             }};
-}
-
-/// Of anything that has a pose.
-template <class Owner>
-StoredField<Owner> storedPose(core::RigidTransform Owner::*member)
-{
-    return {"cameraFromPatient", definedAs("matrix"),
-            [member](const Json& value, Owner& owner, Reading& reading) {
-                if (const auto pose = poseFromRows(value.get<MatrixRows>())) {
-                    owner.*member = pose.value();
-                } else {
-                    reading.problems.push_back(pose.error().message.about("result"));
-                }
-            },
-            [member](const Owner& owner, const fs::path&) { return Json(rowsOf(owner.*member)); }};
 }
 
 StoredFields<DistanceMetrics> distanceMetricsFields()
@@ -195,30 +154,6 @@ StoredFields<IterationReport> iterationFields()
             storedIfSet("view", Json{{"type", "integer"}, {"minimum", 0}}, &IterationReport::view)};
 }
 
-StoredField<RegistrationResult> stopReasonField()
-{
-    using enum StopReason;
-    static constexpr std::array reasons{Converged, IterationLimit, NoImprovement, StoppedByUser};
-    Json schema;
-    for (const StopReason reason : reasons) {
-        schema["enum"].push_back(core::toText(reason));
-    }
-    return {"stopReason", std::move(schema),
-            [](const Json& value, RegistrationResult& result, Reading&) {
-                result.stopReason = *std::ranges::find(reasons, value.get<std::string>(),
-                                                       [](StopReason reason) { return core::toText(reason); });
-            },
-            [](const RegistrationResult& result, const fs::path&) { return Json(core::toText(result.stopReason)); }};
-}
-
-StoredField<RegistrationResult> messagesField()
-{
-    return {
-        "messages", about(listSchema(Json{{"type", "object"}}), "The warnings, for programs."),
-        [](const Json& value, RegistrationResult& result, Reading&) { result.warnings = messagesFrom(value.dump()); },
-        [](const RegistrationResult& result, const fs::path&) { return Json::parse(messagesJson(result.warnings)); }};
-}
-
 StoredField<Provenance> runOptionsField()
 {
     return {"options", about(Json{{"type", "object"}}, "Those it was found with."),
@@ -260,8 +195,8 @@ const StoredFields<RegistrationResult>& resultFields()
             storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),
                        hypothesisFields()),
             storedValue("trustworthy", flagSchema(), &RegistrationResult::trustworthy),
-            messagesField(),
-            stopReasonField(),
+            storedMessages(&RegistrationResult::warnings),
+            storedReason(&RegistrationResult::stopReason),
             storedValue("iterations", Json{{"type", "integer"}, {"minimum", 0}}, &RegistrationResult::iterations),
             storedPart("timeMs", Json::object(), &RegistrationResult::time, timeFields()),
         };
@@ -277,6 +212,7 @@ const StoredFields<RegistrationResult>& resultFields()
 StoredField<core::View> resultField()
 {
     StoredFields<RegistrationResult> rows = resultFields();
+    rows.push_back(bentField());
     rows.push_back(
         storedList("history", Json::object(), &RegistrationResult::history, Json::object(), iterationFields()));
     Json schema = objectSchema(propertiesOf(rows),

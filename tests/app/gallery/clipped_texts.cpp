@@ -50,9 +50,16 @@ QString problemOf(const QLabel& label)
     return needed > label.width() + tolerancePx ? described(label, label.text(), label.width(), needed) : QString();
 }
 
+/// A sign alone, whose words are its tip.
+bool isSign(const QAbstractButton& button)
+{
+    const auto* tool = qobject_cast<const QToolButton*>(&button);
+    return tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull();
+}
+
 QString problemOf(const QAbstractButton& button)
 {
-    if (button.text().isEmpty()) {
+    if (button.text().isEmpty() || isSign(button)) {
         return {};
     }
     const int mark = qobject_cast<const QCheckBox*>(&button) ? 20 : 0;

@@ -4,6 +4,7 @@
 #include "app/document/edit_case.h"
 #include "app/files/sample_case.h"
 #include "tests/app/gallery/clipped_texts.h"
+#include "tests/support/patience.h"
 #include "tests/support/simulated_views.h"
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/dialogs/recovery_dialog.h"
@@ -26,8 +27,6 @@
 
 namespace angiopose::test {
 namespace {
-
-constexpr int patienceMs = 120000;
 
 /// A picture of hardly any colours shows nothing.
 bool isEmpty(const QImage& picture)
@@ -98,12 +97,17 @@ void Gallery::run()
     window.resize(1024, 720);
     showWindow(window, QStringLiteral("small"));
     window.resize(1440, 900);
+    showModes(window);
     unfoldAll(window);
     showPanels(window);
     showDialogs(window);
     showRareDialogs(window);
+    showQuestions(window, controller);
     showTrial(window, controller);
     showViews(window, controller);
+    window.actions()[ui::Command::SideBySide]->setChecked(false);
+    window.resize(1440, 900);
+    showScan(window, controller);
 }
 
 /// A length, an angle and an area in the image, and a branch along which is measured.

@@ -32,6 +32,9 @@ private:
     void showRareDialogs(ui::MainWindow& window);
     void showTrial(ui::MainWindow& window, app::CaseController& controller);
     void showViews(ui::MainWindow& window, app::CaseController& controller);
+    void showModes(ui::MainWindow& window);
+    void showQuestions(ui::MainWindow& window, app::CaseController& controller);
+    void showScan(ui::MainWindow& window, app::CaseController& controller);
     void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
     void showWindow(QWidget& window, const QString& name);
     void showPanels(QWidget& window);

@@ -77,11 +77,14 @@ QString overlayOf(app::CaseController& controller, const QString& folder)
 {
     const QString path = folder + QStringLiteral("/overlay.png");
     QFile::remove(path);
+    QString refusal;
+    const auto hearing = QObject::connect(&controller.exporting(), &app::ExportController::failed, &controller,
+                                          [&refusal](const QString& why) { refusal = why; });
     controller.exporting().exportOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
-    if (!QTest::qWaitFor([&path] { return QFile::exists(path); }, patienceMs)) {
-        return QStringLiteral("could not be exported");
-    }
-    return digestOf(contentOf(path));
+    const bool hasEnded = QTest::qWaitFor([&] { return QFile::exists(path) || !refusal.isEmpty(); }, patienceMs);
+    QObject::disconnect(hearing);
+    return hasEnded && refusal.isEmpty() ? digestOf(contentOf(path))
+                                         : QStringLiteral("could not be exported: ") + refusal;
 }
 
 /// As of a list that was just filled: in the tree's order, from its beginning, with nothing under the mouse.
@@ -105,6 +108,9 @@ void putBack(app::WindowHost& host, const Switches& fresh, const QByteArray& lay
     }
     while (window.angiogramView().scene().mode() != ui::OverlayMode::Centerline) {
         window.actions()[ui::Command::Outline]->trigger();
+    }
+    while (window.angiogramView().cutout() != ui::Cutout::Shape::None) {
+        window.actions()[ui::Command::Swipe]->trigger();
     }
     window.showNormal();
     window.restoreLayout(layout);

@@ -2,13 +2,17 @@
 
 #include "tests/app/session/case_sight.h"
 #include "tests/app/session/random_user.h"
+#include "tests/app/session/words_of_window.h"
 #include "tests/support/patience.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QDir>
+#include <QElapsedTimer>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <stdexcept>
+#include <utility>
 
 namespace angiopose::test {
 namespace {
@@ -77,12 +81,30 @@ class Walk {
 public:
     explicit Walk(const RandomWalk& plan) : plan_(plan)
     {
+        timer_.start();
         open(host_, plan.files);
         fresh_ = switchesOf(host_.window());
         layout_ = host_.window().layoutState();
     }
 
+    /// Tells how long it took to come so far.
+    void tell(const char* stage)
+    {
+        if (plan_.told) {
+            plan_.told(QStringLiteral("[%1: %2 s]")
+                           .arg(QLatin1String(stage))
+                           .arg(1e-3 * static_cast<double>(timer_.restart()), 0, 'f', 1));
+        }
+    }
+
     QStringList textIn(const char* name) { return caseTextOf(host_.controller().document().current(), folder(name)); }
+
+    /// Only what has words: Qt makes parts of its lists when they are first used.
+    QStringList wordsOfResult()
+    {
+        static const QRegularExpression withWords(QStringLiteral("^[^|]*\\|[^|]*\\|.*[^|]"));
+        return wordsOf(host_.window().result()).filter(withWords);
+    }
 
     void work()
     {
@@ -107,11 +129,10 @@ public:
     QStringList changedByReopening()
     {
         const QString path = savedIn(host_.controller(), folder("saved"));
-        const CaseSight before = sightOf(host_, fresh_, layout_, folder("before"));
+        const CaseSight before = restingSight();
         host_.window().hide();
         app::WindowHost other;
         open(other, {path});
-        constexpr int mostLooks = 10;   // what workers add may come late on a busy machine
         QStringList changed;
         for (int look = 0; look < mostLooks && (look == 0 || !changed.isEmpty()); ++look) {
             QTest::qWait(look == 0 ? 0 : 1000);
@@ -125,9 +146,27 @@ public:
     void redoAll() { repeat(host_, ui::Command::Redo); }
 
 private:
+    static constexpr int mostLooks = 10;   // what workers add may come late on a busy machine
+
+    /// Seen twice alike.
+    CaseSight restingSight()
+    {
+        CaseSight sight = sightOf(host_, fresh_, layout_, folder("before"));
+        for (int look = 0; look < mostLooks; ++look) {
+            QTest::qWait(500);
+            CaseSight next = sightOf(host_, fresh_, layout_, folder("before"));
+            if (differencesBetween(sight, next, folder("before")).isEmpty()) {
+                return next;
+            }
+            sight = std::move(next);
+        }
+        throw std::runtime_error("does not come to rest on the screen");
+    }
+
     QString folder(const char* name) const { return plan_.folder + QLatin1Char('/') + QLatin1String(name); }
 
     RandomWalk plan_;
+    QElapsedTimer timer_;
     app::WindowHost host_;
     Switches fresh_;   ///< of a window that has just opened the case
     QByteArray layout_;
@@ -140,12 +179,19 @@ QStringList surprisesOf(const RandomWalk& plan)
     try {
         Walk walk(plan);
         const QStringList start = walk.textIn("start");
+        const QStringList resultAtStart = walk.wordsOfResult();
+        walk.tell("opened");
         walk.work();
+        walk.tell("worked");
         QStringList surprises = walk.changedByReopening();
+        walk.tell("reopened");
         const QStringList end = walk.textIn("end");
         walk.undoAll();
+        walk.tell("undone");
         surprises << differenceBetween(QStringLiteral("undone"), start, walk.textIn("undone"));
+        surprises << differenceBetween(QStringLiteral("undone result"), resultAtStart, walk.wordsOfResult());
         walk.redoAll();
+        walk.tell("redone");
         surprises << differenceBetween(QStringLiteral("redone"), end, walk.textIn("redone"));
         return surprises;
     } catch (const std::runtime_error& stuck) {

@@ -18,7 +18,8 @@ struct RandomWalk {
 };
 
 /// What went differently: what differs between the window as it was left and as it is reopened, between the case at the
-/// start and after undoing everything, between what was saved and after doing everything again. Empty: nothing.
+/// start and after undoing everything, with what is told of the result, between what was saved and after doing
+/// everything again. Empty: nothing.
 QStringList surprisesOf(const RandomWalk& walk);
 
 }   // namespace angiopose::test

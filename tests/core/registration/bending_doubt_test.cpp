@@ -64,13 +64,35 @@ TEST(BendingDoubt, AHalfThatMovedIsSaidAndShakesTrust)
     ASSERT_TRUE(result.bent);
     EXPECT_NE(result.bent->verdict, BendVerdict::Rigid);
     EXPECT_FALSE(result.trustworthy);
-    const Message* said = find(result.warnings, says::bendRigidOff);
+    const Message* said =
+        find(result.warnings, result.bent->verdict == BendVerdict::Bent ? says::bendRigidOff : says::bendMayBeOff);
     ASSERT_NE(said, nullptr);
     EXPECT_EQ(said->severity(), Severity::Warning);
     EXPECT_GT(std::get<Quantity>(said->arguments()[1]).value, 3.0) << said->text();
     EXPECT_NE(find(result.warnings, says::bendPartMoved), nullptr);
     EXPECT_GT(result.uncertainty.inPlaneMm, 2.0 * without.uncertainty.inPlaneMm);
     EXPECT_GT(result.bent->rigid.meanMm, 1.0);
+}
+
+TEST(BendingDoubt, StoppedWhileBendingIsNotTrusted)
+{
+    const test::CleanCase clean(3);
+    const RegistrationInput input = clean.from(clean.truth);
+    RegistrationOptions always;
+    always.bending = Bending::Always;
+    const auto stopAtBending = [](const IterationReport& report) {
+        return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
+    };
+    const RegistrationResult toTheEnd = registerVessels(input, always).value();
+    const RegistrationResult stopped = registerVessels(input, always, stopAtBending).value();
+
+    EXPECT_TRUE(toTheEnd.trustworthy);
+    EXPECT_EQ(stopped.cameraFromPatient.matrix(), toTheEnd.cameraFromPatient.matrix());
+    EXPECT_EQ(stopped.stopReason, StopReason::StoppedByUser);
+    EXPECT_FALSE(stopped.trustworthy);
+    const Message* said = find(stopped.warnings, says::bendStopped);
+    ASSERT_NE(said, nullptr);
+    EXPECT_EQ(said->severity(), Severity::Warning);
 }
 
 TEST(BendingDoubt, LocksAreNotBentByThemselves)

@@ -1,6 +1,7 @@
 #include "core/registration/registration.h"
 
 #include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/alignment_points.h"
 #include "tests/support/clean_case.h"
 #include "tests/support/matchers.h"
 

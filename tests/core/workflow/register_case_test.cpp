@@ -1,5 +1,7 @@
 #include "core/workflow/register_case.h"
 
+#include "core/registration/deformable/bent_tree.h"
+
 #include "core/geometry/angle_units.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/messages/says.h"
@@ -180,31 +182,38 @@ TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
     const auto run = registerCase(values, plan, [&](const WorkReport& report) {
         EXPECT_GE(report.fraction, last);
         last = report.fraction;
-        hasBent = hasBent || report.stage == "bend";
+        hasBent = hasBent || report.stage == "bending";
         return Verdict::Continue;
     });
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_TRUE(hasBent);
-    ASSERT_TRUE(run.value().bent);
-    EXPECT_EQ(run.value().bent->branches.size(), values.vessels.tree->branches.size());
-    EXPECT_EQ(run.value().bent->viewPoses.size(), 2u);
+    ASSERT_TRUE(run.value().result().bent);
+    for (const View& view : run.value().theCase.views) {   // each has it with its own view as the first
+        ASSERT_TRUE(view.result->bent);
+        EXPECT_TRUE(isOf(*values.vessels.tree, *view.result->bent));
+        ASSERT_EQ(view.result->bent->viewPoses.size(), 2u);
+        EXPECT_EQ(view.result->bent->cameraFromPatient.matrix(), view.result->bent->viewPoses[0].matrix());
+        const Eigen::Vector3d centroid = centroidInPatient(*values.vessels.tree);
+        EXPECT_LT((view.result->bent->cameraFromPatient * centroid - view.cameraFromPatient * centroid).norm(), 2.0);
+    }
     Case rigid = values;
     rigid.options.bending = Bending::Off;
-    EXPECT_FALSE(registerCase(rigid, {}).value().bent);
+    EXPECT_FALSE(registerCase(rigid, {}).value().result().bent);
 
-    // Stopped while bending: the rigid result stays, the bent one says so.
+    // Stopped while bending: the rigid pose stays, untrusted, for it was not looked at to the end.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
-        return report.stage == "bend" ? Verdict::Stop : Verdict::Continue;
+        return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
     });
     ASSERT_TRUE(stopped);
-    EXPECT_EQ(stopped.value().result().stopReason, StopReason::Converged);
-    EXPECT_EQ(stopped.value().bent->stopReason, StopReason::StoppedByUser);
+    EXPECT_EQ(stopped.value().result().stopReason, StopReason::StoppedByUser);
+    EXPECT_FALSE(stopped.value().result().trustworthy);
+    EXPECT_EQ(stopped.value().result().bent->stopReason, StopReason::StoppedByUser);
 
     // Stopped before: not begun.
     const auto early = registerCase(
         values, plan, [](const WorkReport& report) { return report.iteration ? Verdict::Stop : Verdict::Continue; });
     ASSERT_TRUE(early);
-    EXPECT_FALSE(early.value().bent);
+    EXPECT_FALSE(early.value().result().bent);
 }
 
 }   // namespace

@@ -1,6 +1,9 @@
 #include "core/messages/says.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/registration/registration.h"
 #include "io/messages/says.h"
+#include "io/motion_table.h"
+#include "io/result_file.h"
 #include "tests/io/case/small_case.h"
 
 #include <cmath>
@@ -10,6 +13,38 @@ using namespace angiopose;
 namespace {
 
 using test::SmallCase;
+
+/// What bending could find: every point of a tree moved, each otherwise.
+core::DeformableResult richBend(const core::Case& theCase)
+{
+    core::DeformableResult bent;
+    bent.verdict = core::BendVerdict::Unsure;
+    bent.cameraFromPatient = theCase.shown().cameraFromPatient;
+    bent.viewPoses = {bent.cameraFromPatient, core::RigidTransform{}};
+    double number = 1.0;
+    for (const core::VesselBranch& branch : theCase.vessels.tree->branches) {
+        core::BranchMotion& motion = bent.branches.emplace_back();
+        motion.branchId = branch.id;
+        motion.seenShare = 1.0 / 3.0;
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            number *= -1.07;
+            motion.displacementMm.emplace_back(number / 3.0, 0.1 * number, number);
+            Eigen::Matrix3d covariance = Eigen::Vector3d(0.1 / 3.0, 0.02, 4.0).asDiagonal();
+            covariance(0, 2) = covariance(2, 0) = 0.01 * number;
+            motion.covariance.push_back(covariance);
+        }
+        core::roundMotion(motion);
+    }
+    bent.logEvidenceGain = 100.0 / 3.0;
+    bent.largestMotionMm = 3.25;
+    bent.rigid.meanMm = 0.7;
+    bent.rigid.farthestBranchId = theCase.vessels.tree->branches.front().id;
+    bent.stopReason = core::StopReason::IterationLimit;
+    bent.iterations = 14;
+    bent.timeMs = 99.5;
+    bent.messages = {core::says::bendDepthUnknown()};
+    return bent;
+}
 
 /// A result with every field set, as a run could leave it; the pose is that of `theCase`.
 core::RegistrationResult richResult(const core::Case& theCase)
@@ -111,6 +146,45 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     ASSERT_TRUE(io::saveCase(copy, small.path("again.angiopose")));
     EXPECT_EQ(test::readText(small.path("again.angiopose")), test::readText(small.path("saved.angiopose")));
     EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
+}
+
+TEST_F(CaseResult, KeepsTheBentVessels)
+{
+    const core::DeformableResult was = richBend(theCase);
+    theCase.shown().result->bent = std::make_shared<const core::DeformableResult>(was);
+    ASSERT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+    const core::Case copy = reopened();
+    ASSERT_TRUE(copy.shown().result && copy.shown().result->bent);
+    const core::DeformableResult& is = *copy.shown().result->bent;
+    EXPECT_EQ(is.verdict, was.verdict);
+    EXPECT_EQ(is.cameraFromPatient.matrix(), was.cameraFromPatient.matrix());
+    ASSERT_EQ(is.viewPoses.size(), 2U);
+    ASSERT_TRUE(core::isOf(*theCase.vessels.tree, is));
+    for (std::size_t b = 0; b < was.branches.size(); ++b) {
+        EXPECT_EQ(is.branches[b].displacementMm, was.branches[b].displacementMm);
+        EXPECT_EQ(is.branches[b].covariance, was.branches[b].covariance);
+    }
+    EXPECT_EQ(is.rigid.meanMm, 0.7);
+    EXPECT_EQ(is.stopReason, core::StopReason::IterationLimit);
+    EXPECT_EQ(is.messages, was.messages);
+    EXPECT_EQ(io::resultJson(copy, *copy.shown().result), io::resultJson(theCase, *theCase.shown().result));
+    ASSERT_TRUE(io::writeMotion(*theCase.vessels.tree, was, small.path("was.csv")));
+    ASSERT_TRUE(io::writeMotion(*copy.vessels.tree, is, small.path("is.csv")));
+    EXPECT_EQ(test::readText(small.path("is.csv")), test::readText(small.path("was.csv")));
+
+    ASSERT_TRUE(io::saveCase(copy, small.path("again.angiopose")));
+    EXPECT_EQ(test::readText(small.path("again.angiopose")), test::readText(small.path("saved.angiopose")));
+    EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
+}
+
+TEST_F(CaseResult, WithBentVesselsOfAnotherTreeGoes)
+{
+    core::DeformableResult bent = richBend(theCase);
+    bent.branches.front().displacementMm.pop_back();
+    theCase.shown().result->bent = std::make_shared<const core::DeformableResult>(bent);
+    ASSERT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+    EXPECT_FALSE(reopened().shown().result);
+    EXPECT_TRUE(test::anyContains(small.warnings, "Register again"));
 }
 
 TEST_F(CaseResult, GoesWithThePoseItFound)

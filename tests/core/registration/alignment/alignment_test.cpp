@@ -1,4 +1,5 @@
 #include "core/registration/alignment/alignment.h"
+#include "core/registration/alignment/alignment_points.h"
 
 #include "tests/support/clean_case.h"
 

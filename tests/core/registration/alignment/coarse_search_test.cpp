@@ -1,5 +1,6 @@
 #include "core/registration/alignment/coarse_search.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "core/registration/alignment/shape_tolerance.h"
 
+#include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/shape_field.h"
 #include "core/support/random.h"
 #include "tests/support/clean_case.h"

@@ -1,5 +1,7 @@
 #include "core/registration/deformable/deform_vessels.h"
 
+#include "core/registration/deformable/bent_tree.h"
+
 #include "core/messages/says.h"
 #include "tests/support/clean_case.h"
 
@@ -160,7 +162,7 @@ TEST(DeformVessels, StopKeepsTheRigidPose)
     int told = 0;
     double progress = 0.0;
     const auto result = deformVessels(std::vector{tree.view()}, {}, [&](const IterationReport& report) {
-        EXPECT_EQ(report.stage, "bend");
+        EXPECT_EQ(report.stage, "bending");
         EXPECT_GE(report.progress, progress);
         progress = report.progress;
         return ++told == 5 ? Verdict::Stop : Verdict::Continue;

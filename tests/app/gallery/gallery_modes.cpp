@@ -1,0 +1,84 @@
+// The states that commands and files lead to: modes with bars and captions, slices, boxes with a question.
+#include "app/case_controller.h"
+#include "io/volume_file.h"
+#include "tests/app/gallery/gallery.h"
+#include "tests/support/forked_vessel.h"
+#include "tests/support/patience.h"
+
+#include <QAction>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <array>
+#include <utility>
+
+namespace angiopose::test {
+
+/// Each switched on by itself, over the registered case.
+void Gallery::showModes(ui::MainWindow& window)
+{
+    using enum ui::Command;
+    const std::array modes{
+        std::pair{Nudge, "nudging"},         std::pair{EditVessels, "editing"},   std::pair{MeasureLength, "length"},
+        std::pair{MeasureAngle, "angle"},    std::pair{MeasureArea, "area"},      std::pair{Lasso, "lasso"},
+        std::pair{Landmarks, "landmarking"}, std::pair{PickPivot, "pivot"},       std::pair{ShiftMask, "shifting"},
+        std::pair{Swipe, "swipe"},           std::pair{FromSource, "source"},     std::pair{Outline, "outline"},
+        std::pair{ImageOnly, "image_only"},  std::pair{CornerOnly, "corner_only"}};
+    for (const auto& [command, name] : modes) {
+        QAction* action = window.actions()[command];
+        if (!action->isEnabled()) {
+            problems_ << QStringLiteral("%1 cannot be shown").arg(QLatin1String(name));
+            continue;
+        }
+        action->trigger();
+        showWindow(window, QString::fromLatin1(name));
+        if (action->isChecked()) {
+            action->trigger();
+        }
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QTest::qWait(50);
+    }
+}
+
+/// What is told and asked: a file that is not there, changes that were not saved, all that was told so far.
+void Gallery::showQuestions(ui::MainWindow& window, app::CaseController& controller)
+{
+    controller.open({QStringLiteral("/studies/2026-03/run-12.dcm")});
+    if (!QTest::qWaitFor([&controller] { return !controller.isLoading(); }, patienceMs)) {
+        qFatal("The opening did not end.");
+    }
+    QTest::qWait(300);
+    takeDialogs(window, QStringLiteral("not_found"));
+    window.actions()[ui::Command::CloseCase]->trigger();
+    QTest::qWait(300);
+    takeDialogs(window, QStringLiteral("unsaved"));
+    window.actions()[ui::Command::Messages]->trigger();
+    QTest::qWait(300);
+    takeDialogs(window, QStringLiteral("messages"));
+}
+
+/// A scan being traced: slices in the middle, then in the corner.
+void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("scan.nrrd"));
+    const auto isAtRest = [&controller] { return !controller.isLoading() && !controller.tracing().isRunning(); };
+    controller.document().replace({}, {});
+    if (!io::writeVolume(forkScan(), path.toStdString())) {
+        qFatal("The scan was not written.");
+    }
+    controller.open({path});
+    if (!QTest::qWaitFor([&] { return isAtRest() && controller.document().current().vessels.scan; }, patienceMs)) {
+        qFatal("The scan did not open.");
+    }
+    QTest::qWait(500);
+    showWindow(window, QStringLiteral("scan"));
+    window.actions()[ui::Command::SlicesLarge]->setChecked(true);
+    QTest::qWait(500);
+    showWindow(window, QStringLiteral("slices"));
+    window.resize(1024, 720);
+    showWindow(window, QStringLiteral("slices_small"));
+    window.resize(1440, 900);
+}
+
+}   // namespace angiopose::test

@@ -1,0 +1,133 @@
+#include "core/registration/deformable/bent_tree.h"
+#include "io/case/case_file.h"
+#include "io/vessel_tree_file.h"
+#include "tests/app/open_window.h"
+#include "tests/support/bent_case.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/actions/window_actions.h"
+
+namespace angiopose::app {
+namespace {
+
+using test::OpenWindow;
+
+constexpr double mostMm = 4.0;
+
+/// The sample beside its start pose, with bent vessels.
+struct BentWindow : OpenWindow {
+    BentWindow()
+    {
+        openSample();
+        core::Case moved = current();
+        moved.shown().cameraFromPatient.translation.x() += 2.0;   // from the start pose
+        controller.document().replace(test::withBentVessels(std::move(moved), mostMm), {});
+        waitForJudgement();
+    }
+
+    const ui::OverlayContent& content() { return window.angiogramView().scene().content(); }
+    const core::DeformableResult& bent() { return *current().shown().result->bent; }
+
+    /// How far the drawn tree lies from another one, mm.
+    double farthestFrom(const core::VesselTree& tree)
+    {
+        double mm = 0.0;
+        for (std::size_t b = 0; b < tree.branches.size(); ++b) {
+            for (std::size_t i = 0; i < tree.branches[b].pointsInPatient.size(); ++i) {
+                mm = std::max(
+                    mm, (content().tree.branches[b].pointsInPatient[i] - tree.branches[b].pointsInPatient[i]).norm());
+            }
+        }
+        return mm;
+    }
+    bool isRigidDrawn() { return farthestFrom(*current().vessels.tree) == 0.0; }
+    bool isBentDrawn() { return farthestFrom(core::bentTree(*current().vessels.tree, bent())) < 1e-6; }
+};
+
+TEST(WindowBent, DrawsTheBentVesselsAndComparesByOneKey)
+{
+    BentWindow w;
+    EXPECT_TRUE(w.isBentDrawn());
+    EXPECT_NEAR(w.farthestFrom(*w.current().vessels.tree), mostMm, 0.01);
+    w.press(Qt::Key_Y, Qt::ShiftModifier);
+    EXPECT_TRUE(w.isRigidDrawn());
+    w.press(Qt::Key_Y, Qt::ShiftModifier);
+    EXPECT_TRUE(w.isBentDrawn());
+    EXPECT_FALSE(w.history().canUndo()) << "how it is shown is no edit";
+}
+
+TEST(WindowBent, DrawsThemAtNoOtherPose)
+{
+    BentWindow w;
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.history().canUndo(); }, test::patienceMs));
+    EXPECT_FALSE(w.current().shown().result);
+    EXPECT_TRUE(w.isRigidDrawn());
+    w.press(Qt::Key_N);
+    w.controller.document().undo();
+    EXPECT_TRUE(w.isBentDrawn());
+    w.controller.document().redo();
+    EXPECT_TRUE(w.isRigidDrawn());
+    w.controller.document().undo();
+    w.press(Qt::Key_F);   // the start pose for a moment
+    EXPECT_TRUE(w.isRigidDrawn());
+    w.press(Qt::Key_F);
+    EXPECT_TRUE(w.isBentDrawn());
+}
+
+TEST(WindowBent, ColoursByHowFarTheyMoved)
+{
+    BentWindow w;
+    const auto residuals = w.content().residualPx;
+    w.press(Qt::Key_M, Qt::ShiftModifier);
+    ASSERT_FALSE(w.content().residualPx.empty());
+    EXPECT_EQ(w.content().scaleMaximumPx, 5.0);   // mm: the round number above 4
+    const auto& branch = w.current().vessels.tree->branches.front();
+    const std::vector<double>& moved = w.content().residualPx.at(branch.id);
+    ASSERT_EQ(moved.size(), branch.pointsInPatient.size());
+    EXPECT_NEAR(moved.front(), 0.0, 1e-3);
+    EXPECT_NEAR(moved.back(), mostMm, 0.2);   // across the ray, which is not quite z
+    w.press(Qt::Key_M, Qt::ShiftModifier);
+    EXPECT_EQ(w.content().residualPx, residuals);
+}
+
+TEST(WindowBent, ReopensThemAsTheyWere)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("bent.angiopose");
+    core::VesselTree drawn;
+    {
+        BentWindow w;
+        drawn = w.content().tree;
+        ASSERT_TRUE(io::saveCase(w.current(), path));
+    }
+    OpenWindow again;
+    again.drop({QString::fromStdString(path)});
+    again.waitForJudgement();
+    const core::VesselTree& reopened = again.window.angiogramView().scene().content().tree;
+    ASSERT_EQ(reopened.branches.size(), drawn.branches.size());
+    for (std::size_t b = 0; b < drawn.branches.size(); ++b) {
+        EXPECT_EQ(reopened.branches[b].pointsInPatient, drawn.branches[b].pointsInPatient);
+    }
+}
+
+TEST(WindowBent, ExportsTreeAndMotion)
+{
+    const test::TemporaryFolder folder;
+    BentWindow w;
+    for (const char* const name : {"bent.vtp", "motion.csv"}) {
+        w.window.actions()[ui::Command::ExportBent]->trigger();
+        w.saveAs(QString::fromStdString(folder.file(name)));
+        EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.window.findChild<QFileDialog*>(); }, test::patienceMs));
+    }
+    const auto bent = io::readVesselTree(folder.file("bent.vtp"));
+    const auto unbent = io::readVesselTree(folder.file("motion.csv"));
+    ASSERT_TRUE(bent) << bent.error().message;
+    ASSERT_TRUE(unbent) << unbent.error().message;
+    const Eigen::Vector3d moved =
+        bent.value().branches.front().pointsInPatient.back() - unbent.value().branches.front().pointsInPatient.back();
+    EXPECT_NEAR(moved.norm(), mostMm, 0.01);
+}
+
+}   // namespace
+}   // namespace angiopose::app

@@ -1,0 +1,83 @@
+// What gives room and takes it back: words in other languages, sentences and plots that come and go.
+#include "ui/panels/result_panel.h"
+#include "ui/plots/convergence_plot.h"
+#include "ui/plots/histogram_plot.h"
+#include "ui/words/spoken.h"
+
+#include <gtest/gtest.h>
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+
+namespace angiopose::ui {
+namespace {
+
+/// A pose moved by hand of which so many sentences are told.
+JudgedPose moved(std::size_t sentences)
+{
+    JudgedPose judged;
+    judged.source = PoseSource::Edited;
+    judged.residualsMm = {0.5, 1.0};
+    judged.scaleMaximumMm = 2.0;
+    judged.result.trustworthy = false;
+    judged.result.warnings.assign(sentences,
+                                  core::Message::verbatim("A sentence that takes a line or two of the card."));
+    return judged;
+}
+
+/// What the sentences keep at least, shown or not.
+int keptHeight(const ResultPanel& panel)
+{
+    int height = 0;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) {
+        height += label->wordWrap() ? label->minimumHeight() : 0;
+    }
+    return height;
+}
+
+TEST(ResultPanel, KeepsRoomWhileAPoseIsMovedAndGivesItBackAtRest)
+{
+    ResultPanel panel;
+    panel.setFixedWidth(300);
+    panel.show();
+    panel.showJudgement(moved(5), {});
+    QTest::qWait(50);
+    EXPECT_EQ(keptHeight(panel), 0);
+    panel.showJudgement(moved(1), {});
+    EXPECT_GT(keptHeight(panel), 0);   // nothing below moves under the hand
+    EXPECT_TRUE(QTest::qWaitFor([&] { return keptHeight(panel) == 0; }, 5000));
+}
+
+TEST(ResultPanel, PlotsGiveTheirRoomBack)
+{
+    ResultPanel panel;
+    const auto& histogram = *panel.findChild<HistogramPlot*>();
+    const auto& convergence = *panel.findChild<ConvergencePlot*>();
+    const int empty = histogram.minimumHeight();
+    panel.showJudgement(moved(0), {});
+    panel.showHistory(std::vector<core::IterationReport>(2));
+    const int full = histogram.minimumHeight();
+    ASSERT_GT(full, empty);
+    panel.showNothing(QStringLiteral("nothing"));
+    panel.showHistory({});
+    EXPECT_EQ(histogram.minimumHeight(), full);
+    EXPECT_GT(convergence.minimumHeight(), full);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return histogram.minimumHeight() == empty && convergence.minimumHeight() == empty; }, 5000));
+}
+
+TEST(Words, AChoiceIsAsNarrowAsItsWordsOnceLongerOnesAreGone)
+{
+    QComboBox box;
+    box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    setWords(box, {QStringLiteral("by name"), QStringLiteral("by length")});
+    box.show();
+    const int leastPx = box.minimumSizeHint().width();
+    setWords(box, {QStringLiteral("nach dem Namen der Gefäße"), QStringLiteral("nach der Länge")});
+    ASSERT_GT(box.minimumSizeHint().width(), leastPx);
+    setWords(box, {QStringLiteral("by name"), QStringLiteral("by length")});
+    EXPECT_EQ(box.minimumSizeHint().width(), leastPx);
+}
+
+}   // namespace
+}   // namespace angiopose::ui
