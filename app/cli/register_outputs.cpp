@@ -197,8 +197,10 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     if (registered.result().bent) {
         printBent(*registered.result().bent);
     }
-    printLine("written", registered.joint ? (fs::path(folder) / "joint.json").string()
-                                          : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm");
+    const std::string bentFiles = isBentWritten(registered) ? ", bent.vtp, motion.csv" : "";
+    printLine("written", registered.joint
+                             ? (fs::path(folder) / "joint.json").string() + bentFiles
+                             : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm" + bentFiles);
 }
 
 }   // namespace angiopose::app

@@ -91,6 +91,9 @@ void PosePanel::showLocks(const PoseLocks& locks)
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i].lock->setChecked(locks[i]);
         rows_[i].field->setReadOnly(locks[i]);
+        if (locks[i]) {   // what was marked in it cannot be typed over any more
+            rows_[i].field->deselect();
+        }
     }
     mark();
 }

@@ -45,6 +45,19 @@ TEST(PosePanel, ShowsAtOnceThatALockedValueCannotBeTyped)
     EXPECT_EQ(locked, field->grab().toImage());
 }
 
+TEST(PosePanel, WhatIsLockedKeepsNoMarkedText)
+{
+    PosePanel panel;
+    panel.showOffset(core::PoseOffset{});
+    auto* field = panel.findChild<NumberField*>();
+    field->selectAll();
+    ASSERT_TRUE(field->hasSelectedText());
+    PoseLocks locks{};
+    locks.fill(true);
+    panel.showLocks(locks);
+    EXPECT_FALSE(field->hasSelectedText());
+}
+
 TEST(PosePanel, TogglesALockByItsDot)
 {
     PosePanel panel;
