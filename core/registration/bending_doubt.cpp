@@ -61,26 +61,33 @@ void withdrawExplained(RigidJudgement judgement)
     }
 }
 
+/// By which people know a branch: as it is labelled, else its number.
+std::string nameOrNumber(const VesselTree& tree, int branchId)
+{
+    const VesselBranch* branch = tree.find(branchId);
+    return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
+}
+
 /// How far the rigid overlay is off, as surely as the bend is known.
-Message offWords(const DeformableResult& bent)
+Message offWords(const DeformableResult& bent, const VesselTree& tree)
 {
     const Quantity mean = inMm(bent.rigid.meanMm, 1);
     const Quantity farthest = inMm(bent.rigid.farthestMm, 1);
-    const std::string branch = std::to_string(bent.rigid.farthestBranchId);
+    const std::string branch = nameOrNumber(tree, bent.rigid.farthestBranchId);
     return bent.verdict == BendVerdict::Bent ? says::bendRigidOff(mean, farthest, branch)
                                              : says::bendMayBeOff(mean, farthest, branch);
 }
 
 /// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said,
 /// first where it is sure.
-void tellBend(const DeformableResult& bent, RigidJudgement judgement)
+void tellBend(const DeformableResult& bent, const VesselTree& tree, RigidJudgement judgement)
 {
     const bool isOff = std::hypot(bent.rigid.meanMm, bent.placeStdMm) > mostRigidOffMm;
     if (bent.verdict == BendVerdict::Bent && !isOff) {
         withdrawExplained(judgement);
     }
     judgement.trustworthy = judgement.trustworthy && !isOff;
-    Messages said{offWords(bent).as(isOff ? Severity::Warning : Severity::Note)};
+    Messages said{offWords(bent, tree).as(isOff ? Severity::Warning : Severity::Note)};
     std::ranges::copy_if(bent.messages, std::back_inserter(said),
                          [](const Message& message) { return !message.is(says::bendDepthUnknown); });
     const auto place =
@@ -123,7 +130,7 @@ std::shared_ptr<const DeformableResult> judgeByBending(std::span<const Deformabl
     } else if (result->verdict != BendVerdict::Rigid) {
         const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
         replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);
-        tellBend(*result, judgement);
+        tellBend(*result, views.front().input.tree, judgement);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #include "ui/panels/result_sentences.h"
 
 #include "core/messages/says.h"
+#include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double agreeingMm = 0.5;   ///< branches with a median below this agree
 constexpr double disagreeingMm = 1.0;   ///< branches with a median above this are named
+constexpr double seenEnough = 0.5;   ///< of a branch's length
 
 /// The words of this file.
 struct ResultWords {
@@ -96,7 +98,18 @@ QString depthWords(const core::RegistrationResult& result)
                : ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(*depthMm));
 }
 
-/// Of branches that the run itself does not call empty.
+/// Whether the vessels were found bent, and this branch of them in the image: its distance has been said and explained.
+bool isExplainedByBending(const core::RegistrationResult& result, int branchId)
+{
+    if (!result.bent || result.bent->verdict != core::BendVerdict::Bent) {
+        return false;
+    }
+    return std::ranges::any_of(result.bent->branches, [branchId](const core::BranchMotion& motion) {
+        return motion.branchId == branchId && motion.seenShare >= seenEnough;
+    });
+}
+
+/// Of branches that the run itself does not call empty and that no bend explains.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
     QStringList names;
@@ -105,7 +118,8 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
         const core::VesselBranch* branch = tree.find(residual.branchId);
         const double medianMm = residual.medianPx * mmPerPx;
         const auto isIt = [&residual](const core::UnfilledBranch& each) { return each.branchId == residual.branchId; };
-        if (branch && medianMm > disagreeingMm && std::ranges::none_of(result.unfilled, isIt)) {
+        if (branch && medianMm > disagreeingMm && std::ranges::none_of(result.unfilled, isIt) &&
+            !isExplainedByBending(result, residual.branchId)) {
             names << displayName(*branch);
             worstMm = std::max(worstMm, medianMm);
         }

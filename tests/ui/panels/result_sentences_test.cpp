@@ -1,5 +1,6 @@
 #include "ui/panels/result_sentences.h"
 #include "core/messages/says.h"
+#include "core/registration/deformable/deform_vessels.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,20 @@ TEST(ResultSentences, DoNotRepeatThatABranchIsEmpty)
     result.unfilled = {{2, 0.9}};
     const auto sentences = sentencesOf(result, treeOf({"LM", ""}), 0.3);
     EXPECT_FALSE(sentences.doubtful.join(' ').contains(QStringLiteral("Branch 2"))) << "the run's warning names it";
+}
+
+TEST(ResultSentences, DoNotCallABranchEmptyThatABendExplains)
+{
+    for (const core::BendVerdict verdict : {core::BendVerdict::Bent, core::BendVerdict::Unsure}) {
+        core::RegistrationResult result = resultWith({10.0, 10.0});
+        core::DeformableResult bent;
+        bent.verdict = verdict;
+        bent.branches = {{1, {}, {}, 0.9}, {2, {}, {}, 0.1}};
+        result.bent = std::make_shared<const core::DeformableResult>(bent);
+        const QString said = sentencesOf(result, treeOf({"LM", ""}), 0.3).doubtful.join(' ');
+        EXPECT_TRUE(said.contains(QStringLiteral("Branch 2"))) << "it was not seen where the bend has it";
+        EXPECT_EQ(said.contains(QStringLiteral("LM")), verdict != core::BendVerdict::Bent) << said.toStdString();
+    }
 }
 
 TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
