@@ -30,6 +30,48 @@ BottomStrip::BottomStrip(QWidget* parent)
 {
     setProperty("role", "strip");
     setAttribute(Qt::WA_StyledBackground);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(4);
+    left->addWidget(saveState_);
+    left->addWidget(undoState_);
+    left->addStretch(1);
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 8, 14, 8);
+    layout->setSpacing(18);
+    layout->addLayout(left, 3);
+    layout->addLayout(placedFrames(), 12);
+    layout->addLayout(placedTask(), 4);
+    setFixedHeight(stripHeight);
+    speak(this, [this] {
+        if (progress_->isHidden() || task_.isEmpty()) {
+            showIdle(tr("Ready"));
+        }
+    });
+}
+
+/// The bars, and below them what plays them and a note.
+QLayout* BottomStrip::placedFrames()
+{
+    auto* frames = new QVBoxLayout;
+    frames->setSpacing(3);
+    frames->addWidget(frames_, 1);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(10);
+    below->addWidget(play_);
+    below->addWidget(frameNote_, 1);
+    frames->addLayout(below);
+    play_->hide();
+    connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
+    connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
+    connect(frames_, &FrameBars::loopMarked, this, &BottomStrip::loopMarked);
+    connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
+    return frames;
+}
+
+/// What runs, how far it is, and Stop, whose place stays when nothing runs.
+QLayout* BottomStrip::placedTask()
+{
     status_->setWordWrap(true);
     status_->setTextFormat(Qt::PlainText);
     status_->setMinimumWidth(1);
@@ -41,47 +83,17 @@ BottomStrip::BottomStrip(QWidget* parent)
     QSizePolicy keepsPlace = stop_->sizePolicy();
     keepsPlace.setRetainSizeWhenHidden(true);
     stop_->setSizePolicy(keepsPlace);
-
-    auto* left = new QVBoxLayout;
-    left->setSpacing(4);
-    left->addWidget(saveState_);
-    left->addWidget(undoState_);
-    left->addStretch(1);
-    auto* centre = new QVBoxLayout;
-    centre->setSpacing(3);
-    centre->addWidget(frames_, 1);
-    auto* below = new QHBoxLayout;
-    below->setSpacing(10);
-    below->addWidget(play_);
-    below->addWidget(frameNote_, 1);
-    centre->addLayout(below);
-    play_->hide();
-    auto* task = new QVBoxLayout;
-    task->setSpacing(6);
-    task->addWidget(status_, 1);
-    task->addWidget(progress_);
-    auto* right = new QHBoxLayout;
-    right->setSpacing(10);
-    right->addLayout(task, 1);
-    right->addWidget(stop_, 0, Qt::AlignVCenter);
-
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(14, 8, 14, 8);
-    layout->setSpacing(18);
-    layout->addLayout(left, 3);
-    layout->addLayout(centre, 12);
-    layout->addLayout(right, 4);
-    setFixedHeight(stripHeight);
-    connect(frames_, &FrameBars::frameRequested, this, &BottomStrip::frameRequested);
-    connect(frames_, &FrameBars::maskRangeMarked, this, &BottomStrip::maskRangeMarked);
-    connect(frames_, &FrameBars::loopMarked, this, &BottomStrip::loopMarked);
-    connect(frames_, &FrameBars::plotRequested, this, &BottomStrip::plotRequested);
     connect(stop_, &QPushButton::clicked, this, &BottomStrip::stopRequested);
-    speak(this, [this] {
-        if (progress_->isHidden() || task_.isEmpty()) {
-            showIdle(tr("Ready"));
-        }
-    });
+
+    auto* words = new QVBoxLayout;
+    words->setSpacing(6);
+    words->addWidget(status_, 1);
+    words->addWidget(progress_);
+    auto* task = new QHBoxLayout;
+    task->setSpacing(10);
+    task->addLayout(words, 1);
+    task->addWidget(stop_, 0, Qt::AlignVCenter);
+    return task;
 }
 
 void BottomStrip::showFrames(const FrameCurve& curve)

@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+class QLayout;
 class QProgressBar;
 class QPushButton;
 
@@ -44,6 +45,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    QLayout* placedFrames();
+    QLayout* placedTask();
     void showTask(const QString& text);
     void fitTask();
 

@@ -37,8 +37,24 @@ ViewStrip::ViewStrip(QWidget* parent)
 {
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
-    sideBySide_->setIcon(QIcon(QStringLiteral(":/icons/side_by_side.svg")));
-    crosshair_->setIcon(QIcon(QStringLiteral(":/icons/crosshair.svg")));
+    auto* add = new QToolButton;
+    add->setText(QStringLiteral("+"));
+    withName(add, [] { return tr("Add a view"); });
+    withTip(add, [] { return tr("Another angiogram of the same vessels (Ctrl+Shift+V)"); });
+    connect(add, &QToolButton::clicked, this, &ViewStrip::addRequested);
+    setUpList();
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(4, 2, 8, 2);
+    layout->setSpacing(6);
+    layout->addWidget(list_, 1);
+    layout->addLayout(placedSwitches());
+    layout->addWidget(add);
+    hide();
+}
+
+void ViewStrip::setUpList()
+{
     withName(list_, [] { return tr("Views of the case"); });
     list_->setFlow(QListView::LeftToRight);
     list_->setMovement(QListView::Static);
@@ -49,38 +65,7 @@ ViewStrip::ViewStrip(QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     list_->setFixedHeight(viewPictureSize + 10);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
-    auto* add = new QToolButton;
-    add->setText(QStringLiteral("+"));
-    withName(add, [] { return tr("Add a view"); });
-    withTip(add, [] { return tr("Another angiogram of the same vessels (Ctrl+Shift+V)"); });
-    withText(sideBySide_, [] { return tr("Side by side"); });
-    withTip(sideBySide_,
-            [] { return tipWithKey(tr("All views beside each other, or the shown one alone"), Command::SideBySide); });
-    sideBySide_->setCheckable(true);
-    withText(crosshair_, [] { return tr("Cross-hair"); });
-    withTip(crosshair_, [] {
-        return tipWithKey(
-            tr("What is under the pointer in one view is a line in the others, and a point on the vessels"),
-            Command::LinkedCrosshair);
-    });
-    crosshair_->setCheckable(true);
-    crosshair_->hide();
-    for (QToolButton* button : {sideBySide_, crosshair_}) {
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    }
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(4, 2, 8, 2);
-    layout->setSpacing(6);
-    layout->addWidget(list_, 1);
-    auto* switches = new QVBoxLayout;   // one over the other: the width is for the pictures
-    switches->setSpacing(2);
-    switches->addWidget(sideBySide_);
-    switches->addWidget(crosshair_);
-    layout->addLayout(switches);
-    layout->addWidget(add);
-    connect(add, &QToolButton::clicked, this, &ViewStrip::addRequested);
-    connect(crosshair_, &QToolButton::clicked, this, &ViewStrip::crosshairRequested);
-    connect(sideBySide_, &QToolButton::clicked, this, &ViewStrip::sideBySideRequested);
+    list_->installEventFilter(this);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (!showing_ && row >= 0) {
             emit viewPicked(row);
@@ -91,8 +76,33 @@ ViewStrip::ViewStrip(QWidget* parent)
             emit menuRequested(list_->row(item), list_->viewport()->mapToGlobal(at));
         }
     });
-    list_->installEventFilter(this);
-    hide();
+}
+
+/// One over the other: the width is for the pictures.
+QLayout* ViewStrip::placedSwitches()
+{
+    sideBySide_->setIcon(QIcon(QStringLiteral(":/icons/side_by_side.svg")));
+    crosshair_->setIcon(QIcon(QStringLiteral(":/icons/crosshair.svg")));
+    withText(sideBySide_, [] { return tr("Side by side"); });
+    withTip(sideBySide_,
+            [] { return tipWithKey(tr("All views beside each other, or the shown one alone"), Command::SideBySide); });
+    withText(crosshair_, [] { return tr("Cross-hair"); });
+    withTip(crosshair_, [] {
+        return tipWithKey(
+            tr("What is under the pointer in one view is a line in the others, and a point on the vessels"),
+            Command::LinkedCrosshair);
+    });
+    crosshair_->hide();
+    connect(crosshair_, &QToolButton::clicked, this, &ViewStrip::crosshairRequested);
+    connect(sideBySide_, &QToolButton::clicked, this, &ViewStrip::sideBySideRequested);
+    auto* switches = new QVBoxLayout;
+    switches->setSpacing(2);
+    for (QToolButton* button : {sideBySide_, crosshair_}) {
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        switches->addWidget(button);
+    }
+    return switches;
 }
 
 bool ViewStrip::eventFilter(QObject* watched, QEvent* event)

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+class QLayout;
 class QListWidget;
 class QToolButton;
 
@@ -44,6 +45,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void setUpList();
+    QLayout* placedSwitches();
     void fit();
     void fitSwitches(bool hasWords);
     void fitItem(int index, int widthPx);
