@@ -1,37 +1,20 @@
-#include "app/texts/overlay_picture.h"
-
-#include "app/files/sample_case.h"
-#include "io/case/case_file.h"
+#include "tests/app/sample_picture.h"
 #include "tests/support/bent_case.h"
 
-#include <gtest/gtest.h>
 #include <cstdlib>
 
 namespace angiopose::app {
 namespace {
 
-class OverlayPicture : public ::testing::Test {
+class OverlayPicture : public test::SamplePicture {
 protected:
-    void SetUp() override
-    {
-        const auto path = writeSampleCase();
-        ASSERT_TRUE(path) << path.error().message;
-        core::Messages warnings;
-        auto loaded = io::loadCase(path.value().toStdString(), warnings);
-        ASSERT_TRUE(loaded) << loaded.error().message;
-        sample = std::move(loaded).value();
-        options.widthPx = 512;
-        options.coloring = OverlayColoring::Branches;
-    }
+    OverlayPicture() : SamplePicture(512) {}
     core::ColorImage drawn(const OverlayPictureOptions& wanted) const
     {
         auto picture = drawOverlay(sample, {}, wanted);
         EXPECT_TRUE(picture) << picture.error().message;
         return picture ? std::move(picture).value() : core::ColorImage{};
     }
-
-    core::Case sample;
-    OverlayPictureOptions options;
 };
 
 /// Pixels that differ in the columns `from` … `to`, below the texts on top and above those at the bottom.

@@ -1,7 +1,7 @@
 #include "app/files/pdf_picture.h"
 #include "app/texts/picture_file.h"
-#include "io/case/case_file.h"
 #include "tests/app/open_window.h"
+#include "tests/app/sample_picture.h"
 #include "tests/support/temporary_folder.h"
 
 #include <QComboBox>
@@ -70,19 +70,9 @@ QImage rastered(const std::string& svg, int width, int height)
     return picture;
 }
 
-class VectorPictures : public ::testing::Test {
+class VectorPictures : public test::SamplePicture {
 protected:
-    void SetUp() override
-    {
-        const auto path = writeSampleCase();
-        ASSERT_TRUE(path) << path.error().message;
-        core::Messages warnings;
-        auto loaded = io::loadCase(path.value().toStdString(), warnings);
-        ASSERT_TRUE(loaded) << loaded.error().message;
-        sample = std::move(loaded).value();
-        options.widthPx = pictureWidth;
-        options.coloring = OverlayColoring::Branches;
-    }
+    VectorPictures() : SamplePicture(pictureWidth) {}
     QImage pixels() const
     {
         const auto drawn = drawOverlay(sample, {}, options);
@@ -100,8 +90,6 @@ protected:
     }
     std::string svg(const PictureFile& file = {}) const { return svgOf(vectors(file), factsOf(sample, file)); }
 
-    core::Case sample;
-    OverlayPictureOptions options;
     const test::TemporaryFolder folder;
 };
 

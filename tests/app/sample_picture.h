@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/files/sample_case.h"
+#include "app/texts/overlay_picture.h"
+#include "io/case/case_file.h"
+
+#include <gtest/gtest.h>
+
+namespace angiopose::test {
+
+/// The sample case as a file of it reads, and options for pictures of it.
+class SamplePicture : public ::testing::Test {
+protected:
+    explicit SamplePicture(int widthPx)
+    {
+        options.widthPx = widthPx;
+        options.coloring = app::OverlayColoring::Branches;
+    }
+    void SetUp() override
+    {
+        const auto path = app::writeSampleCase();
+        ASSERT_TRUE(path) << path.error().message;
+        core::Messages warnings;
+        auto loaded = io::loadCase(path.value().toStdString(), warnings);
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        sample = std::move(loaded).value();
+    }
+
+    core::Case sample;
+    app::OverlayPictureOptions options;
+};
+
+}   // namespace angiopose::test
