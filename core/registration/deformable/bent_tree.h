@@ -16,8 +16,7 @@ const BranchMotion* motionOf(const DeformableResult& result, int branchId);   //
 VesselTree bentTree(const VesselTree& tree, const DeformableResult& result);
 
 /// The bent tree in the patient axes of another pose of the first view: projected with `cameraFromPatient`, mostly the
-/// rigid pose,
-/// it lies where the bent vessels lie.
+/// rigid pose, it lies where the bent vessels lie.
 VesselTree bentTreeAt(const VesselTree& tree, const DeformableResult& result, const RigidTransform& cameraFromPatient);
 
 /// How far each point of a branch lies from its place in the other tree, mm, both projected with `cameraFromPatient`:

@@ -1,4 +1,5 @@
 #include "core/registration/methods/chosen_branches.h"
+
 #include "core/registration/alignment/alignment_points.h"
 
 #include <array>

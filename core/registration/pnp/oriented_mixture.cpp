@@ -1,4 +1,5 @@
 #include "core/registration/pnp/oriented_mixture.h"
+
 #include "core/registration/alignment/alignment_points.h"
 
 #include <algorithm>
