@@ -164,6 +164,7 @@ TEST_F(CliOnSimulatedCase, TellsErrorsAtCheckPoints)
     nlohmann::json json = nlohmann::json::parse(file);
     json["vessel"]["marks"] = {
         {{"id", 1}, {"kind", "check-point"}, {"name", "fork"}, {"pointInPatientMm", {0.0, 0.0, 0.0}}}};
+    json["angiogram"]["frame"] = 0;
     json["sightings"] = {{{"mark", 1}, {"pixel", {100, 100}}, {"frame", 0}}};
     std::ofstream(casePath_) << json;
     const auto table = runCli({"measure", casePath_, "--check-points"});
