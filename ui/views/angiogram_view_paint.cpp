@@ -81,7 +81,9 @@ void AngiogramView::paintAllMarks(QPainter& painter) const
         const QPointF place = widgetFromImage(pixel);
         return {place.x(), place.y()};
     };
-    LabelGround ground{1.0 * width(), 1.0 * height(), {}, {}};
+    MarkGround ground;
+    ground.width = width();
+    ground.height = height();
     for (const QRectF& bar : barPlaces()) {
         ground.taken.push_back({bar.left(), bar.right(), bar.top(), bar.bottom()});
     }

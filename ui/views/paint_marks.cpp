@@ -13,13 +13,13 @@
 namespace angiopose::ui {
 namespace {
 
-void paintMarkLine(QPainter& painter, const PixelLine& line, const QColor& tone, const Palette& tones)
+void paintMarkLine(QPainter& painter, const PixelLine& line, const QColor& tone, const Color& rim)
 {
     QPolygonF points;
     for (const Eigen::Vector2d& at : line) {
         points << QPointF(at.x(), at.y());
     }
-    painter.setPen(QPen(colorOf(tones.field, 0.7), 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(colorOf(rim, 0.6), 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);
     painter.setPen(QPen(tone, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);
@@ -64,7 +64,7 @@ void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const Ma
         const std::vector<PixelLine> lines = linesOf(mark, placeOf, markSizePx);
         std::ranges::copy(pointsAlong(lines, markSizePx), std::back_inserter(ground.avoided));
         for (const PixelLine& line : lines) {
-            paintMarkLine(painter, line, colorOf(toneOf(mark, ground.tones)), ground.tones);
+            paintMarkLine(painter, line, colorOf(toneOf(mark, ground.tones)), ground.rim);
         }
     }
     const std::vector<WantedLabel> labels = wantedLabels(painter, marks, placeOf);
@@ -73,7 +73,7 @@ void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const Ma
         if (!marks[i].label.empty()) {
             const QRectF box(corners[i].x(), corners[i].y(), labels[i].size.x(), labels[i].size.y());
             drawShadowedText(painter, box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, wordsOf(marks[i]),
-                             colorOf(toneOf(marks[i], ground.tones)), ground.tones);
+                             colorOf(toneOf(marks[i], ground.tones)), ground.rim);
         }
     }
     painter.restore();

@@ -13,11 +13,8 @@ inline constexpr double markSizePx = 5.0;
 
 /// What marks are drawn on.
 struct MarkGround : LabelGround {
-    MarkGround(const LabelGround& room = {}, const Palette& palette = ui::palette(ThemeMode::Dark))
-        : LabelGround(room), tones(palette)
-    {
-    }
-    Palette tones;   ///< images lie on black in every theme
+    Palette tones = palette(ThemeMode::Dark);   ///< images lie on black in every theme
+    Color rim = palette(ThemeMode::Dark).canvas;   ///< around lines and letters
 };
 
 /// Draws marks with their labels; `placeOf` gives widget px. Labels keep clear of what the ground has, whose size

@@ -21,9 +21,9 @@ QFont sized(QFont font, int px)
 }
 
 void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
-                      const Palette& tones)
+                      const Color& rim)
 {
-    painter.setPen(colorOf(tones.field, 0.6));
+    painter.setPen(colorOf(rim, 0.6));
     for (const double y : {-1.0, 0.0, 1.0}) {   // a rim all round: readable on any picture, without a box
         for (const double x : {-1.0, 0.0, 1.0}) {
             painter.drawText(box.translated(x, y), flags, text);

@@ -123,8 +123,9 @@ void TreeView::paintPlaces(QPainter& painter) const
             mark.pixels = {placeOf(place.pointInPatient)};
         }
     }
-    paintMarks(painter, marks, [](const Eigen::Vector2d& at) { return at; },
-               {LabelGround{1.0 * width(), 1.0 * height(), {}, {}}, ui::palette(theme_)});
+    const Palette& tones = ui::palette(theme_);
+    const LabelGround room{1.0 * width(), 1.0 * height(), {}, {}};
+    paintMarks(painter, marks, [](const Eigen::Vector2d& at) { return at; }, {room, tones, tones.field});
 }
 
 void TreeView::setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient)
