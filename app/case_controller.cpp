@@ -23,6 +23,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       landmarks_(document_,
                  {window.actions(), window.landmarks(), window.angiogramView(), window.treeView(), window.slices()}),
       measure_(document_, sync_, preview_, {window.actions(), window.measure(), window.angiogramView()}),
+      marks_(document_, sync_, preview_,
+             {window.actions(), window.marks(), window.angiogramView(), window.treeView(), window.slices()}),
       start_(document_, window.actions()),
       geometry_(document_, window.geometryPanel()),
       angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
@@ -96,6 +98,7 @@ void CaseController::connectWindow()
     });
     connect(&window_, &ui::MainWindow::pointPicked, &pivot_, &PivotController::pickIfWanted);
     connect(&window_, &ui::MainWindow::pointPicked, &landmarks_, &LandmarkController::pickPoint);
+    connect(&window_, &ui::MainWindow::pointPicked, &marks_, &MarkController::pickPoint);
     connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setPlace);
     connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::dropPick);
     connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
@@ -120,6 +123,7 @@ void CaseController::connectNotes()
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
     connect(&profile_, &ProfileController::refused, &notices_, &Notices::showNote);
+    connect(&marks_, &MarkController::refused, &notices_, &Notices::showNote);
     connect(&measure_, &MeasureController::refused, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);
     connect(&start_, &StartPoseController::done, &notices_, &Notices::showNote);

@@ -7,6 +7,7 @@
 #include "app/editing/geometry_controller.h"
 #include "app/editing/history_controller.h"
 #include "app/editing/landmark_controller.h"
+#include "app/editing/mark_controller.h"
 #include "app/editing/measure_controller.h"
 #include "app/editing/pivot_controller.h"
 #include "app/editing/pose_controller.h"
@@ -95,6 +96,7 @@ private:
     PivotController pivot_;
     LandmarkController landmarks_;
     MeasureController measure_;
+    MarkController marks_;
     StartPoseController start_;
     GeometryController geometry_;
     AngiogramController angiogram_;

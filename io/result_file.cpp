@@ -5,6 +5,7 @@
 #include "core/geometry/angle_units.h"
 #include "io/case/fields/bent_fields.h"
 #include "io/case/fields/result_fields.h"
+#include "io/check_point_table.h"
 #include "io/edited_curves.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -77,6 +78,9 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     }
     if (result.bent) {
         root["deformable"] = bentSummary(*result.bent);
+    }
+    if (!theCase.vessels.marks.empty()) {
+        root["checkPoints"] = Json::parse(checkPointJson(theCase));
     }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -61,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
       pose_(new PosePanel),
       landmarks_(new LandmarkPanel),
       measure_(new MeasurePanel),
+      marks_(new MarkPanel),
       profile_(new ProfilePanel),
       registration_(new RegistrationPanel),
       result_(new ResultPanel),
@@ -86,6 +87,10 @@ MainWindow::MainWindow(QWidget* parent)
     showWith(Command::Landmarks, landmarks_);
     for (const Command mode : {Command::MeasureLength, Command::MeasureAngle, Command::MeasureArea}) {
         showWith(mode, measure_);
+    }
+    for (const Command mode :
+         {Command::CheckPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow, Command::WriteText}) {
+        showWith(mode, marks_);
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
         if (!folded) {   // also when something is missing: what has to be filled in is in sight
@@ -175,6 +180,7 @@ QWidget* MainWindow::makeRightColumn()
     verdict->insertWidget(verdict->indexOf(&result_->solutions()) + 1, snapshots_);
     layout->addWidget(landmarks_);
     layout->addWidget(measure_);
+    layout->addWidget(marks_);
     layout->addWidget(profile_);
     layout->addWidget(angiogramPanel_);
     layout->addWidget(geometry_);

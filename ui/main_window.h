@@ -7,6 +7,7 @@
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/header_bar.h"
 #include "ui/panels/landmark_panel.h"
+#include "ui/panels/mark_panel.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/patient_bar.h"
 #include "ui/panels/pose_panel.h"
@@ -64,6 +65,7 @@ public:
     GeometryPanel& geometryPanel() { return *geometry_; }
     LandmarkPanel& landmarks() { return *landmarks_; }
     MeasurePanel& measure() { return *measure_; }
+    MarkPanel& marks() { return *marks_; }
     ProfilePanel& profile() { return *profile_; }
     RegistrationPanel& registration() { return *registration_; }
     ResultPanel& result() { return *result_; }
@@ -138,6 +140,7 @@ private:
     PosePanel* pose_;
     LandmarkPanel* landmarks_;
     MeasurePanel* measure_;
+    MarkPanel* marks_;
     ProfilePanel* profile_;
     RegistrationPanel* registration_;
     ResultPanel* result_;

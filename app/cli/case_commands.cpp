@@ -127,6 +127,15 @@ void addMeasure(CLI::App& app, int& exitCode)
                                        "Length, diameters, narrowest place, tortuosity and bends of every branch");
     command->add_option("--profile", arguments->profiledBranch, "Diameter and curvature along this branch, by its id")
         ->excludes(branches);
+    auto* checkPoints = command
+                            ->add_flag("--check-points", arguments->areCheckPointsWanted,
+                                       "Check points: how far the pose puts them from where they are seen, and what "
+                                       "it claims")
+                            ->excludes(branches);
+    command
+        ->add_flag_callback(
+            "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Check points as JSON")
+        ->needs(checkPoints);
     command->footer("Example: angiopose-cli measure case.angiopose --branches --output branches.csv");
     command->callback([arguments, &exitCode] { exitCode = runMeasure(*arguments); });
 }

@@ -68,6 +68,8 @@ struct MeasureArguments {
     std::string outputPath;   ///< empty: the table is printed
     bool areBranchesWanted = false;   ///< measures along every branch instead of those in the images
     std::optional<int> profiledBranch;   ///< places along this branch instead
+    bool areCheckPointsWanted = false;   ///< check points and rings instead
+    OutputFormat format = OutputFormat::Text;   ///< of check points
 };
 int runMeasure(const MeasureArguments& arguments);
 

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "core/messages/says.h"
 #include "io/branch_table.h"
+#include "io/check_point_table.h"
 #include "io/measurement_table.h"
 #include "io/support/atomic_file.h"
 
@@ -24,6 +25,9 @@ core::Result<std::string> wantedTable(const MeasureArguments& arguments, const c
 {
     if (arguments.profiledBranch) {
         return profileOfBranch(*theCase.vessels.tree, *arguments.profiledBranch);
+    }
+    if (arguments.areCheckPointsWanted) {
+        return arguments.format == OutputFormat::Json ? io::checkPointJson(theCase) : io::checkPointTable(theCase);
     }
     return arguments.areBranchesWanted ? io::branchTable(*theCase.vessels.tree) : io::measurementTable(theCase);
 }

@@ -44,6 +44,11 @@ using ShowView = SetFields<&Case::views, &Case::shownView>;
 
 using ChangeLandmarks = SetFields<&View::landmarks>;
 using ChangeMeasurements = SetFields<&View::measurements>;
+using TypeScale = SetFields<&View::typedMmPerPx>;
+using ChangeMarks = SetFields<&Vessels::marks>;
+using RemoveMarks = SetFields<&Vessels::marks, &Case::views>;   // with where they were seen, in all views
+using ChangeSightings = SetFields<&View::sightings>;
+using ChangeAnnotations = SetFields<&View::annotations>;
 
 /// A start pose found by hand or landmarks becomes the case's own.
 using PlaceVessels = SetFields<&View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;

@@ -57,6 +57,7 @@ void MeasureController::connectPanel()
 {
     const ui::MeasurePanel& panel = ui_.panel;
     connect(&panel, &ui::MeasurePanel::planePicked, this, &MeasureController::pickPlane);
+    connect(&panel, &ui::MeasurePanel::scaleTyped, this, &MeasureController::typeScale);
     connect(&panel, &ui::MeasurePanel::choiceChanged, this, &MeasureController::show);
     connect(&panel, &ui::MeasurePanel::renamed, this,
             [this](int place, const QString& name) { rename(static_cast<std::size_t>(place), name); });
@@ -144,6 +145,16 @@ void MeasureController::pickPlane(MeasurementPlane plane)
     show();
 }
 
+void MeasureController::typeScale(double mmPerPx)
+{
+    const std::optional<double> typed = mmPerPx > 0.0 ? std::optional(mmPerPx) : std::nullopt;
+    if (typed != document_.current().shown().typedMmPerPx) {
+        document_.push(std::make_unique<TypeScale>(document_, TypeScale::Values{typed},
+                                                   [] { return tr("Type scale of the image"); }));
+    }
+    show();
+}
+
 void MeasureController::change(std::vector<ImageMeasurement> measurements, const ui::Words& name)
 {
     document_.push(
@@ -161,6 +172,7 @@ void MeasureController::show()
     const bool isOne = !chosen.empty() && *chosen.begin() < static_cast<int>(measurements().size());
     state.plane = isOne ? measurements()[static_cast<std::size_t>(*chosen.begin())].plane : planeOfNext();
     state.basis = document_.current().shown().angiogram ? planeBasis(state.plane, seen()) : QString();
+    state.typedMmPerPx = document_.current().shown().typedMmPerPx;
     ui_.panel.showMeasurements(state);
     showMarks();
 }

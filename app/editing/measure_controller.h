@@ -43,6 +43,7 @@ private:
     void rename(std::size_t place, const QString& name);
     void remove(const std::set<int>& places);
     void pickPlane(core::MeasurementPlane plane);
+    void typeScale(double mmPerPx);
     void removeChosenOrLast();
     void change(std::vector<core::ImageMeasurement> measurements, const ui::Words& name);
     void show();

@@ -12,6 +12,7 @@
 #include "core/case/registration_input.h"
 #include "core/registration/deformable/bent_tree.h"
 #include "io/centerline2d_file.h"
+#include "io/check_point_table.h"
 #include "io/measurement_table.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
@@ -267,6 +268,18 @@ void ExportController::askMeasurements()
     askFile({tr("Export measurements"), tr("Tables (*.csv)"), QStringLiteral("measurements.csv")},
             [snapshot = document_.current()](const QString& path) {
                 return io::writeMeasurements(snapshot, path.toStdString());
+            });
+}
+
+void ExportController::askCheckPoints()
+{
+    if (document_.current().vessels.marks.empty()) {
+        emit failed(tr("No check points or rings have been set yet."));
+        return;
+    }
+    askFile({tr("Export check points"), tr("Tables (*.csv)"), QStringLiteral("checkpoints.csv")},
+            [snapshot = document_.current()](const QString& path) {
+                return io::writeCheckPoints(snapshot, path.toStdString());
             });
 }
 

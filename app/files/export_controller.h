@@ -44,6 +44,7 @@ public:
     void askPose();
     void askTrace();
     void askMeasurements();
+    void askCheckPoints();
     void askVessels(const Then& then = {});
     void askBent();   ///< the tree as it is bent, or how each of its points moved
 

@@ -1,5 +1,6 @@
 #include "app/files/report_measures.h"
 
+#include "app/words/mark_words.h"
 #include "app/words/measure_words.h"
 #include "core/measuring/branch_profile.h"
 #include "ui/words/number.h"
@@ -22,6 +23,17 @@ ReportRows measuredRows(const core::Case& theCase)
     ReportRows rows;
     for (const core::ImageMeasurement& measurement : view.measurements) {
         const ui::MeasureRow row = measureRow(measurement, {view, theCase.vessels.tree.get()});
+        rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
+    }
+    return rows;
+}
+
+ReportRows checkedRows(const core::Case& theCase)
+{
+    const auto checked = core::checkedPoints(theCase);
+    ReportRows rows;
+    for (const core::VesselMark& mark : theCase.vessels.marks) {
+        const ui::MarkRow row = markRow(mark, checked, theCase.shownView);
         rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
     }
     return rows;

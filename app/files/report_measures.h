@@ -15,6 +15,9 @@ using ReportRows = std::vector<std::pair<QString, QString>>;
 /// What was measured in the image of the shown view: value and basis of each.
 ReportRows measuredRows(const core::Case& theCase);
 
+/// Check points with their errors and what the pose claims, and rings; of the shown view and all together.
+ReportRows checkedRows(const core::Case& theCase);
+
 /// " · ⌀ 3.1 mm, narrowest 1.2 mm (−60 %)", by the tree's radii; nothing without.
 QString widthWords(const core::VesselBranch& branch);
 

@@ -199,6 +199,12 @@ QString measuredPart(const core::Case& theCase)
     return rows.empty() ? QString() : heading(ReportWords::tr("Measured in the image")) + table(rows);
 }
 
+QString checkedPart(const core::Case& theCase)
+{
+    const Rows rows = checkedRows(theCase);
+    return rows.empty() ? QString() : heading(ReportWords::tr("Check points and rings")) + table(rows);
+}
+
 QString geometryPart(const core::Case& theCase)
 {
     const ui::GeometryState state = geometryState(theCase);
@@ -244,7 +250,7 @@ QString viewPart(const ReportedView& view, const QString& picture, bool isAlone)
     }
     return title + QStringLiteral("<p>%1</p>").arg(picture) +
            beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase)) +
-           measuredPart(theCase);
+           measuredPart(theCase) + checkedPart(theCase);
 }
 
 QString inputPart(const CaseReport& report)

@@ -130,6 +130,7 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
     connect(actions[ui::Command::ExportMeasurements], &QAction::triggered, &export_,
             &ExportController::askMeasurements);
+    connect(actions[ui::Command::ExportCheckPoints], &QAction::triggered, &export_, &ExportController::askCheckPoints);
     connect(actions[ui::Command::ExportBent], &QAction::triggered, &export_, &ExportController::askBent);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });

@@ -1,6 +1,7 @@
 #include "app/texts/bent_vessels.h"
 
 #include "app/messages/says.h"
+#include "core/case/known_bend.h"
 #include "core/registration/deformable/bent_tree.h"
 
 #include <algorithm>
@@ -38,13 +39,7 @@ MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& bent,
 std::shared_ptr<const core::DeformableResult> drawableBend(const core::View& view, const core::Vessels& vessels,
                                                            const core::RigidTransform& pose)
 {
-    if (!view.result || !view.result->bent || !vessels.tree) {
-        return nullptr;
-    }
-    const core::DeformableResult& bent = *view.result->bent;
-    const bool isSeen = bent.verdict != core::BendVerdict::Rigid && bent.stopReason != core::StopReason::StoppedByUser;
-    const bool isHere = pose.matrix() == view.result->cameraFromPatient.matrix();
-    return isSeen && isHere && core::isOf(*vessels.tree, bent) ? view.result->bent : nullptr;
+    return core::knownBend(view, vessels, pose);
 }
 
 DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,

@@ -3,6 +3,7 @@
 #include "app/messages/says.h"
 #include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
+#include "app/texts/placed_marks.h"
 #include "core/case/case_patients.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 
 namespace angiopose::app {
@@ -139,14 +141,32 @@ ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& theCase, const co
     return scene.mode() == ui::OverlayMode::Hidden ? ScaleEnd{} : colorVessels(scene, theCase, target, options, drawn);
 }
 
-/// What was measured on the frame, in the words of the picture.
+/// What was measured on the frame, and the places of the vessels, in the words of the picture.
 std::vector<ui::ImageMark> marksIn(const core::Case& theCase, const OverlayPictureOptions& options)
 {
-    return marksOf({theCase.shown(), theCase.vessels.tree.get()}, theCase.shown().frame,
-                   [&options](const core::Message& message) {
-                       return options.texts({.topLeft = {message}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
-                           .topLeft.front();
-                   });
+    const auto toText = [&options](const core::Message& message) {
+        return options.texts({.topLeft = {message}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
+            .topLeft.front();
+    };
+    std::vector<ui::ImageMark> marks =
+        marksOf({theCase.shown(), theCase.vessels.tree.get()}, theCase.shown().frame, toText);
+    const PlacedView placed{theCase, theCase.shownView, theCase.shown().frame,
+                            options.radiograph ? VesselShape::Rigid : options.shape};
+    const std::vector<ui::ImageMark> places = placedMarks(placed, toText);
+    marks.insert(marks.end(), places.begin(), places.end());
+    return marks;
+}
+
+/// Where the vessels lie on the image: labels keep clear of them.
+std::vector<Eigen::Vector2d> drawnPoints(const ui::OverlayScene& scene)
+{
+    std::vector<Eigen::Vector2d> points;
+    for (const ui::ProjectedBranch& branch : scene.content().projected) {
+        for (const auto& run : branch.runs) {
+            std::ranges::transform(run, std::back_inserter(points), &ui::ProjectedPoint::px);
+        }
+    }
+    return points;
 }
 
 /// Pixels or vectors, as asked for.
@@ -190,7 +210,8 @@ core::Result<Picture> drawOne(const core::Case& theCase, const core::Centerline2
         return rendered.error();
     }
     Picture picture = std::move(rendered).value();
-    ui::burnMarks(picture, marksIn(theCase, options), wholeImage(frame), ui::burnSizes(width, height));
+    ui::burnMarks(picture, marksIn(theCase, options), wholeImage(frame), ui::burnSizes(width, height),
+                  drawnPoints(scene));
     return picture;
 }
 
@@ -237,6 +258,7 @@ core::Result<Picture> drawAs(const core::Case& theCase, const core::Centerline2d
     before.shown().cameraFromPatient = start.value();
     before.shown().result.reset();
     before.shown().measurements.clear();   // they would have other values there
+    before.shown().sightings.clear();
     const auto left = drawOne<Picture>(before, target, options, says::beforeAtStart());
     const auto right = drawOne<Picture>(theCase, target, options, says::afterAtPose());
     if (!left) {

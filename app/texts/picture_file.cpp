@@ -24,6 +24,7 @@ core::Case frameAlone(core::Case theCase)
 {
     theCase.shown().result.reset();
     theCase.shown().measurements.clear();
+    theCase.vessels.marks.clear();
     return theCase;
 }
 

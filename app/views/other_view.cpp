@@ -117,6 +117,9 @@ void OtherView::showPose()
     on_.pane.image().setPose(pose_);
     showShape();
     on_.pane.image().setMarks(windowMarks({view(), tree_.get(), pose_}, frame_));
+    on_.pane.image().setPlacedMarks(
+        windowPlacedMarks({current(), place_, frame_, on_.preview.shape(),
+                           [this](std::size_t place) { return on_.preview.poseIn(place); }}));
     showColors();
 }
 
@@ -187,6 +190,7 @@ void OtherView::clear()
     image.scene().setTree({});
     image.scene().setTracedCenterline({});
     image.setMarks({});
+    image.setPlacedMarks({});
     image.setCornerTexts({});
     image.setFrame({});
 }

@@ -68,4 +68,9 @@ std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame
     return marksOf(seen, frame, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
 }
 
+std::vector<ui::ImageMark> windowPlacedMarks(const PlacedView& placed)
+{
+    return placedMarks(placed, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
+}
+
 }   // namespace angiopose::app

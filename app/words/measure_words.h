@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/texts/placed_marks.h"
 #include "core/measuring/image_scale.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/scenes/image_mark.h"
@@ -17,5 +18,6 @@ QString measureLabel(const core::ImageMeasurement& measurement, const core::Meas
 
 /// The marks of a frame in the language of the window.
 std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame);
+std::vector<ui::ImageMark> windowPlacedMarks(const PlacedView& placed);
 
 }   // namespace angiopose::app

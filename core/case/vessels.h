@@ -4,6 +4,7 @@
 #include "core/imaging/angiogram.h"
 #include "core/imaging/volume.h"
 #include "core/tracing/volume/vessel_input.h"
+#include "core/vessel/vessel_mark.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <memory>
@@ -29,6 +30,7 @@ struct Vessels {
     std::vector<int> excludedBranchIds;
     std::vector<int> hiddenBranchIds;   ///< count, but are not drawn
     std::optional<Eigen::Vector3d> pickedPivotInPatient;   ///< see pivotInPatient
+    std::vector<VesselMark> marks;   ///< check points and rings, as the user named them
 };
 
 /// What the vessels turn about by hand, and whose shifts are shown and locked: picked, or the tree's centroid; nothing

@@ -2,8 +2,10 @@
 
 #include "core/case/input_file.h"
 #include "core/geometry/camera_spread.h"
+#include "core/geometry/image_annotation.h"
 #include "core/geometry/image_measurement.h"
 #include "core/geometry/landmark.h"
+#include "core/geometry/sighting.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/pose_snapshot.h"
 #include "core/registration/registration.h"
@@ -53,6 +55,9 @@ struct View {
     RigidTransform cameraFromPatient;   ///< where the tree is now
     std::vector<Landmark> landmarks;   ///< pairs the start pose can be found from
     std::vector<ImageMeasurement> measurements;   ///< drawn on its frames
+    std::optional<double> typedMmPerPx;   ///< what a pixel measures in the patient, as somebody says
+    std::vector<Sighting> sightings;   ///< of check points of the vessels, one for each of them and frame
+    std::vector<ImageAnnotation> annotations;   ///< arrows and words on its frames
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
     std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 

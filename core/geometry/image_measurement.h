@@ -8,8 +8,9 @@ namespace angiopose::core {
 
 enum class MeasurementKind { Length, Angle, Area };
 
-/// Where what is measured in an image is taken to lie; pixels: nowhere, they stay pixels.
-enum class MeasurementPlane { Vessels, Detector, Pixels };
+/// Where what is measured in an image is taken to lie; pixels: nowhere, they stay pixels; typed: where a pixel measures
+/// what somebody typed.
+enum class MeasurementPlane { Vessels, Detector, Pixels, Typed };
 
 /// Something measured in one frame of an image: a line along its points, the angle at the second of three, or the area
 /// inside a closed outline. Its value follows from camera and pose, see measureImage.

@@ -58,6 +58,14 @@ Result<ImageScale> scaleAtDetector(const View& view)
                       leastCertain({cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin})};
 }
 
+Result<ImageScale> scaleAsTyped(const View& view)
+{
+    if (!view.typedMmPerPx || !(*view.typedMmPerPx > 0.0) || !std::isfinite(*view.typedMmPerPx)) {
+        return Error(says::measureNeedsTypedScale());
+    }
+    return ImageScale{MeasurementPlane::Typed, Eigen::Vector2d::Constant(*view.typedMmPerPx), 0.0, Origin::User};
+}
+
 }   // namespace
 
 const RegistrationResult* MeasuredView::result() const
@@ -73,6 +81,8 @@ Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane
             return scaleAtVessels(seen);
         case MeasurementPlane::Detector:
             return scaleAtDetector(seen.view);
+        case MeasurementPlane::Typed:
+            return scaleAsTyped(seen.view);
         case MeasurementPlane::Pixels:
             break;
     }
@@ -81,7 +91,8 @@ Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane
 
 MeasurementPlane bestPlaneOf(const MeasuredView& seen)
 {
-    for (const MeasurementPlane plane : {MeasurementPlane::Vessels, MeasurementPlane::Detector}) {
+    for (const MeasurementPlane plane :
+         {MeasurementPlane::Vessels, MeasurementPlane::Typed, MeasurementPlane::Detector}) {
         if (imageScaleOf(seen, plane)) {
             return plane;
         }

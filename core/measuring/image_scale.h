@@ -35,11 +35,12 @@ struct MeasuredView {
     RigidTransform cameraFromPatient;
 };
 
-/// The scale at the vessels (depth of the tree's centroid at the pose), at the detector (its pixel spacing), or none.
+/// The scale at the vessels (depth of the tree's centroid at the pose), at the detector (its pixel spacing), as typed
+/// for the image, or none.
 /// Fails saying what is missing and how to supply it.
 Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane);
 
-/// The first plane, from the vessels on, that the view has a scale for.
+/// The first plane that the view has a scale for: at the vessels, as typed, at the detector, else pixels.
 MeasurementPlane bestPlaneOf(const MeasuredView& seen);
 
 }   // namespace angiopose::core

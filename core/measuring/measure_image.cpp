@@ -68,6 +68,8 @@ Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
             return says::measureBasisVessels(Quantity{scale.depthMm, 0, "mm"}, pixel);
         case MeasurementPlane::Detector:
             return says::measureBasisDetector(pixel);
+        case MeasurementPlane::Typed:
+            return says::measureBasisTyped(pixel);
         case MeasurementPlane::Pixels:
             break;
     }
@@ -139,6 +141,9 @@ Message labelOf(const MeasuredImage& measured, MeasurementKind kind)
     if (kind == MeasurementKind::Angle || !measured.scale.isInMm()) {
         return says::measuredPlain(measured.value);
     }
+    if (measured.scale.plane == MeasurementPlane::Typed) {
+        return says::measuredByTyped(measured.value);
+    }
     const Message label = measured.scale.plane == MeasurementPlane::Vessels ? says::measuredAtVessels(measured.value)
                                                                             : says::measuredAtDetector(measured.value);
     return measured.scale.origin == Origin::Assumed ? says::measuredAssumed(label) : label;
@@ -155,7 +160,8 @@ Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const Meas
     }
     if (measured.scale.isInMm() && measured.scale.origin == Origin::Assumed) {
         basis.push_back(says::measureScaleAssumed());
-    } else if (measured.scale.isInMm() && measured.scale.origin == Origin::User) {
+    } else if (measured.scale.isInMm() && measured.scale.origin == Origin::User &&
+               measured.scale.plane != MeasurementPlane::Typed) {
         basis.push_back(says::measureScaleTyped());
     }
     if (measured.scale.plane == MeasurementPlane::Vessels) {

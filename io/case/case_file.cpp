@@ -86,6 +86,7 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
     CaseDocument document = std::move(read).value();
     document.values.shown().caseFile = view.caseFile;
     view = std::move(document.values.shown());
+    view.sightings.clear();   // of check points that the other case has
     notes = std::move(document.notes.front());
     return core::Done{};
 }

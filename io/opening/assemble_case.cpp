@@ -74,6 +74,10 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
     core::View& view = base.shown();
     if (inputs.tree) {
         putTree(vessels, inputs);
+        vessels.marks.clear();   // of other vessels
+        for (core::View& each : base.views) {
+            each.sightings.clear();
+        }
     }
     if (inputs.volume && !inputs.tree) {
         vessels.scan = inputs.volume;
@@ -93,6 +97,9 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         view.landmarks.clear();   // of other vessels, or in another image
         if (inputs.angiogram) {
             view.measurements.clear();
+            view.sightings.clear();
+            view.annotations.clear();
+            view.typedMmPerPx.reset();
         }
         goToStart(base);
     }

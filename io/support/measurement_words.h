@@ -4,8 +4,11 @@
 
 namespace angiopose::io {
 
-/// Words of files for core::MeasurementKind and core::MeasurementPlane, in their order.
+/// Words of files for core::MeasurementKind, core::MeasurementPlane, core::VesselMarkKind and
+/// core::AnnotationKind, in their order.
 inline constexpr std::array measurementKinds{"length", "angle", "area"};
-inline constexpr std::array measurementPlanes{"vessels", "detector", "pixels"};
+inline constexpr std::array measurementPlanes{"vessels", "detector", "pixels", "typed"};
+inline constexpr std::array markKinds{"check-point", "ostium-ring"};
+inline constexpr std::array annotationKinds{"arrow", "text"};
 
 }   // namespace angiopose::io

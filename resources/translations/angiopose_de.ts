@@ -238,6 +238,10 @@
         <source>, narrowest %1 mm (−%2 %)</source>
         <translation>, engste Stelle %1 mm (−%2 %)</translation>
     </message>
+    <message>
+        <source>Check points and rings</source>
+        <translation>Prüfpunkte und Ringe</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -454,6 +458,14 @@
     <message>
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>No check points or rings have been set yet.</source>
+        <translation>Es sind noch keine Prüfpunkte oder Ringe gesetzt.</translation>
+    </message>
+    <message>
+        <source>Export check points</source>
+        <translation>Prüfpunkte exportieren</translation>
     </message>
 </context>
 <context>
@@ -5781,6 +5793,116 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <comment>measure.branch-no-reference</comment>
         <translation>Kein Teil dieses Astes ist gleichmäßig genug für eine Referenz: keine Verengung wird angegeben.</translation>
     </message>
+    <message>
+        <source>No scale was typed for this image. Type what a pixel measures, or measure in pixels.</source>
+        <comment>measure.needs-typed-scale</comment>
+        <translation>Für dieses Bild ist kein Maßstab eingegeben. Eingeben, was ein Pixel misst, oder in Pixeln messen.</translation>
+    </message>
+    <message>
+        <source>%1 by the typed scale</source>
+        <comment>measure.by-typed</comment>
+        <translation>%1 nach eingegebenem Maßstab</translation>
+    </message>
+    <message>
+        <source>A pixel is %1, as typed for this image. It holds where that was measured, at its depth alone.</source>
+        <comment>measure.basis-typed</comment>
+        <translation>Ein Pixel ist %1, wie für dieses Bild eingegeben. Das gilt dort, wo es gemessen wurde, nur in dessen Tiefe.</translation>
+    </message>
+    <message>
+        <source>Not pointed at in this frame: choose Seen here, and click where it is seen.</source>
+        <comment>check.not-seen</comment>
+        <translation>In diesem Bild nicht gezeigt: „Hier zu sehen“ wählen und dorthin klicken, wo er zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Pointed at in frame %1; the pose is of frame %2. Show that frame, or point at it here.</source>
+        <comment>check.other-frame</comment>
+        <translation>Gezeigt in Bild %1; die Lage gilt für Bild %2. Jenes Bild zeigen oder hier darauf zeigen.</translation>
+    </message>
+    <message>
+        <source>It lies behind the source at this pose. Correct the pose.</source>
+        <comment>check.behind-source</comment>
+        <translation>Bei dieser Lage liegt er hinter der Quelle. Die Lage berichtigen.</translation>
+    </message>
+    <message>
+        <source>In the image plane at its depth (%1 from the source): %2, %3. A pixel is %4 there: no click is finer.</source>
+        <comment>check.image-error</comment>
+        <translation>In der Bildebene seiner Tiefe (%1 von der Quelle): %2, %3. Ein Pixel ist dort %4: feiner ist kein Klick.</translation>
+    </message>
+    <message>
+        <source>The pose&apos;s own covariance expects %1 there (1-σ).</source>
+        <comment>check.claimed</comment>
+        <translation>Die Kovarianz der Lage selbst erwartet dort %1 (1-σ).</translation>
+    </message>
+    <message>
+        <source>No registration found this pose: nothing is claimed of it.</source>
+        <comment>check.nothing-claimed</comment>
+        <translation>Keine Registrierung hat diese Lage gefunden: über sie wird nichts behauptet.</translation>
+    </message>
+    <message>
+        <source>With the vessels bent: %1.</source>
+        <comment>check.bent</comment>
+        <translation>Mit gebogenen Gefäßen: %1.</translation>
+    </message>
+    <message>
+        <source>In space, where the rays of views %1 meet (%2 between them): %3. The rays pass each other by %4.</source>
+        <comment>check.space-error</comment>
+        <translation>Im Raum, wo sich die Strahlen der Ansichten %1 treffen (%2 zwischen ihnen): %3. Die Strahlen verfehlen einander um %4.</translation>
+    </message>
+    <message>
+        <source>An error in space needs the point seen in two views: only one tells of it so far.</source>
+        <comment>check.needs-two-views</comment>
+        <translation>Ein Fehler im Raum braucht den Punkt in zwei Ansichten: bisher zeigt ihn höchstens eine.</translation>
+    </message>
+    <message>
+        <source>The views look at it from nearly the same side (%1 between the rays): its depth cannot be told.</source>
+        <comment>check.rays-alike</comment>
+        <translation>Die Ansichten sehen ihn von fast derselben Seite (%1 zwischen den Strahlen): seine Tiefe ist nicht zu bestimmen.</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <comment>check.label</comment>
+        <translation>%1 daneben</translation>
+    </message>
+    <message>
+        <source>%1 off, %2 claimed</source>
+        <comment>check.label-claimed</comment>
+        <translation>%1 daneben, %2 behauptet</translation>
+    </message>
+    <message>
+        <source>⌀ %1</source>
+        <comment>check.ring-width</comment>
+        <translation>⌀ %1</translation>
+    </message>
+    <message>
+        <source>This branch has no radius here: a ring would have no size. Set a check point instead.</source>
+        <comment>check.ring-needs-radius</comment>
+        <translation>Dieser Ast hat hier keinen Radius: ein Ring hätte keine Größe. Stattdessen einen Prüfpunkt setzen.</translation>
+    </message>
+    <message>
+        <source>Click on the vessels: a check point or a ring lies on them.</source>
+        <comment>check.needs-vessels</comment>
+        <translation>Auf die Gefäße klicken: ein Prüfpunkt oder Ring liegt auf ihnen.</translation>
+    </message>
+    <message>
+        <source>At x %1, y %2, z %3 of the patient.</source>
+        <comment>check.place</comment>
+        <translation>Bei x %1, y %2, z %3 des Patienten.</translation>
+    </message>
+    <message>
+        <source>two marks have the number %1. Give each its own.</source>
+        <comment>case.mark-twice</comment>
+        <translation>zwei Marken haben die Nummer %1. Jeder ihre eigene geben.</translation>
+    </message>
+    <message>
+        <source>a ring needs a radius above 0 and a direction. Add them or remove it.</source>
+        <comment>case.ring-open</comment>
+        <translation>ein Ring braucht einen Radius über 0 und eine Richtung. Ergänzen oder den Ring entfernen.</translation>
+    </message>
+    <message>
+        <source>an arrow has two points, a text one. Mend the points or remove it.</source>
+        <comment>case.annotation-points</comment>
+        <translation>ein Pfeil hat zwei Punkte, ein Text einen. Die Punkte berichtigen oder ihn entfernen.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7002,6 +7124,30 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Export measures of the branches …</source>
         <translation>Maße der Äste exportieren …</translation>
     </message>
+    <message>
+        <source>Set a check point</source>
+        <translation>Prüfpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Set the ring of an ostium</source>
+        <translation>Ring eines Ostiums setzen</translation>
+    </message>
+    <message>
+        <source>Say where a check point is seen</source>
+        <translation>Zeigen, wo ein Prüfpunkt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Draw an arrow</source>
+        <translation>Pfeil zeichnen</translation>
+    </message>
+    <message>
+        <source>Write a text on the image</source>
+        <translation>Text auf das Bild schreiben</translation>
+    </message>
+    <message>
+        <source>Export check points …</source>
+        <translation>Prüfpunkte exportieren …</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ConvergencePlot</name>
@@ -7983,6 +8129,26 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>removes the chosen measurement, or the last</source>
         <translation>entfernt die gewählte Messung oder die letzte</translation>
+    </message>
+    <message>
+        <source>While marking</source>
+        <translation>Beim Markieren</translation>
+    </message>
+    <message>
+        <source>sets a check point or ring on the vessels, here, in 3-D or in a slice</source>
+        <translation>setzt Prüfpunkt oder Ring auf die Gefäße, hier, in 3-D oder in einer Schicht</translation>
+    </message>
+    <message>
+        <source>draws an arrow, or moves what is there</source>
+        <translation>zeichnet einen Pfeil oder verschiebt, was da ist</translation>
+    </message>
+    <message>
+        <source>ends a text; Esc drops it</source>
+        <translation>beendet einen Text; Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>removes the chosen mark, or the last</source>
+        <translation>entfernt die gewählte Marke oder die letzte</translation>
     </message>
 </context>
 <context>
@@ -9493,6 +9659,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>Measure in another plane</source>
         <translation>In anderer Ebene messen</translation>
     </message>
+    <message>
+        <source>Type scale of the image</source>
+        <translation>Maßstab des Bildes eingeben</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::MeasurePanel</name>
@@ -9555,6 +9725,26 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>%1 in this view</source>
         <translation>%1 in dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>by a typed scale</source>
+        <translation>nach eingegebenem Maßstab</translation>
+    </message>
+    <message>
+        <source> mm per pixel</source>
+        <translation> mm pro Pixel</translation>
+    </message>
+    <message>
+        <source>scale not typed</source>
+        <translation>kein Maßstab eingegeben</translation>
+    </message>
+    <message>
+        <source>Scale of the image</source>
+        <translation>Maßstab des Bildes</translation>
+    </message>
+    <message>
+        <source>What a pixel measures in the patient, where it is known from elsewhere.</source>
+        <translation>Was ein Pixel im Patienten misst, wo es anderswoher bekannt ist.</translation>
     </message>
 </context>
 <context>
@@ -9730,6 +9920,162 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>1×: as fast as the run was taken, %1 frames a second</source>
         <translation>1×: so schnell, wie die Serie aufgenommen wurde, %1 Bilder je Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MarkPanel</name>
+    <message>
+        <source>Check point</source>
+        <translation>Prüfpunkt</translation>
+    </message>
+    <message>
+        <source>Ostium ring</source>
+        <translation>Ostiumring</translation>
+    </message>
+    <message>
+        <source>Seen here</source>
+        <translation>Hier zu sehen</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Check points and marks</source>
+        <translation>Prüfpunkte und Marken</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Table …</source>
+        <translation>Tabelle …</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marks: Delete</source>
+        <translation>Gewählte Marken entfernen: Entf</translation>
+    </message>
+    <message>
+        <source>Writes all check points and rings with their errors as a CSV table.</source>
+        <translation>Schreibt alle Prüfpunkte und Ringe mit ihren Fehlern als CSV-Tabelle.</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>Marken</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MarkTool</name>
+    <message>
+        <source>Check point: click the vessels, here, in 3-D or in a slice · points can be moved</source>
+        <translation>Prüfpunkt: auf die Gefäße klicken, hier, in 3-D oder in einer Schicht · Punkte lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved</source>
+        <translation>Ostiumring: auf die Gefäße klicken, hier, in 3-D oder in einer Schicht · Ringe lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Seen here: click where the chosen check point is seen, or drag it there</source>
+        <translation>Hier zu sehen: dorthin klicken, wo der gewählte Prüfpunkt zu sehen ist, oder ihn dorthin ziehen</translation>
+    </message>
+    <message>
+        <source>Arrow: drag from its tail to its tip, then type · ends can be moved</source>
+        <translation>Pfeil: vom Ende zur Spitze ziehen, dann schreiben · Enden lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Text: click where it begins, then type · texts can be moved</source>
+        <translation>Text: klicken, wo er beginnt, dann schreiben · Texte lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Text on the image</source>
+        <translation>Text auf dem Bild</translation>
+    </message>
+    <message>
+        <source>Text, then Enter</source>
+        <translation>Text, dann Enter</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MarkController</name>
+    <message>
+        <source>Open the vessels first.</source>
+        <translation>Zuerst die Gefäße öffnen.</translation>
+    </message>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>Zuerst ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Set check point</source>
+        <translation>Prüfpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Set ostium ring</source>
+        <translation>Ostiumring setzen</translation>
+    </message>
+    <message>
+        <source>Set a check point on the vessels first.</source>
+        <translation>Zuerst einen Prüfpunkt auf die Gefäße setzen.</translation>
+    </message>
+    <message>
+        <source>Say where a check point is seen</source>
+        <translation>Zeigen, wo ein Prüfpunkt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Draw arrow</source>
+        <translation>Pfeil zeichnen</translation>
+    </message>
+    <message>
+        <source>Write text</source>
+        <translation>Text schreiben</translation>
+    </message>
+    <message>
+        <source>Move mark</source>
+        <translation>Marke verschieben</translation>
+    </message>
+    <message>
+        <source>Rename mark</source>
+        <translation>Marke umbenennen</translation>
+    </message>
+    <message>
+        <source>Remove mark</source>
+        <translation>Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Places on the vessels with a name, and how far the pose puts them beside where they are seen; arrows and texts for pictures.</source>
+        <translation>Benannte Stellen auf den Gefäßen und wie weit die Lage sie neben das setzt, wo sie zu sehen sind; Pfeile und Texte für Bilder.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MarkWords</name>
+    <message>
+        <source>View %1:</source>
+        <translation>Ansicht %1:</translation>
+    </message>
+    <message>
+        <source>arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>On frame %1 of this view, in every picture of it.</source>
+        <translation>Auf Bild %1 dieser Ansicht, in jedem Bild davon.</translation>
+    </message>
+    <message>
+        <source>Ostium %1</source>
+        <translation>Ostium %1</translation>
+    </message>
+    <message>
+        <source>Check point %1</source>
+        <translation>Prüfpunkt %1</translation>
     </message>
 </context>
 </TS>

@@ -238,6 +238,10 @@
         <source>, narrowest %1 mm (−%2 %)</source>
         <translation>，最窄 %1 mm（−%2 %）</translation>
     </message>
+    <message>
+        <source>Check points and rings</source>
+        <translation>检查点与环</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -454,6 +458,14 @@
     <message>
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>No check points or rings have been set yet.</source>
+        <translation>尚未设置检查点或环。</translation>
+    </message>
+    <message>
+        <source>Export check points</source>
+        <translation>导出检查点</translation>
     </message>
 </context>
 <context>
@@ -5781,6 +5793,116 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <comment>measure.branch-no-reference</comment>
         <translation>此分支没有足够均匀的部分可作参考：不给出狭窄。</translation>
     </message>
+    <message>
+        <source>No scale was typed for this image. Type what a pixel measures, or measure in pixels.</source>
+        <comment>measure.needs-typed-scale</comment>
+        <translation>此图像未输入比例。请输入一个像素的长度，或以像素测量。</translation>
+    </message>
+    <message>
+        <source>%1 by the typed scale</source>
+        <comment>measure.by-typed</comment>
+        <translation>按输入比例 %1</translation>
+    </message>
+    <message>
+        <source>A pixel is %1, as typed for this image. It holds where that was measured, at its depth alone.</source>
+        <comment>measure.basis-typed</comment>
+        <translation>按为此图像输入的值，一个像素为 %1。仅在其测得处的深度成立。</translation>
+    </message>
+    <message>
+        <source>Not pointed at in this frame: choose Seen here, and click where it is seen.</source>
+        <comment>check.not-seen</comment>
+        <translation>在此帧中未指出：选择“见于此处”，然后点击所见位置。</translation>
+    </message>
+    <message>
+        <source>Pointed at in frame %1; the pose is of frame %2. Show that frame, or point at it here.</source>
+        <comment>check.other-frame</comment>
+        <translation>在第 %1 帧指出；位姿属于第 %2 帧。请显示该帧，或在此处指出。</translation>
+    </message>
+    <message>
+        <source>It lies behind the source at this pose. Correct the pose.</source>
+        <comment>check.behind-source</comment>
+        <translation>在此位姿下它位于射线源之后。请修正位姿。</translation>
+    </message>
+    <message>
+        <source>In the image plane at its depth (%1 from the source): %2, %3. A pixel is %4 there: no click is finer.</source>
+        <comment>check.image-error</comment>
+        <translation>在其深度的图像平面内（距射线源 %1）：%2，%3。该处一个像素为 %4：点击不会更精细。</translation>
+    </message>
+    <message>
+        <source>The pose&apos;s own covariance expects %1 there (1-σ).</source>
+        <comment>check.claimed</comment>
+        <translation>位姿自身的协方差预期该处为 %1（1-σ）。</translation>
+    </message>
+    <message>
+        <source>No registration found this pose: nothing is claimed of it.</source>
+        <comment>check.nothing-claimed</comment>
+        <translation>此位姿并非由配准得到：对其没有任何声称。</translation>
+    </message>
+    <message>
+        <source>With the vessels bent: %1.</source>
+        <comment>check.bent</comment>
+        <translation>血管弯曲后：%1。</translation>
+    </message>
+    <message>
+        <source>In space, where the rays of views %1 meet (%2 between them): %3. The rays pass each other by %4.</source>
+        <comment>check.space-error</comment>
+        <translation>在空间中，视图 %1 的射线相交处（夹角 %2）：%3。射线彼此错开 %4。</translation>
+    </message>
+    <message>
+        <source>An error in space needs the point seen in two views: only one tells of it so far.</source>
+        <comment>check.needs-two-views</comment>
+        <translation>空间误差需要在两个视图中看到该点：目前至多一个。</translation>
+    </message>
+    <message>
+        <source>The views look at it from nearly the same side (%1 between the rays): its depth cannot be told.</source>
+        <comment>check.rays-alike</comment>
+        <translation>各视图几乎从同一侧观察它（射线夹角 %1）：无法确定其深度。</translation>
+    </message>
+    <message>
+        <source>%1 off</source>
+        <comment>check.label</comment>
+        <translation>偏差 %1</translation>
+    </message>
+    <message>
+        <source>%1 off, %2 claimed</source>
+        <comment>check.label-claimed</comment>
+        <translation>偏差 %1，声称 %2</translation>
+    </message>
+    <message>
+        <source>⌀ %1</source>
+        <comment>check.ring-width</comment>
+        <translation>⌀ %1</translation>
+    </message>
+    <message>
+        <source>This branch has no radius here: a ring would have no size. Set a check point instead.</source>
+        <comment>check.ring-needs-radius</comment>
+        <translation>该分支在此处没有半径：环将没有大小。请改设检查点。</translation>
+    </message>
+    <message>
+        <source>Click on the vessels: a check point or a ring lies on them.</source>
+        <comment>check.needs-vessels</comment>
+        <translation>请点击血管：检查点或环位于血管上。</translation>
+    </message>
+    <message>
+        <source>At x %1, y %2, z %3 of the patient.</source>
+        <comment>check.place</comment>
+        <translation>位于患者坐标 x %1，y %2，z %3。</translation>
+    </message>
+    <message>
+        <source>two marks have the number %1. Give each its own.</source>
+        <comment>case.mark-twice</comment>
+        <translation>两个标记的编号均为 %1。请为每个指定不同编号。</translation>
+    </message>
+    <message>
+        <source>a ring needs a radius above 0 and a direction. Add them or remove it.</source>
+        <comment>case.ring-open</comment>
+        <translation>环需要大于 0 的半径和方向。请补充或移除。</translation>
+    </message>
+    <message>
+        <source>an arrow has two points, a text one. Mend the points or remove it.</source>
+        <comment>case.annotation-points</comment>
+        <translation>箭头有两个点，文字有一个。请修正这些点或移除。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7002,6 +7124,30 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Export measures of the branches …</source>
         <translation>导出各分支的测量……</translation>
     </message>
+    <message>
+        <source>Set a check point</source>
+        <translation>设置检查点</translation>
+    </message>
+    <message>
+        <source>Set the ring of an ostium</source>
+        <translation>设置开口环</translation>
+    </message>
+    <message>
+        <source>Say where a check point is seen</source>
+        <translation>指出检查点所见位置</translation>
+    </message>
+    <message>
+        <source>Draw an arrow</source>
+        <translation>绘制箭头</translation>
+    </message>
+    <message>
+        <source>Write a text on the image</source>
+        <translation>在图像上写文字</translation>
+    </message>
+    <message>
+        <source>Export check points …</source>
+        <translation>导出检查点…</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ConvergencePlot</name>
@@ -7983,6 +8129,26 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>removes the chosen measurement, or the last</source>
         <translation>移除所选测量，或最后一个</translation>
+    </message>
+    <message>
+        <source>While marking</source>
+        <translation>标记时</translation>
+    </message>
+    <message>
+        <source>sets a check point or ring on the vessels, here, in 3-D or in a slice</source>
+        <translation>在血管上设置检查点或环：此处、三维或切片中</translation>
+    </message>
+    <message>
+        <source>draws an arrow, or moves what is there</source>
+        <translation>绘制箭头，或移动已有的</translation>
+    </message>
+    <message>
+        <source>ends a text; Esc drops it</source>
+        <translation>结束文字；Esc 放弃</translation>
+    </message>
+    <message>
+        <source>removes the chosen mark, or the last</source>
+        <translation>移除所选标记，或最后一个</translation>
     </message>
 </context>
 <context>
@@ -9492,6 +9658,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>Measure in another plane</source>
         <translation>在另一平面测量</translation>
     </message>
+    <message>
+        <source>Type scale of the image</source>
+        <translation>输入图像比例</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::MeasurePanel</name>
@@ -9554,6 +9724,26 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>%1 in this view</source>
         <translation>此视图中 %1 个</translation>
+    </message>
+    <message>
+        <source>by a typed scale</source>
+        <translation>按输入比例</translation>
+    </message>
+    <message>
+        <source> mm per pixel</source>
+        <translation> mm/像素</translation>
+    </message>
+    <message>
+        <source>scale not typed</source>
+        <translation>未输入比例</translation>
+    </message>
+    <message>
+        <source>Scale of the image</source>
+        <translation>图像比例</translation>
+    </message>
+    <message>
+        <source>What a pixel measures in the patient, where it is known from elsewhere.</source>
+        <translation>一个像素在患者体内的长度（若另有来源已知）。</translation>
     </message>
 </context>
 <context>
@@ -9729,6 +9919,162 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>1×: as fast as the run was taken, %1 frames a second</source>
         <translation>1×：与采集速度相同，每秒 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MarkPanel</name>
+    <message>
+        <source>Check point</source>
+        <translation>检查点</translation>
+    </message>
+    <message>
+        <source>Ostium ring</source>
+        <translation>开口环</translation>
+    </message>
+    <message>
+        <source>Seen here</source>
+        <translation>见于此处</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>箭头</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Check points and marks</source>
+        <translation>检查点与标记</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Table …</source>
+        <translation>表格…</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marks: Delete</source>
+        <translation>移除所选标记：Delete</translation>
+    </message>
+    <message>
+        <source>Writes all check points and rings with their errors as a CSV table.</source>
+        <translation>将所有检查点和环及其误差写入 CSV 表格。</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>标记</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MarkTool</name>
+    <message>
+        <source>Check point: click the vessels, here, in 3-D or in a slice · points can be moved</source>
+        <translation>检查点：点击血管（此处、三维或切片） · 点可移动</translation>
+    </message>
+    <message>
+        <source>Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved</source>
+        <translation>开口环：点击血管（此处、三维或切片） · 环可移动</translation>
+    </message>
+    <message>
+        <source>Seen here: click where the chosen check point is seen, or drag it there</source>
+        <translation>见于此处：点击所选检查点的所见位置，或将其拖到该处</translation>
+    </message>
+    <message>
+        <source>Arrow: drag from its tail to its tip, then type · ends can be moved</source>
+        <translation>箭头：从尾拖到尖，然后输入 · 端点可移动</translation>
+    </message>
+    <message>
+        <source>Text: click where it begins, then type · texts can be moved</source>
+        <translation>文字：点击起点，然后输入 · 文字可移动</translation>
+    </message>
+    <message>
+        <source>Text on the image</source>
+        <translation>图像上的文字</translation>
+    </message>
+    <message>
+        <source>Text, then Enter</source>
+        <translation>输入文字后按 Enter</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MarkController</name>
+    <message>
+        <source>Open the vessels first.</source>
+        <translation>请先打开血管。</translation>
+    </message>
+    <message>
+        <source>Open an angiogram first.</source>
+        <translation>请先打开造影图像。</translation>
+    </message>
+    <message>
+        <source>Set check point</source>
+        <translation>设置检查点</translation>
+    </message>
+    <message>
+        <source>Set ostium ring</source>
+        <translation>设置开口环</translation>
+    </message>
+    <message>
+        <source>Set a check point on the vessels first.</source>
+        <translation>请先在血管上设置检查点。</translation>
+    </message>
+    <message>
+        <source>Say where a check point is seen</source>
+        <translation>指出检查点所见位置</translation>
+    </message>
+    <message>
+        <source>Draw arrow</source>
+        <translation>绘制箭头</translation>
+    </message>
+    <message>
+        <source>Write text</source>
+        <translation>写文字</translation>
+    </message>
+    <message>
+        <source>Move mark</source>
+        <translation>移动标记</translation>
+    </message>
+    <message>
+        <source>Rename mark</source>
+        <translation>重命名标记</translation>
+    </message>
+    <message>
+        <source>Remove mark</source>
+        <translation>移除标记</translation>
+    </message>
+    <message>
+        <source>Places on the vessels with a name, and how far the pose puts them beside where they are seen; arrows and texts for pictures.</source>
+        <translation>血管上的命名位置，以及位姿使其偏离所见位置的距离；用于图片的箭头和文字。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MarkWords</name>
+    <message>
+        <source>View %1:</source>
+        <translation>视图 %1：</translation>
+    </message>
+    <message>
+        <source>arrow</source>
+        <translation>箭头</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>On frame %1 of this view, in every picture of it.</source>
+        <translation>在此视图的第 %1 帧上，出现在其每张图片中。</translation>
+    </message>
+    <message>
+        <source>Ostium %1</source>
+        <translation>开口 %1</translation>
+    </message>
+    <message>
+        <source>Check point %1</source>
+        <translation>检查点 %1</translation>
     </message>
 </context>
 </TS>

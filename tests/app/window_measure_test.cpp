@@ -181,6 +181,7 @@ TEST_F(WindowMeasure, ThePlaneIsChosenAndValuesFollowThePose)
     auto* plane = w.window.measure().findChild<QComboBox*>();
     plane->setFocus();
     QTest::keyClick(plane, Qt::Key_End);
+    QTest::keyClick(plane, Qt::Key_Up);   // before the typed scale
     EXPECT_EQ(measurements()[0].plane, MeasurementPlane::Pixels);
     EXPECT_NEAR(measured(0).value.value, 100.0, 1.0);
     EXPECT_NE(view().marks()[0].label.find("px"), std::string::npos);

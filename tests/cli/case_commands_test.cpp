@@ -158,6 +158,27 @@ TEST_F(CliOnSimulatedCase, MeasuresInTheImageAndAlongBranches)
     EXPECT_EQ(runCli({"measure", casePath_, "--profile", "1", "--branches"}).exitCode, 2);
 }
 
+TEST_F(CliOnSimulatedCase, TellsErrorsAtCheckPoints)
+{
+    std::ifstream file(casePath_);
+    nlohmann::json json = nlohmann::json::parse(file);
+    json["vessel"]["marks"] = {
+        {{"id", 1}, {"kind", "check-point"}, {"name", "fork"}, {"pointInPatientMm", {0.0, 0.0, 0.0}}}};
+    json["angiogram"]["frame"] = 0;
+    json["sightings"] = {{{"mark", 1}, {"pixel", {100, 100}}, {"frame", 0}}};
+    std::ofstream(casePath_) << json;
+    const auto table = runCli({"measure", casePath_, "--check-points"});
+    EXPECT_EQ(table.exitCode, 0) << table.messages;
+    EXPECT_NE(table.output.find("\n1,check-point,fork,0,0,0,,1,"), std::string::npos) << table.output;
+    const auto told = nlohmann::json::parse(runCli({"measure", casePath_, "--check-points", "--json"}).output);
+    EXPECT_EQ(told.at(0).at("views").at(0).at("seenPx").at(0), 100.0);
+    EXPECT_EQ(runCli({"measure", casePath_, "--json"}).exitCode, 2);
+    const std::string drawn = folder_.file("marked.svg");
+    EXPECT_EQ(runCli({"project", casePath_, "--output", drawn}).exitCode, 0);
+    std::ifstream svg(drawn);
+    EXPECT_NE(std::string(std::istreambuf_iterator<char>(svg), {}).find(">fork"), std::string::npos);
+}
+
 TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
 {
     const std::string csv = folder_.file("traced.csv");

@@ -68,6 +68,11 @@ void KeyNotes::addModes(std::vector<KeyLine>& lines)
          {tr("Enter, double click"), tr("closes an area")},
          {tr("Backspace"), tr("takes a point back")},
          {tr("Del"), tr("removes the chosen measurement, or the last")}});
+    add(lines, tr("While marking"),
+        {{tr("click"), tr("sets a check point or ring on the vessels, here, in 3-D or in a slice")},
+         {tr("drag"), tr("draws an arrow, or moves what is there")},
+         {tr("Enter"), tr("ends a text; Esc drops it")},
+         {tr("Del"), tr("removes the chosen mark, or the last")}});
     add(lines, tr("While editing vessels"),
         {{tr("X"), tr("click curves that are no vessels")},
          {tr("E"), tr("erase with a brush; [ ] its size")},

@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -49,6 +50,7 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     : Section(
           "measure", [] { return tr("Measure in the image"); }, Folding::Foldable, parent),
       plane_(new QComboBox),
+      scale_(new QDoubleSpinBox),
       list_(new QTreeWidget),
       basis_(roleLabel("hint")),
       modes_{modeButton(core::MeasurementKind::Length), modeButton(core::MeasurementKind::Angle),
@@ -58,6 +60,12 @@ MeasurePanel::MeasurePanel(QWidget* parent)
 {
     withName(plane_, [] { return tr("Where it is measured"); });
     withTip(plane_, [] { return tr("Lengths at the depth of the vessels, on the detector, or in pixels."); });
+    withName(scale_, [] { return tr("Scale of the image"); });
+    withTip(scale_, [] { return tr("What a pixel measures in the patient, where it is known from elsewhere."); });
+    scale_->setDecimals(4);
+    scale_->setRange(0.0, 100.0);
+    scale_->setSingleStep(0.01);
+    scale_->setKeyboardTracking(false);
     withTip(remove_, [] { return tr("Remove the chosen measurements: Delete"); });
     withTip(export_, [] { return tr("Writes all measurements with their basis as a CSV table."); });
     remove_->setProperty("role", "quiet");
@@ -74,6 +82,7 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     buttons->addWidget(export_);
     contentLayout()->addLayout(modes);
     contentLayout()->addWidget(plane_);
+    contentLayout()->addWidget(scale_);
     contentLayout()->addWidget(list_);
     contentLayout()->addWidget(basis_);
     contentLayout()->addLayout(buttons);
@@ -81,7 +90,9 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     connectParts();
     speak(this, [this] {
         const QSignalBlocker quiet(plane_);
-        setWords(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels")});
+        scale_->setSuffix(tr(" mm per pixel"));
+        scale_->setSpecialValueText(tr("scale not typed"));
+        setWords(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels"), tr("by a typed scale")});
     });
     showMeasurements({});
 }
@@ -106,6 +117,7 @@ void MeasurePanel::connectParts()
 {
     connect(plane_, &QComboBox::activated, this,
             [this](int index) { emit planePicked(static_cast<core::MeasurementPlane>(index)); });
+    connect(scale_, &QDoubleSpinBox::valueChanged, this, &MeasurePanel::scaleTyped);
     connect(remove_, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
     connect(export_, &QPushButton::clicked, this, &MeasurePanel::exportRequested);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
@@ -169,6 +181,9 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
     list_->setVisible(rows > 0);
     list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
     plane_->setCurrentIndex(static_cast<int>(state.plane));
+    const QSignalBlocker quietScale(scale_);
+    scale_->setVisible(state.plane == core::MeasurementPlane::Typed);
+    scale_->setValue(state.typedMmPerPx.value_or(0.0));
     setHint(count == 0 ? QString() : tr("%1 in this view").arg(count));
     showBasis();
 }

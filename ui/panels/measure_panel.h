@@ -12,6 +12,7 @@
 
 class QAction;
 class QComboBox;
+class QDoubleSpinBox;
 class QTreeWidget;
 
 namespace angiopose::ui {
@@ -29,6 +30,7 @@ struct MeasureState {
     std::vector<MeasureRow> rows;
     core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< for the chosen ones, or for the next
     QString basis;   ///< of the plane
+    std::optional<double> typedMmPerPx;
 };
 
 /// Measurements in the image: where they are taken to lie, the modes that draw them, and the list, in which they are
@@ -44,6 +46,7 @@ public:
 
 signals:
     void planePicked(core::MeasurementPlane plane);
+    void scaleTyped(double mmPerPx);   ///< 0: none
     void choiceChanged();   ///< `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
@@ -60,6 +63,7 @@ private:
     void removeChosen();
 
     QComboBox* plane_;
+    QDoubleSpinBox* scale_;
     QTreeWidget* list_;
     QLabel* basis_;
     std::array<QPushButton*, 3> modes_;   ///< by core::MeasurementKind

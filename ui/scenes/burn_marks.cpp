@@ -1,10 +1,12 @@
 #include "ui/scenes/burn_marks.h"
 
 #include "ui/scenes/fill_strokes.h"
+#include "ui/scenes/label_places.h"
 #include "ui/theme/theme.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 namespace angiopose::ui {
 namespace {
@@ -29,10 +31,9 @@ void addMarkLine(StrokeMesh& mesh, const PixelLine& line, int heightPx, const Co
 void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, int heightPx,
               const BurnSizes& sizes)
 {
-    const Palette& tones = palette(ThemeMode::Dark);
     for (const ImageMark& mark : marks) {
         for (const PixelLine& line : linesOf(mark, placeOf, 0.4 * sizes.textPx)) {
-            addMarkLine(mesh, line, heightPx, mark.isChosen ? tones.accent : tones.textStrong, sizes);
+            addMarkLine(mesh, line, heightPx, toneOf(mark, palette(ThemeMode::Dark)), sizes);
         }
     }
 }
@@ -46,10 +47,37 @@ MarkPlace placeIn(const auto& picture, const ViewRect& part)
     };
 }
 
-void addLabels(auto& picture, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const BurnSizes& sizes)
+/// The corners, where a picture has texts of its own.
+std::vector<ViewRect> cornersOf(const auto& picture, const BurnSizes& sizes)
 {
+    const double wide = 0.3 * picture.width;
+    const double high = 4.5 * 1.4 * sizes.textPx + sizes.marginPx;
+    return {{0.0, wide, 0.0, high},
+            {picture.width - wide, 1.0 * picture.width, 0.0, high},
+            {0.0, wide, picture.height - high, 1.0 * picture.height},
+            {picture.width - wide, 1.0 * picture.width, picture.height - high, 1.0 * picture.height}};
+}
+
+void addLabels(auto& picture, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const BurnSizes& sizes,
+               const std::vector<Eigen::Vector2d>& avoided)
+{
+    LabelGround ground{1.0 * picture.width, 1.0 * picture.height, cornersOf(picture, sizes), {}};
+    for (const Eigen::Vector2d& pixel : avoided) {
+        ground.avoided.push_back(placeOf(pixel));
+    }
     for (const ImageMark& mark : marks) {
-        burnLabel(picture, mark.label, labelPlace(mark, placeOf, 0.4 * sizes.textPx), sizes);
+        const double sizePx = 0.4 * sizes.textPx;
+        std::ranges::copy(pointsAlong(linesOf(mark, placeOf, sizePx), sizePx), std::back_inserter(ground.avoided));
+    }
+    std::vector<WantedLabel> labels;
+    for (const ImageMark& mark : marks) {
+        labels.push_back({labelAnchor(mark, placeOf), burnedSize(mark.label, sizes), 0.7 * sizes.textPx});
+    }
+    const std::vector<Eigen::Vector2d> corners = labelPlaces(labels, ground);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (!marks[i].label.empty()) {
+            burnLabel(picture, marks[i].label, corners[i], sizes);
+        }
     }
 }
 
@@ -73,7 +101,7 @@ void fillBand(core::ColorImage& picture, const StrokeMesh& mesh, int top, std::v
 }   // namespace
 
 void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
-               const BurnSizes& sizes)
+               const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided)
 {
     if (marks.empty()) {
         return;
@@ -86,17 +114,17 @@ void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, c
     for (int top = 0; top < picture.height; top += markBandHeight) {
         fillBand(picture, mesh, top, band);
     }
-    addLabels(picture, marks, placeOf, sizes);
+    addLabels(picture, marks, placeOf, sizes, avoided);
 }
 
 void burnMarks(VectorPicture& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
-               const BurnSizes& sizes)
+               const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided)
 {
     const MarkPlace placeOf = placeIn(picture, part);
     StrokeMesh mesh;
     mesh.shapes = &picture.shapes;
     addMarks(mesh, marks, placeOf, picture.height, sizes);
-    addLabels(picture, marks, placeOf, sizes);
+    addLabels(picture, marks, placeOf, sizes, avoided);
 }
 
 }   // namespace angiopose::ui

@@ -181,6 +181,12 @@ void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vec
     drawLabelAt(picture, text, at, sizes);
 }
 
+Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes)
+{
+    const core::Mask2d mask = text.empty() ? core::Mask2d() : textMask({text}, sizes.textPx, TextAlign::Left);
+    return {1.0 * mask.width, 1.0 * mask.height};
+}
+
 void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes)
 {
     drawScale(picture, scale, sizes);

@@ -22,6 +22,9 @@ void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes
 void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
+/// How much of a picture such a line takes, px; zero where there is none.
+Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes);
+
 /// Where the ramp of colours ends.
 struct BurnScale {
     double maximumPx = 0.0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace angiopose::ui {
@@ -43,6 +44,46 @@ void addArc(std::vector<PixelLine>& lines, const PixelLine& legs, double sizePx)
     lines.push_back(std::move(arc));
 }
 
+void addCircle(std::vector<PixelLine>& lines, const Eigen::Vector2d& at, double radius)
+{
+    constexpr int steps = 24;
+    PixelLine circle;
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / steps;
+        circle.emplace_back(at + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    lines.push_back(std::move(circle));
+}
+
+void addCross(std::vector<PixelLine>& lines, const Eigen::Vector2d& at, double arm)
+{
+    lines.push_back({at - Eigen::Vector2d(arm, arm), at + Eigen::Vector2d(arm, arm)});
+    lines.push_back({at + Eigen::Vector2d(-arm, arm), at + Eigen::Vector2d(arm, -arm)});
+}
+
+void addHead(std::vector<PixelLine>& lines, const Eigen::Vector2d& from, const Eigen::Vector2d& tip, double sizePx)
+{
+    if (const auto way = wayBetween(from, tip)) {
+        const Eigen::Vector2d across(-way->y(), way->x());
+        const Eigen::Vector2d back = tip - 2.0 * sizePx * *way;
+        lines.push_back({back + sizePx * across, tip, back - sizePx * across});
+    }
+}
+
+/// Circles or crosses at single points.
+std::vector<PixelLine> signsOf(const ImageMark& mark, const PixelLine& places, double sizePx)
+{
+    std::vector<PixelLine> lines;
+    for (const Eigen::Vector2d& at : places) {
+        if (mark.shape == MarkShape::Point) {
+            addCircle(lines, at, sizePx);
+        } else {
+            addCross(lines, at, 0.8 * sizePx);
+        }
+    }
+    return lines;
+}
+
 }   // namespace
 
 std::vector<PixelLine> linesOf(const ImageMark& mark, const MarkPlace& placeOf, double sizePx)
@@ -51,7 +92,10 @@ std::vector<PixelLine> linesOf(const ImageMark& mark, const MarkPlace& placeOf, 
     for (const Eigen::Vector2d& pixel : mark.pixels) {
         line.push_back(placeOf(pixel));
     }
-    if (line.size() < 2) {
+    if (mark.shape == MarkShape::Point || mark.shape == MarkShape::Cross) {
+        return signsOf(mark, line, sizePx);
+    }
+    if (line.size() < 2 || mark.shape == MarkShape::Words) {
         return {};
     }
     std::vector<PixelLine> lines{line};
@@ -68,17 +112,42 @@ std::vector<PixelLine> linesOf(const ImageMark& mark, const MarkPlace& placeOf, 
         case MarkShape::Outline:
             lines.front().push_back(line.front());
             break;
+        case MarkShape::Arrow:
+            addHead(lines, line[line.size() - 2], line.back(), 1.4 * sizePx);
+            break;
+        default:
+            break;
     }
     return lines;
 }
 
-Eigen::Vector2d labelPlace(const ImageMark& mark, const MarkPlace& placeOf, double sizePx)
+std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, double stepPx)
+{
+    std::vector<Eigen::Vector2d> points;
+    for (const PixelLine& line : lines) {
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const int steps = std::clamp(static_cast<int>((line[i] - line[i - 1]).norm() / stepPx), 1, 1000);
+            for (int k = 0; k < steps; ++k) {
+                points.emplace_back(line[i - 1] + (line[i] - line[i - 1]) * k / steps);
+            }
+        }
+    }
+    return points;
+}
+
+Eigen::Vector2d labelAnchor(const ImageMark& mark, const MarkPlace& placeOf)
 {
     if (mark.pixels.empty()) {
         return Eigen::Vector2d::Zero();
     }
     const bool isAtVertex = mark.shape == MarkShape::Angle && mark.pixels.size() > 1;
-    return placeOf(isAtVertex ? mark.pixels[1] : mark.pixels.back()) + 1.6 * Eigen::Vector2d(sizePx, sizePx);
+    const bool isAtTail = mark.shape == MarkShape::Arrow || mark.shape == MarkShape::Words;
+    return placeOf(isAtTail ? mark.pixels.front() : isAtVertex ? mark.pixels[1] : mark.pixels.back());
+}
+
+Color toneOf(const ImageMark& mark, const Palette& tones)
+{
+    return mark.isChosen ? tones.accent : mark.tone == MarkTone::Place ? tones.fine : tones.textStrong;
 }
 
 }   // namespace angiopose::ui

@@ -87,7 +87,8 @@ void paintBranch(QPainter& painter, const SliceOverlay& overlay, const core::Ves
 
 void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const QString& label, double opacity)
 {
-    const Color tone = kind == SliceMarkKind::Seed    ? sliceTones().fine
+    const bool isFine = kind == SliceMarkKind::Seed || kind == SliceMarkKind::Place;
+    const Color tone = isFine                         ? sliceTones().fine
                        : kind == SliceMarkKind::Avoid ? sliceTones().attention
                                                       : sliceTones().accent;
     QPainterPath sign;   // told apart by shape: seed +, avoid ×, landmark ring
@@ -111,8 +112,10 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     painter.setPen(QPen(toQColor(tone, opacity), 2.0));
     painter.drawPath(sign);
     if (!label.isEmpty()) {
-        drawOutlined(painter, QRectF(at + QPointF(r + 3, -8), QSizeF(80, 16)), Qt::AlignLeft | Qt::AlignVCenter, label,
-                     toQColor(tone, opacity));
+        const double width = QFontMetricsF(painter.font()).horizontalAdvance(label) + 2.0;
+        const bool isLeft = at.x() + r + 3 + width > painter.viewport().width();   // else it would be cut off
+        drawOutlined(painter, QRectF(at + QPointF(isLeft ? -r - 3 - width : r + 3, -8), QSizeF(width, 16)),
+                     Qt::AlignLeft | Qt::AlignVCenter, label, toQColor(tone, opacity));
     }
 }
 

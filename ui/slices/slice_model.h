@@ -15,7 +15,7 @@
 
 namespace angiopose::ui {
 
-enum class SliceMarkKind { Seed, Avoid, Landmark };
+enum class SliceMarkKind { Seed, Avoid, Landmark, Place };
 
 /// A point to show in the slices.
 struct SliceMark {

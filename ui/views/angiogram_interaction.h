@@ -27,7 +27,8 @@ struct AngiogramView::Interaction {
     std::optional<Eigen::Vector3d> pickedPivot;
     double lineWidth = 2.4;
     ImageCrosshair crosshair;
-    std::vector<ImageMark> marks;
+    std::vector<ImageMark> marks;   ///< measured
+    std::vector<ImageMark> placedMarks;
     QString absence;
 
     QPointer<ImageTool> tool;

@@ -119,6 +119,19 @@ void AngiogramView::setMarks(std::vector<ImageMark> marks)
     }
 }
 
+void AngiogramView::setPlacedMarks(std::vector<ImageMark> marks)
+{
+    if (!marks.empty() || !interaction_->placedMarks.empty()) {
+        interaction_->placedMarks = std::move(marks);
+        update();
+    }
+}
+
+const std::vector<ImageMark>& AngiogramView::placedMarks() const
+{
+    return interaction_->placedMarks;
+}
+
 const std::vector<ImageMark>& AngiogramView::marks() const
 {
     return interaction_->marks;

@@ -57,8 +57,10 @@ public:
     void setLineWidth(double px);   ///< device-independent px
     void setCrosshair(const ImageCrosshair& crosshair);
     const ImageCrosshair& crosshair() const;
-    void setMarks(std::vector<ImageMark> marks);   ///< drawn above everything but the tool's
+    void setMarks(std::vector<ImageMark> marks);   ///< measured; drawn above everything but the tool's
     const std::vector<ImageMark>& marks() const;
+    void setPlacedMarks(std::vector<ImageMark> marks);   ///< likewise: places of the vessels, arrows, words
+    const std::vector<ImageMark>& placedMarks() const;
     void setAbsence(const QString& words);   ///< said in place of an image
     void takeLookOf(const AngiogramView& other);   ///< lines, marks, mirror, mouse: not what is shown, nor how bright
     void setCutout(Cutout::Shape shape);   ///< follows the mouse
@@ -126,6 +128,7 @@ private:
     void paintPivot(QPainter& painter) const;
     void paintAbsence(QPainter& painter) const;
     void paintCrosshair(QPainter& painter) const;
+    void paintAllMarks(QPainter& painter) const;
     bool showsVessels() const;
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);

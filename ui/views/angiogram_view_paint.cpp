@@ -69,6 +69,36 @@ void AngiogramView::paintCrosshair(QPainter& painter) const
     }
 }
 
+/// Measured and placed ones together: their labels make room for each other and for the vessels.
+void AngiogramView::paintAllMarks(QPainter& painter) const
+{
+    std::vector<ImageMark> all = interaction_->marks;
+    all.insert(all.end(), interaction_->placedMarks.begin(), interaction_->placedMarks.end());
+    if (all.empty()) {
+        return;
+    }
+    const auto placeOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+        const QPointF place = widgetFromImage(pixel);
+        return {place.x(), place.y()};
+    };
+    MarkGround ground;
+    ground.width = width();
+    ground.height = height();
+    for (const QRectF& bar : barPlaces()) {
+        ground.taken.push_back({bar.left(), bar.right(), bar.top(), bar.bottom()});
+    }
+    if (scene_.mode() != OverlayMode::Hidden) {
+        for (const ProjectedBranch& branch : scene_.content().projected) {
+            for (const std::vector<ProjectedPoint>& run : branch.runs) {
+                for (const ProjectedPoint& point : run) {
+                    ground.avoided.push_back(placeOf(point.px));
+                }
+            }
+        }
+    }
+    paintMarks(painter, all, placeOf, std::move(ground));
+}
+
 void AngiogramView::paintAbsence(QPainter& painter) const
 {
     const bool isWorking = interaction_->role == ImageRole::Working;
@@ -195,10 +225,7 @@ void AngiogramView::paintEvent(QPaintEvent*)
     paintPivot(painter);
     paintCrosshair(painter);
     if (!isVeiled) {
-        paintMarks(painter, interaction_->marks, [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
-            const QPointF place = widgetFromImage(pixel);
-            return {place.x(), place.y()};
-        });
+        paintAllMarks(painter);
     }
     if (interaction_->tool) {
         painter.setRenderHint(QPainter::Antialiasing);

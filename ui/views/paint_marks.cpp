@@ -7,47 +7,73 @@
 #include <QPolygonF>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace angiopose::ui {
 namespace {
 
-void paintMarkLine(QPainter& painter, const PixelLine& line, const QColor& tone)
+void paintMarkLine(QPainter& painter, const PixelLine& line, const QColor& tone, const Color& rim)
 {
     QPolygonF points;
     for (const Eigen::Vector2d& at : line) {
         points << QPointF(at.x(), at.y());
     }
-    painter.setPen(QPen(colorOf(annotationTones().canvas, 0.6), 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(colorOf(rim, 0.6), 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);
     painter.setPen(QPen(tone, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);
 }
 
-void paintMarkLabel(QPainter& painter, const QString& text, const Eigen::Vector2d& at, const QColor& tone)
+QString wordsOf(const ImageMark& mark)
+{
+    return QString::fromStdString(mark.label);
+}
+
+std::vector<WantedLabel> wantedLabels(const QPainter& painter, const std::vector<ImageMark>& marks,
+                                      const MarkPlace& placeOf)
 {
     const QFontMetricsF metrics(painter.font());
-    const QSizeF size(metrics.horizontalAdvance(text) + 2.0, metrics.height());
-    const auto inside = [](double wanted, double most) { return std::clamp(wanted, 2.0, std::max(2.0, most - 2.0)); };
-    const QPointF place(inside(at.x(), painter.device()->width() - size.width()),
-                        inside(at.y(), painter.device()->height() - size.height()));
-    drawShadowedText(painter, QRectF(place, size), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, text, tone);
+    std::vector<WantedLabel> labels;
+    for (const ImageMark& mark : marks) {
+        WantedLabel& label = labels.emplace_back();
+        label.at = labelAnchor(mark, placeOf);
+        label.gapPx = 1.6 * markSizePx;
+        if (!mark.label.empty()) {
+            label.size = {metrics.horizontalAdvance(wordsOf(mark)) + 2.0, metrics.height()};
+        }
+    }
+    return labels;
 }
 
 }   // namespace
 
-void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const MarkPlace& placeOf)
+void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, MarkGround ground)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setFont(sized(painter.font(), 12));
+    if (!(ground.width > 0.0)) {
+        const double ratio = painter.device()->devicePixelRatioF();
+        const bool isPicture = painter.device()->devType() == QInternal::Image;   // whose size is in device px
+        ground.width = painter.device()->width() / (isPicture ? ratio : 1.0);
+        ground.height = painter.device()->height() / (isPicture ? ratio : 1.0);
+    }
     for (const ImageMark& mark : marks) {
-        const QColor tone = colorOf(mark.isChosen ? annotationTones().accent : annotationTones().textStrong);
-        for (const PixelLine& line : linesOf(mark, placeOf, markSizePx)) {
-            paintMarkLine(painter, line, tone);
+        const std::vector<PixelLine> lines = linesOf(mark, placeOf, markSizePx);
+        std::ranges::copy(pointsAlong(lines, markSizePx), std::back_inserter(ground.avoided));
+        for (const PixelLine& line : lines) {
+            paintMarkLine(painter, line, colorOf(toneOf(mark, ground.tones)), ground.rim);
         }
-        if (!mark.label.empty()) {
-            paintMarkLabel(painter, QString::fromStdString(mark.label), labelPlace(mark, placeOf, markSizePx), tone);
+    }
+    const std::vector<WantedLabel> labels = wantedLabels(painter, marks, placeOf);
+    const std::vector<Eigen::Vector2d> corners = labelPlaces(labels, ground);
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (!marks[i].label.empty()) {
+            const QRectF box(corners[i].x(), corners[i].y(), labels[i].size.x(), labels[i].size.y());
+            drawShadowedText(painter, box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, wordsOf(marks[i]),
+                             colorOf(toneOf(marks[i], ground.tones)), ground.rim);
         }
     }
     painter.restore();

@@ -20,9 +20,10 @@ QFont sized(QFont font, int px)
     return font;
 }
 
-void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color)
+void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
+                      const Color& rim)
 {
-    painter.setPen(colorOf(annotationTones().canvas, 0.6));
+    painter.setPen(colorOf(rim, 0.6));
     for (const double y : {-1.0, 0.0, 1.0}) {   // a rim all round: readable on any picture, without a box
         for (const double x : {-1.0, 0.0, 1.0}) {
             painter.drawText(box.translated(x, y), flags, text);

@@ -17,7 +17,8 @@ QColor colorOf(const Color& color, double opacity = 1.0);
 
 QFont sized(QFont font, int px);
 
-/// Text that stays readable on bright and dark ground; `flags` as QPainter::drawText takes them.
-void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color);
+/// Text that stays readable on bright and dark ground; `flags` as QPainter::drawText takes them. `rim`: around it.
+void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
+                      const Color& rim = annotationTones().canvas);
 
 }   // namespace angiopose::ui

@@ -1,6 +1,7 @@
 #include "ui/views/tree_view.h"
 
 #include "ui/views/crosshair_mark.h"
+#include "ui/views/paint_marks.h"
 #include "ui/views/pivot_mark.h"
 #include "ui/words/spoken.h"
 
@@ -93,6 +94,40 @@ void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient
     update();
 }
 
+void TreeView::showPlaces(std::vector<TreePlaceSign> places)
+{
+    if (!places.empty() || !places_.empty()) {
+        places_ = std::move(places);
+        update();
+    }
+}
+
+/// As marks of an image, in the tones of the theme.
+void TreeView::paintPlaces(QPainter& painter) const
+{
+    const double ratio = devicePixelRatio();
+    const auto placeOf = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
+        const Eigen::Vector2d device = scene_.deviceFromPatient(point);
+        return {device.x() / ratio, height() - device.y() / ratio};
+    };
+    std::vector<ImageMark> marks;
+    for (const TreePlaceSign& place : places_) {
+        ImageMark& mark = marks.emplace_back();
+        mark.shape = place.ringInPatient.empty() ? MarkShape::Point : MarkShape::Outline;
+        mark.label = place.label.toStdString();
+        mark.tone = MarkTone::Place;
+        for (const Eigen::Vector3d& point : place.ringInPatient) {
+            mark.pixels.push_back(placeOf(point));
+        }
+        if (mark.pixels.empty()) {
+            mark.pixels = {placeOf(place.pointInPatient)};
+        }
+    }
+    const Palette& tones = ui::palette(theme_);
+    const LabelGround room{1.0 * width(), 1.0 * height(), {}, {}};
+    paintMarks(painter, marks, [](const Eigen::Vector2d& at) { return at; }, {room, tones, tones.field});
+}
+
 void TreeView::setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient)
 {
     if (pointInPatient != pickedPivot_) {
@@ -128,6 +163,7 @@ void TreeView::paintAnnotations(QPainter& painter)
         painter.setPen(colorOf(tones.textStrong));
         painter.drawText(at + QPointF(7.0, -5.0), QString::number(i + 1));
     }
+    paintPlaces(painter);
     if (pickedPivot_) {
         const Eigen::Vector2d device = scene_.deviceFromPatient(*pickedPivot_);
         paintPivotMark(painter, {device.x() / ratio, height() - device.y() / ratio}, tones);

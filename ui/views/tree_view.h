@@ -8,6 +8,13 @@
 
 namespace angiopose::ui {
 
+/// A named place of the vessels in 3-D: a point, or a ring around it.
+struct TreePlaceSign {
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> ringInPatient;   ///< empty: a point
+    QString label;
+};
+
 /// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns,
 /// middle drag moves, right drag and wheel zoom, double click asks for room. Arrows turn, + and − zoom.
 class TreeView : public VtkView {
@@ -27,6 +34,7 @@ public:
     void setPointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what is pointed at in an image
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
+    void showPlaces(std::vector<TreePlaceSign> places);   ///< with their labels
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what the vessels turn about
 
 signals:
@@ -53,6 +61,7 @@ protected:
 private:
     std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
+    void paintPlaces(QPainter& painter) const;
 
     TreeScene scene_;
     ThemeMode theme_ = ThemeMode::Dark;
@@ -64,6 +73,7 @@ private:
     std::optional<Eigen::Vector3d> crosshair_;
     std::optional<Eigen::Vector3d> pointed_;
     std::vector<Eigen::Vector3d> landmarks_;
+    std::vector<TreePlaceSign> places_;
     bool isLastPending_ = false;
     std::optional<Eigen::Vector3d> pickedPivot_;
 };

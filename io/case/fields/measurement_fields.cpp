@@ -2,10 +2,9 @@
 
 #include "core/measuring/measure_image.h"
 #include "io/case/fields/json_values.h"
+#include "io/case/fields/word_field.h"
 #include "io/messages/says.h"
 #include "io/support/measurement_words.h"
-
-#include <algorithm>
 
 namespace angiopose::io {
 namespace {
@@ -14,33 +13,18 @@ using core::ImageMeasurement;
 using core::MeasurementKind;
 using core::MeasurementPlane;
 
-/// A choice that has a word in files.
-template <class Choice, std::size_t Count>
-StoredField<ImageMeasurement> choiceField(std::string key, Json schema, Choice ImageMeasurement::*member,
-                                          const std::array<const char*, Count>& words)
-{
-    return {std::move(key), std::move(schema),
-            [member, words](const Json& value, ImageMeasurement& measurement, Reading&) {
-                const auto found = std::ranges::find(words, value.get<std::string>());
-                measurement.*member = static_cast<Choice>(found - words.begin());
-            },
-            [member, words](const ImageMeasurement& measurement, const std::filesystem::path&) {
-                return Json(words[static_cast<std::size_t>(measurement.*member)]);
-            }};
-}
-
 StoredFields<ImageMeasurement> measurementFields()
 {
     Json points = listSchema(definedAs("pair"));
     points["minItems"] = 2;
     points["maxItems"] = 1000;
     return {
-        choiceField("kind", choiceSchema({"length", "angle", "area"}), &ImageMeasurement::kind, measurementKinds),
-        choiceField("plane",
-                    about(choiceSchema({"vessels", "detector", "pixels"}),
-                          "Where it is taken to lie: at the depth of the vessels' centroid, on the detector, "
-                          "nowhere."),
-                    &ImageMeasurement::plane, measurementPlanes),
+        wordField("kind", choiceSchema({"length", "angle", "area"}), &ImageMeasurement::kind, measurementKinds),
+        wordField("plane",
+                  about(choiceSchema({"vessels", "detector", "pixels", "typed"}),
+                        "Where it is taken to lie: at the depth of the vessels' centroid, on the detector, "
+                        "nowhere, or where a pixel is angiogram.typedMmPerPx."),
+                  &ImageMeasurement::plane, measurementPlanes),
         storedValue("pixels", about(points, "Along a length; of an angle the second is its vertex; around an area."),
                     &ImageMeasurement::pixels),
         storedValue("frame", integerSchema(0, 100000), &ImageMeasurement::frame),

@@ -2,6 +2,7 @@
 
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/json_values.h"
+#include "io/case/fields/mark_fields.h"
 #include "io/case/fields/tree_fields.h"
 #include "io/case/fields/vessel_key.h"
 #include "io/messages/says.h"
@@ -142,6 +143,7 @@ const StoredFields<Vessels>& vesselFields()
                     about(definedAs("point"),
                           "What the vessels turn about by hand, and whose shifts are locked; absent: their centroid."),
                     &Vessels::pickedPivotInPatient),
+        marksField(),
         editedTreeField(),
     };
     return fields;

@@ -3,6 +3,7 @@
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/json_values.h"
+#include "io/case/fields/mark_fields.h"
 #include "io/case/fields/measurement_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/fields/snapshot_fields.h"
@@ -174,12 +175,18 @@ StoredField<View> landmarksField()
 const StoredFields<View>& viewFields()
 {
     static const StoredFields<View> fields{
-        storedGroup<View>("angiogram", objectSchema({}, {"image"}),
-                          {storedIfSet("name", about(textSchema(), "What the user calls this view."), &View::name),
-                           imageField(), frameField(), targetField(), subtractionField(), traceField()}),
+        storedGroup<View>(
+            "angiogram", objectSchema({}, {"image"}),
+            {storedIfSet("name", about(textSchema(), "What the user calls this view."), &View::name), imageField(),
+             frameField(), targetField(), subtractionField(), traceField(),
+             storedIfSet("typedMmPerPx",
+                         about(numberSchema(1e-6, 1000), "What a pixel measures in the patient, as typed."),
+                         &View::typedMmPerPx)}),
         storedPart("geometry", Json::object(), &View::geometry, geometryFields()),
         storedGroup<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
         measurementsField(),
+        sightingsField(),
+        annotationsField(),
         resultField(),
         snapshotsField(),
     };

@@ -3,6 +3,7 @@
 #include "app/case_controller.h"
 #include "app/document/edit_case.h"
 #include "app/files/sample_case.h"
+#include "core/vessel/place_on_tree.h"
 #include "tests/app/gallery/clipped_texts.h"
 #include "tests/support/patience.h"
 #include "tests/support/simulated_views.h"
@@ -125,6 +126,23 @@ void Gallery::measure(app::CaseController& controller)
         controller.document(), app::ChangeMeasurements::Values{std::move(measurements)},
         [] { return QStringLiteral("Measure"); }));
     const auto& branches = current.vessels.tree->branches;
+    const core::VesselBranch& marked = branches.front();
+    const std::size_t middle = marked.pointsInPatient.size() / 2;
+    const auto tangent = core::directionAt(*current.vessels.tree, {0, middle, 0.0});
+    using enum core::VesselMarkKind;
+    controller.document().push(std::make_unique<app::ChangeMarks>(
+        controller.document(),
+        app::ChangeMarks::Values{{{1, CheckPoint, "bend", marked.pointsInPatient[middle]},
+                                  {2, OstiumRing, "ostium", marked.pointsInPatient.front(), tangent, 2.0}}},
+        [] { return QStringLiteral("Mark"); }));
+    controller.document().push(std::make_unique<app::ChangeSightings>(
+        controller.document(), app::ChangeSightings::Values{{{1, {250, 240}, frame}}},
+        [] { return QStringLiteral("See"); }));
+    controller.document().push(std::make_unique<app::ChangeAnnotations>(
+        controller.document(),
+        app::ChangeAnnotations::Values{{{core::AnnotationKind::Arrow, {{420, 120}, {370, 160}}, "Engstelle", frame},
+                                        {core::AnnotationKind::Text, {{380, 400}}, "左冠状动脉", frame}}},
+        [] { return QStringLiteral("Annotate"); }));
     controller.branches().select({std::ranges::max_element(branches, {}, &core::VesselBranch::lengthMm)->id});
 }
 

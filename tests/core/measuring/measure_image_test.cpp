@@ -37,7 +37,9 @@ struct Seen {
 };
 
 using enum MeasurementKind;
-using enum MeasurementPlane;
+constexpr auto atVessels = MeasurementPlane::Vessels;
+constexpr auto atDetector = MeasurementPlane::Detector;
+constexpr auto inPixels = MeasurementPlane::Pixels;
 
 bool isAmong(const Messages& messages, const MessageEntry& entry)
 {
@@ -51,11 +53,11 @@ TEST(MeasureImage, LengthsAreThoseOfThePlaneTheyLieIn)
     const Seen seen;
     const std::vector<Eigen::Vector2d> along{{100, 100}, {130, 100}};
     const std::vector<Eigen::Vector2d> down{{100, 100}, {100, 130}};
-    EXPECT_NEAR(seen.value(Length, Detector, along), 12.0, 1e-12);
-    EXPECT_NEAR(seen.value(Length, Detector, down), 6.0, 1e-12);
-    EXPECT_NEAR(seen.value(Length, Vessels, along), 12.0 * 800.0 / 1200.0, 1e-12);
-    EXPECT_NEAR(seen.value(Length, Vessels, down), 6.0 * 800.0 / 1200.0, 1e-12);
-    EXPECT_NEAR(seen.value(Length, Pixels, {{0, 0}, {3, 4}, {3, 14}}), 15.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, atDetector, along), 12.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, atDetector, down), 6.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, atVessels, along), 12.0 * 800.0 / 1200.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, atVessels, down), 6.0 * 800.0 / 1200.0, 1e-12);
+    EXPECT_NEAR(seen.value(Length, inPixels, {{0, 0}, {3, 4}, {3, 14}}), 15.0, 1e-12);
 }
 
 TEST(MeasureImage, ALengthAtTheVesselsIsThatOfWhatLiesThere)
@@ -66,35 +68,35 @@ TEST(MeasureImage, ALengthAtTheVesselsIsThatOfWhatLiesThere)
     for (const Eigen::Vector3d& point : seen.tree.branches[0].pointsInPatient) {
         ends.push_back(*project(camera, seen.view.cameraFromPatient * point));
     }
-    EXPECT_NEAR(seen.value(Length, Vessels, ends), 20.0, 1e-9);
+    EXPECT_NEAR(seen.value(Length, atVessels, ends), 20.0, 1e-9);
 }
 
 TEST(MeasureImage, AnglesKnowTheShapeOfPixels)
 {
     const Seen seen;
     const std::vector<Eigen::Vector2d> pixels{{10, 0}, {0, 0}, {10, 10}};
-    EXPECT_NEAR(seen.value(Angle, Pixels, pixels), 45.0, 1e-9);
-    EXPECT_NEAR(seen.value(Angle, Vessels, pixels), std::atan2(0.2, 0.4) * 180.0 / std::numbers::pi, 1e-9);
-    EXPECT_NEAR(seen.value(Angle, Pixels, {{10, 0}, {0, 0}, {-10, 0}}), 180.0, 1e-9);
-    const auto inPixels = seen.measure(Angle, Pixels, pixels).value();
-    EXPECT_TRUE(isAmong(basisOf(inPixels, Angle, {seen.view, &seen.tree}), says::measureSquarePixels));
+    EXPECT_NEAR(seen.value(Angle, inPixels, pixels), 45.0, 1e-9);
+    EXPECT_NEAR(seen.value(Angle, atVessels, pixels), std::atan2(0.2, 0.4) * 180.0 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(seen.value(Angle, inPixels, {{10, 0}, {0, 0}, {-10, 0}}), 180.0, 1e-9);
+    const auto pixelAngle = seen.measure(Angle, inPixels, pixels).value();
+    EXPECT_TRUE(isAmong(basisOf(pixelAngle, Angle, {seen.view, &seen.tree}), says::measureSquarePixels));
 }
 
 TEST(MeasureImage, AreasOfOutlinesInEitherSense)
 {
     const Seen seen;
     std::vector<Eigen::Vector2d> corner{{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}};
-    EXPECT_NEAR(seen.value(Area, Pixels, corner), 300.0, 1e-9);
-    EXPECT_NEAR(seen.value(Area, Detector, corner), 300.0 * 0.08, 1e-9);
+    EXPECT_NEAR(seen.value(Area, inPixels, corner), 300.0, 1e-9);
+    EXPECT_NEAR(seen.value(Area, atDetector, corner), 300.0 * 0.08, 1e-9);
     std::ranges::reverse(corner);
-    EXPECT_NEAR(seen.value(Area, Pixels, corner), 300.0, 1e-9);
+    EXPECT_NEAR(seen.value(Area, inPixels, corner), 300.0, 1e-9);
 }
 
 TEST(MeasureImage, WhatMeansNothingIsSaidNotInvented)
 {
     const Seen seen;
     const auto why = [&](MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels) {
-        const auto measured = seen.measure(kind, Pixels, pixels);
+        const auto measured = seen.measure(kind, inPixels, pixels);
         EXPECT_FALSE(measured);
         return measured ? Message::verbatim("a number") : measured.error().message;
     };
@@ -109,18 +111,18 @@ TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimetres)
 {
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {10, 0}};
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), Vessels);
-    EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), Detector);
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atVessels);
+    EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), atDetector);
     seen.view.cameraFromPatient.translation.z() = -800.0;
-    EXPECT_TRUE(seen.measure(Length, Vessels, line).error().message.is(says::measureBehindSource));
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), Detector);
+    EXPECT_TRUE(seen.measure(Length, atVessels, line).error().message.is(says::measureBehindSource));
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atDetector);
     seen.view.geometry.cArm.rowSpacingMm = {};
-    EXPECT_TRUE(seen.measure(Length, Detector, line).error().message.is(says::measureNeedsSpacing));
-    EXPECT_FALSE(seen.measure(Length, Vessels, line));
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), Pixels);
-    EXPECT_NEAR(seen.value(Length, Pixels, line), 10.0, 1e-12);
+    EXPECT_TRUE(seen.measure(Length, atDetector, line).error().message.is(says::measureNeedsSpacing));
+    EXPECT_FALSE(seen.measure(Length, atVessels, line));
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), inPixels);
+    EXPECT_NEAR(seen.value(Length, inPixels, line), 10.0, 1e-12);
     seen.view.geometry.cArm.rowSpacingMm = {-0.2, Origin::User, ""};
-    EXPECT_FALSE(seen.measure(Length, Detector, line));
+    EXPECT_FALSE(seen.measure(Length, atDetector, line));
 }
 
 TEST(MeasureImage, SaysWhereTheScaleComesFrom)
@@ -128,16 +130,16 @@ TEST(MeasureImage, SaysWhereTheScaleComesFrom)
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {10, 0}};
     const auto basis = [&] {
-        return basisOf(seen.measure(Length, Vessels, line).value(), Length, {seen.view, &seen.tree});
+        return basisOf(seen.measure(Length, atVessels, line).value(), Length, {seen.view, &seen.tree});
     };
     EXPECT_TRUE(isAmong(basis(), says::measureDepthUnchecked)) << "no run found this pose";
     EXPECT_FALSE(isAmong(basis(), says::measureScaleAssumed));
     seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::Assumed;
     EXPECT_TRUE(isAmong(basis(), says::measureScaleAssumed));
-    const auto measured = seen.measure(Length, Vessels, line).value();
+    const auto measured = seen.measure(Length, atVessels, line).value();
     EXPECT_EQ(labelOf(measured, Length).text(), "2.7 mm at the vessels (scale assumed)");
-    EXPECT_EQ(labelOf(seen.measure(Length, Detector, line).value(), Length).text(), "4.0 mm at the detector");
-    EXPECT_EQ(labelOf(seen.measure(Length, Pixels, line).value(), Length).text(), "10.0 px");
+    EXPECT_EQ(labelOf(seen.measure(Length, atDetector, line).value(), Length).text(), "4.0 mm at the detector");
+    EXPECT_EQ(labelOf(seen.measure(Length, inPixels, line).value(), Length).text(), "10.0 px");
 
     seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::User;
     EXPECT_TRUE(isAmong(basis(), says::measureScaleTyped));
@@ -158,9 +160,28 @@ TEST(MeasureImage, APoseLookedAtForAWhileHasNoRunBehindIt)
     RigidTransform nearer = seen.view.cameraFromPatient;
     nearer.translation.z() = 400.0;
     const MeasuredView preview{seen.view, &seen.tree, nearer};
-    const auto measured = measureImage({Length, Vessels, {{0, 0}, {10, 0}}, 0, ""}, preview).value();
+    const auto measured = measureImage({Length, atVessels, {{0, 0}, {10, 0}}, 0, ""}, preview).value();
     EXPECT_NEAR(measured.value.value, 10.0 * 0.4 * 400.0 / 1200.0, 1e-12);
     EXPECT_TRUE(isAmong(basisOf(measured, Length, preview), says::measureDepthUnchecked));
+}
+
+TEST(MeasureImage, ATypedScaleHoldsWhereNothingElseIsKnown)
+{
+    Seen seen;
+    const std::vector<Eigen::Vector2d> line{{0, 0}, {30, 40}};
+    EXPECT_TRUE(seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(says::measureNeedsTypedScale));
+    seen.view.typedMmPerPx = 0.2;
+    EXPECT_NEAR(seen.value(Length, MeasurementPlane::Typed, line), 10.0, 1e-12);
+    EXPECT_NEAR(seen.value(Area, MeasurementPlane::Typed, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 4.0, 1e-12);
+    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atVessels);
+    EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), MeasurementPlane::Typed);
+    const auto measured = seen.measure(Length, MeasurementPlane::Typed, line).value();
+    EXPECT_EQ(labelOf(measured, Length).text(), "10.0 mm by the typed scale");
+    const Messages basis = basisOf(measured, Length, {seen.view, nullptr});
+    EXPECT_TRUE(isAmong(basis, says::measureBasisTyped));
+    EXPECT_EQ(basis.size(), 1U);
+    seen.view.typedMmPerPx = -1.0;
+    EXPECT_FALSE(seen.measure(Length, MeasurementPlane::Typed, line));
 }
 
 }   // namespace angiopose::core

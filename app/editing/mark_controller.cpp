@@ -1,0 +1,347 @@
+#include "app/editing/mark_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/words/mark_words.h"
+#include "core/messages/says.h"
+#include "core/vessel/place_on_tree.h"
+#include "ui/actions/window_actions.h"
+#include "ui/slices/slice_model.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tools/bind_tool.h"
+#include "ui/views/tree_view.h"
+#include "ui/words/message_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+using core::ImageAnnotation;
+using core::Sighting;
+using core::VesselMark;
+using core::VesselMarkKind;
+using ui::MarkMode;
+
+constexpr double placeReachPx = 14.0;   // widget px: so near to the pointer a vessel lies under it
+constexpr double sliceReachMm = 4.0;   // from a click in a slice to the vessels
+constexpr double sameMm = 1e-6;
+
+std::size_t placeOf(MarkMode mode)
+{
+    return static_cast<std::size_t>(mode);
+}
+
+bool isOnVessels(MarkMode mode)
+{
+    return mode == MarkMode::CheckPoint || mode == MarkMode::OstiumRing;
+}
+
+VesselMarkKind kindOf(MarkMode mode)
+{
+    return mode == MarkMode::OstiumRing ? VesselMarkKind::OstiumRing : VesselMarkKind::CheckPoint;
+}
+
+/// On the nearest branch; of a ring its width is the branch's there, and nothing where that has none.
+std::optional<VesselMark> putOn(const core::VesselTree& tree, VesselMark mark, const Eigen::Vector3d& point)
+{
+    const auto place = core::nearestPlace(tree, point);
+    if (!place) {
+        return std::nullopt;
+    }
+    mark.pointInPatient = core::pointAt(tree, *place);
+    if (mark.kind == VesselMarkKind::OstiumRing) {
+        const auto radius = core::radiusAt(tree, *place);
+        if (!radius) {
+            return std::nullopt;
+        }
+        mark.radiusMm = *radius;
+        mark.normal = core::directionAt(tree, *place);
+    }
+    return mark;
+}
+
+}   // namespace
+
+MarkController::MarkController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview, const Ui& ui,
+                               QObject* parent)
+    : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
+{
+    constexpr std::array commands{ui::Command::CheckPoint, ui::Command::OstiumRing, ui::Command::SeenHere,
+                                  ui::Command::DrawArrow, ui::Command::WriteText};
+    for (std::size_t mode = 0; mode < ui::markModeCount; ++mode) {
+        connectMode(static_cast<MarkMode>(mode), *ui_.actions[commands[mode]]);
+    }
+    connectPanel();
+    again_.setSingleShot(true);
+    again_.setInterval(0);
+    connect(&again_, &QTimer::timeout, this, &MarkController::show);
+    connect(&document_, &CaseDocument::changed, this, &MarkController::show);
+    connect(&preview_, &PosePreview::changed, &again_, qOverload<>(&QTimer::start));
+    connect(&sync_, &ViewSync::frameShown, this, &MarkController::show);
+    ui::speak(this, [this] { show(); });
+}
+
+void MarkController::connectMode(MarkMode mode, QAction& action)
+{
+    auto* tool = new ui::MarkTool(mode, ui_.view);
+    tools_[placeOf(mode)] = tool;
+    ui::bindTool(action, ui_.view, *tool);
+    ui_.panel.bindMode(placeOf(mode), action);
+    if (isOnVessels(mode)) {
+        tool->setSnap([this](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector2d> {
+            const auto place = placeUnder(pixel);
+            const auto at = place ? ui_.view.placeOf(*place) : std::nullopt;
+            return at ? std::optional(ui_.view.imageFromWidget(*at)) : std::nullopt;
+        });
+    }
+    connect(&action, &QAction::toggled, this, [this, mode, &action](bool on) {
+        if (on && !(isOnVessels(mode) ? current().vessels.tree != nullptr : current().shown().angiogram != nullptr)) {
+            action.setChecked(false);
+            emit refused(isOnVessels(mode) ? tr("Open the vessels first.") : tr("Open an angiogram first."));
+        }
+    });
+    connect(tool, &ui::MarkTool::placed, this, [this, mode](const Eigen::Vector2d& pixel) { place(mode, pixel); });
+    connect(tool, &ui::MarkTool::written, this, &MarkController::write);
+    connect(tool, &ui::MarkTool::handleMoved, this, [this, mode](int handle, const Eigen::Vector2d& pixel) {
+        moveHandle(mode, static_cast<std::size_t>(handle), pixel);
+    });
+    connect(tool, &ui::MarkTool::removeRequested, this, &MarkController::removeChosenOrLast);
+}
+
+void MarkController::connectPanel()
+{
+    const ui::MarkPanel& panel = ui_.panel;
+    connect(&panel, &ui::MarkPanel::choiceChanged, this, &MarkController::show);
+    connect(&panel, &ui::MarkPanel::renamed, this,
+            [this](int row, const QString& name) { rename(static_cast<std::size_t>(row), name); });
+    connect(&panel, &ui::MarkPanel::removeRequested, this, &MarkController::remove);
+    connect(&panel, &ui::MarkPanel::exportRequested, ui_.actions[ui::Command::ExportCheckPoints], &QAction::trigger);
+}
+
+core::PoseOfView MarkController::poseOf() const
+{
+    return [this](std::size_t view) { return preview_.poseIn(view); };
+}
+
+/// On the vessels as they are drawn.
+std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d& pixel) const
+{
+    if (core::findProblem(ui_.view.camera())) {
+        return std::nullopt;
+    }
+    return core::placeUnderPixel(ui_.view.scene().content().tree, {ui_.view.camera(), ui_.view.cameraFromPatient()},
+                                 pixel, placeReachPx / ui_.view.zoom());
+}
+
+/// Where vessels are drawn bent, marks are kept as of the rigid ones.
+Eigen::Vector3d MarkController::unbent(const Eigen::Vector3d& drawnPoint) const
+{
+    const core::Vessels& vessels = current().vessels;
+    const DrawnVessels drawn = drawnVessels(current().shown(), vessels, preview_.pose(), preview_.shape());
+    VesselMark mark;
+    mark.pointInPatient = drawnPoint;
+    return drawn.shape == VesselShape::Bent ? core::movedWith(drawn.tree, *vessels.tree, mark).pointInPatient
+                                            : drawnPoint;
+}
+
+void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
+{
+    const bool isPoint = ui_.actions[ui::Command::CheckPoint]->isChecked();
+    if (!isPoint && !ui_.actions[ui::Command::OstiumRing]->isChecked()) {
+        return;
+    }
+    const auto& tree = current().vessels.tree;
+    const auto drawn = core::nearestOnTree(ui_.view.scene().content().tree, pointInPatient);
+    const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // picked in 3-D
+    const Eigen::Vector3d point = isOfDrawn ? unbent(pointInPatient) : pointInPatient;
+    const auto nearest = tree ? core::nearestPlace(*tree, point) : std::nullopt;
+    const double reachMm = nearest ? std::max(sliceReachMm, core::radiusAt(*tree, *nearest).value_or(0.0)) : 0.0;
+    if (!nearest || (core::pointAt(*tree, *nearest) - point).norm() > reachMm) {
+        emit refused(ui::messageText(core::says::markNeedsVessels()));
+        return;
+    }
+    add(isPoint ? VesselMarkKind::CheckPoint : VesselMarkKind::OstiumRing, point);
+}
+
+void MarkController::place(MarkMode mode, const Eigen::Vector2d& pixel)
+{
+    if (mode == MarkMode::SeenHere) {
+        see(pixel, chosenCheckPoint(pixel));
+        return;
+    }
+    const auto point = placeUnder(pixel);
+    if (!point) {
+        emit refused(ui::messageText(core::says::markNeedsVessels()));
+        return;
+    }
+    add(kindOf(mode), unbent(*point));
+}
+
+void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPatient)
+{
+    VesselMark mark;
+    mark.id = core::nextMarkId(marks());
+    mark.kind = kind;
+    mark.name = freeMarkName(kind, marks()).toStdString();
+    const auto put = putOn(*current().vessels.tree, std::move(mark), pointInPatient);
+    if (!put) {
+        emit refused(ui::messageText(core::says::ringNeedsRadius()));
+        return;
+    }
+    std::vector<VesselMark> all = marks();
+    all.push_back(*put);
+    const auto row = static_cast<int>(all.size()) - 1;
+    changeMarks(std::move(all),
+                [kind] { return kind == VesselMarkKind::CheckPoint ? tr("Set check point") : tr("Set ostium ring"); });
+    if (row < static_cast<int>(marks().size())) {
+        ui_.panel.choose(row);
+    }
+}
+
+/// The one chosen in the list, else the only one, else the one drawn nearest.
+std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel) const
+{
+    const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::CheckPoint; };
+    for (const int row : ui_.panel.chosen()) {
+        if (static_cast<std::size_t>(row) < marks().size() && isPoint(static_cast<std::size_t>(row))) {
+            return marks()[static_cast<std::size_t>(row)].id;
+        }
+    }
+    std::optional<int> nearest;
+    double nearestPx = std::numeric_limits<double>::infinity();
+    const QPointF at = ui_.view.widgetFromImage(pixel);
+    for (std::size_t i = 0; i < marks().size(); ++i) {
+        const auto place = isPoint(i) ? ui_.view.placeOf(marks()[i].pointInPatient) : std::nullopt;
+        const double away = place ? std::hypot(place->x() - at.x(), place->y() - at.y()) : nearestPx;
+        if (away < nearestPx) {
+            nearestPx = away;
+            nearest = marks()[i].id;
+        }
+    }
+    return nearest;
+}
+
+void MarkController::see(const Eigen::Vector2d& pixel, std::optional<int> markId)
+{
+    if (!markId) {
+        emit refused(tr("Set a check point on the vessels first."));
+        return;
+    }
+    std::vector<Sighting> all = current().shown().sightings;
+    const int frame = sync_.shownFrame();
+    const auto isSame = [&](const Sighting& each) { return each.markId == *markId && each.frame == frame; };
+    const auto known = std::ranges::find_if(all, isSame);
+    if (known != all.end()) {
+        known->pixel = pixel;
+    } else {
+        all.push_back({*markId, pixel, frame});
+    }
+    document_.push(std::make_unique<ChangeSightings>(document_, ChangeSightings::Values{std::move(all)},
+                                                     [] { return tr("Say where a check point is seen"); }));
+    show();
+}
+
+void MarkController::write(const std::vector<Eigen::Vector2d>& pixels, const QString& words)
+{
+    const bool isArrow = pixels.size() == 2;
+    std::vector<ImageAnnotation> all = current().shown().annotations;
+    all.push_back({isArrow ? core::AnnotationKind::Arrow : core::AnnotationKind::Text, pixels, words.toStdString(),
+                   sync_.shownFrame()});
+    changeAnnotations(std::move(all), [isArrow] { return isArrow ? tr("Draw arrow") : tr("Write text"); });
+}
+
+void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::Vector2d& pixel)
+{
+    const Handle held = handles_[placeOf(mode)].at(handle);
+    if (mode == MarkMode::SeenHere) {
+        see(pixel, marks().at(held.index).id);
+        return;
+    }
+    if (!isOnVessels(mode)) {
+        std::vector<ImageAnnotation> all = current().shown().annotations;
+        all.at(held.index).pixels.at(held.point) = pixel;
+        changeAnnotations(std::move(all), [] { return tr("Move mark"); });
+        return;
+    }
+    const auto point = placeUnder(pixel);
+    const auto moved = point ? putOn(*current().vessels.tree, marks().at(held.index), unbent(*point)) : std::nullopt;
+    if (!moved) {
+        emit refused(ui::messageText(core::says::markNeedsVessels()));
+        show();
+        return;
+    }
+    std::vector<VesselMark> all = marks();
+    all.at(held.index) = *moved;
+    changeMarks(std::move(all), [] { return tr("Move mark"); });
+}
+
+void MarkController::rename(std::size_t row, const QString& name)
+{
+    const std::string words = name.simplified().toStdString();
+    const ui::Words edit = [] { return tr("Rename mark"); };
+    const std::size_t count = marks().size();
+    if (row < count && words != marks()[row].name) {
+        std::vector<VesselMark> all = marks();
+        all[row].name = words;
+        changeMarks(std::move(all), edit);
+    } else if (row >= count && row - count < current().shown().annotations.size() &&
+               words != current().shown().annotations[row - count].text) {
+        std::vector<ImageAnnotation> all = current().shown().annotations;
+        all[row - count].text = words;
+        changeAnnotations(std::move(all), edit);
+    } else {
+        show();   // what was typed may be blank around the name
+    }
+}
+
+/// Marks go from all views with where they are seen, annotations from the shown one: one step.
+void MarkController::remove(const std::set<int>& rows)
+{
+    std::vector<VesselMark> kept;
+    std::set<int> gone;
+    for (std::size_t i = 0; i < marks().size(); ++i) {
+        if (rows.contains(static_cast<int>(i))) {
+            gone.insert(marks()[i].id);
+        } else {
+            kept.push_back(marks()[i]);
+        }
+    }
+    std::vector<core::View> views = current().views;
+    for (core::View& view : views) {
+        std::erase_if(view.sightings, [&gone](const Sighting& each) { return gone.contains(each.markId); });
+    }
+    std::vector<ImageAnnotation>& annotations = views[current().shownView].annotations;
+    const std::size_t before = annotations.size();
+    auto row = static_cast<int>(marks().size());
+    std::erase_if(annotations, [&](const ImageAnnotation&) { return rows.contains(row++); });
+    if (!gone.empty() || annotations.size() != before) {
+        document_.push(std::make_unique<RemoveMarks>(document_, RemoveMarks::Values{std::move(kept), std::move(views)},
+                                                     [] { return tr("Remove mark"); }));
+    }
+    show();
+}
+
+void MarkController::removeChosenOrLast()
+{
+    const std::set<int> chosen = ui_.panel.chosen();
+    const std::size_t count = marks().size() + current().shown().annotations.size();
+    remove(chosen.empty() ? std::set<int>{static_cast<int>(count) - 1} : chosen);
+}
+
+void MarkController::changeMarks(std::vector<VesselMark> marks, const ui::Words& name)
+{
+    document_.push(std::make_unique<ChangeMarks>(document_, ChangeMarks::Values{std::move(marks)}, name));
+    show();   // also what was refused
+}
+
+void MarkController::changeAnnotations(std::vector<ImageAnnotation> annotations, const ui::Words& name)
+{
+    document_.push(
+        std::make_unique<ChangeAnnotations>(document_, ChangeAnnotations::Values{std::move(annotations)}, name));
+    show();
+}
+
+}   // namespace angiopose::app

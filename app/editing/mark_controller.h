@@ -1,0 +1,85 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/showing/pose_preview.h"
+#include "app/showing/view_sync.h"
+#include "core/measuring/check_points.h"
+#include "ui/panels/mark_panel.h"
+#include "ui/views/tools/mark_tool.h"
+#include "ui/words/spoken.h"
+
+#include <QTimer>
+
+#include <array>
+#include <set>
+
+namespace angiopose::ui {
+class AngiogramView;
+class SliceModel;
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// Check points and rings on the vessels, where they are seen in the image, arrows and texts: set by clicks in image,
+/// 3-D view and slices, listed with their errors, renamed, moved and removed, each a step of undo. Errors follow the
+/// poses that are shown.
+class MarkController : public QObject {
+    Q_OBJECT
+public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::MarkPanel& panel;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::SliceModel& slices;
+    };
+    MarkController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview, const Ui& ui,
+                   QObject* parent = nullptr);
+
+    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< in 3-D or a slice, while check points or rings are set
+
+signals:
+    void refused(const QString& reason);
+
+private:
+    void connectMode(ui::MarkMode mode, QAction& action);
+    void connectPanel();
+    void place(ui::MarkMode mode, const Eigen::Vector2d& pixel);
+    void add(core::VesselMarkKind kind, const Eigen::Vector3d& pointInPatient);
+    void see(const Eigen::Vector2d& pixel, std::optional<int> markId);
+    void write(const std::vector<Eigen::Vector2d>& pixels, const QString& words);
+    void moveHandle(ui::MarkMode mode, std::size_t handle, const Eigen::Vector2d& pixel);
+    void rename(std::size_t row, const QString& name);
+    void remove(const std::set<int>& rows);
+    void removeChosenOrLast();
+    void changeMarks(std::vector<core::VesselMark> marks, const ui::Words& name);
+    void changeAnnotations(std::vector<core::ImageAnnotation> annotations, const ui::Words& name);
+    void show();
+    void showPlaces();
+    void showHandles();
+    std::optional<Eigen::Vector3d> placeUnder(const Eigen::Vector2d& pixel) const;
+    Eigen::Vector3d unbent(const Eigen::Vector3d& drawnPoint) const;
+    std::optional<int> chosenCheckPoint(const Eigen::Vector2d& pixel) const;
+    std::vector<ui::MarkRow> rows() const;
+    core::PoseOfView poseOf() const;
+    const core::Case& current() const { return document_.current(); }
+    const std::vector<core::VesselMark>& marks() const { return document_.current().vessels.marks; }
+
+    /// What a handle of the image moves.
+    struct Handle {
+        std::size_t index = 0;   ///< of the mark or annotation
+        std::size_t point = 0;   ///< of the annotation
+    };
+    CaseDocument& document_;
+    const ViewSync& sync_;
+    const PosePreview& preview_;
+    Ui ui_;
+    std::array<ui::MarkTool*, ui::markModeCount> tools_{};
+    std::array<std::vector<Handle>, ui::markModeCount> handles_;
+    QTimer again_;   ///< poses change in bursts
+};
+
+}   // namespace angiopose::app

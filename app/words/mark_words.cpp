@@ -1,0 +1,101 @@
+#include "app/words/mark_words.h"
+
+#include "core/messages/says.h"
+#include "ui/words/message_text.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+/// The words of this file.
+struct MarkWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::MarkWords)
+};
+
+constexpr double manySigmas = 2.0;
+
+QString placeWords(const core::VesselMark& mark)
+{
+    return ui::messageText(core::says::markPlace(core::inMm(mark.pointInPatient.x(), 1),
+                                                 core::inMm(mark.pointInPatient.y(), 1),
+                                                 core::inMm(mark.pointInPatient.z(), 1)));
+}
+
+QString kindWords(const core::ImageAnnotation& annotation)
+{
+    return annotation.kind == core::AnnotationKind::Arrow ? MarkWords::tr("arrow") : MarkWords::tr("text");
+}
+
+QString frameWordsOf(const core::ImageAnnotation& annotation)
+{
+    return MarkWords::tr("On frame %1 of this view, in every picture of it.").arg(annotation.frame);
+}
+
+bool isFarther(double mm, const std::optional<double>& claimedMm)
+{
+    return claimedMm && mm > manySigmas * *claimedMm;
+}
+
+/// More off than twice what the pose claims, in the shown view or in space.
+bool isMoreThanClaimed(const core::CheckedPoint& checked, std::size_t shownView)
+{
+    const auto shown = std::ranges::find(checked.views, shownView, &core::CheckedView::view);
+    const bool isHere = shown != checked.views.end() && shown->error && shown->claimed &&
+                        isFarther(shown->error.value().mm, shown->claimed->inPlaneMm);
+    return isHere || (checked.meeting && isFarther(checked.spaceMm(), checked.claimedSpaceMm));
+}
+
+}   // namespace
+
+ui::MarkRow annotationRow(const core::ImageAnnotation& annotation)
+{
+    return {QString::fromStdString(annotation.text), kindWords(annotation), frameWordsOf(annotation), false};
+}
+
+QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCount)
+{
+    QStringList sentences;
+    for (const core::CheckedView& view : checked.views) {
+        const QString told = ui::messagesText(core::sentencesOf(view));
+        sentences << (viewCount > 1 ? MarkWords::tr("View %1:").arg(view.view + 1) + QLatin1Char(' ') + told : told);
+    }
+    if (viewCount > 1 || checked.views.empty()) {
+        sentences << ui::messagesText(core::spaceSentences(checked));
+    }
+    return sentences.join(QLatin1Char(' '));
+}
+
+ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::CheckedPoint>& checked, std::size_t shownView)
+{
+    const QString name = QString::fromStdString(mark.name);
+    if (mark.kind == core::VesselMarkKind::OstiumRing) {
+        return {name, ui::messageText(core::says::ringWidth(core::inMm(2.0 * mark.radiusMm, 1))), placeWords(mark),
+                false};
+    }
+    const auto found = std::ranges::find(checked, mark.id, [](const core::CheckedPoint& each) { return each.mark.id; });
+    if (found == checked.end()) {
+        return {name, QStringLiteral("–"), placeWords(mark), false};
+    }
+    const auto label = core::labelOf(*found, shownView);
+    const std::size_t views = found->views.size() + (found->views.size() == 1 && found->meeting ? 1 : 0);
+    return {name, label ? ui::messageText(*label) : QStringLiteral("–"),
+            checkedSentences(*found, std::max<std::size_t>(views, 1)) + QLatin1Char(' ') + placeWords(mark),
+            isMoreThanClaimed(*found, shownView)};
+}
+
+QString freeMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks)
+{
+    const bool isRing = kind == core::VesselMarkKind::OstiumRing;
+    for (int number = 1;; ++number) {
+        const QString name = (isRing ? MarkWords::tr("Ostium %1") : MarkWords::tr("Check point %1")).arg(number);
+        if (std::ranges::find(marks, name.toStdString(), &core::VesselMark::name) == marks.end()) {
+            return name;
+        }
+    }
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,110 @@
+#include "io/case/fields/mark_fields.h"
+
+#include "io/case/fields/json_values.h"
+#include "io/case/fields/word_field.h"
+#include "io/messages/says.h"
+#include "io/support/measurement_words.h"
+
+#include <set>
+
+namespace angiopose::io {
+namespace {
+
+using core::ImageAnnotation;
+using core::Sighting;
+using core::VesselMark;
+using core::VesselMarkKind;
+
+constexpr double usableLength = 1e-6;
+
+Json manyOf(const char* sentence)
+{
+    return {{"description", sentence}, {"maxItems", 10000}};
+}
+
+Json pointList(const char* definition, int least, int most)
+{
+    Json points = listSchema(definedAs(definition));
+    points["minItems"] = least;
+    points["maxItems"] = most;
+    return points;
+}
+
+StoredFields<VesselMark> markFields()
+{
+    return {storedValue("id", about(integerSchema(1, 1000000), "By which `sightings` name it."), &VesselMark::id),
+            wordField("kind", choiceSchema({"check-point", "ostium-ring"}), &VesselMark::kind, markKinds),
+            storedIfSet("name", textSchema(), &VesselMark::name),
+            storedValue("pointInPatientMm", definedAs("point"), &VesselMark::pointInPatient),
+            storedIfSet("normal", about(definedAs("point"), "Of a ring: along its branch, unit."), &VesselMark::normal),
+            storedIfSet("radiusMm", about(numberSchema(0, 1000), "Of a ring."), &VesselMark::radiusMm)};
+}
+
+/// What makes no sense of marks that were read; directions become unit.
+void checkMarks(std::vector<VesselMark>& marks, Reading& reading)
+{
+    std::set<int> ids;
+    for (VesselMark& mark : marks) {
+        const std::string subject = "vessel.marks: " + std::to_string(mark.id);
+        if (!ids.insert(mark.id).second) {
+            reading.problems.push_back(says::caseMarkTwice(mark.id).about(subject));
+        }
+        const bool isRing = mark.kind == VesselMarkKind::OstiumRing;
+        if (isRing && !(mark.radiusMm > 0.0 && mark.normal.norm() > usableLength)) {
+            reading.problems.push_back(says::caseRingOpen().about(subject));
+        } else if (std::abs(mark.normal.norm() - 1.0) > usableLength) {
+            mark.normal = isRing ? mark.normal.normalized() : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+        }
+    }
+}
+
+}   // namespace
+
+StoredField<core::Vessels> marksField()
+{
+    StoredField<core::Vessels> field =
+        storedList("marks", manyOf("Check points and rings of ostia on the vessels."), &core::Vessels::marks,
+                   objectSchema({}, {"id", "kind", "pointInPatientMm"}), markFields());
+    field.read = [read = field.read](const Json& value, core::Vessels& vessels, Reading& reading) {
+        read(value, vessels, reading);
+        checkMarks(vessels.marks, reading);
+    };
+    return field;
+}
+
+StoredField<core::View> sightingsField()
+{
+    return storedList(
+        "sightings", manyOf("Where check points of the vessels are seen in the image."), &core::View::sightings,
+        objectSchema({}, {"mark", "pixel"}),
+        StoredFields<Sighting>{
+            storedValue("mark", about(integerSchema(1, 1000000), "Its id among the marks of the vessels."),
+                        &Sighting::markId),
+            storedValue("pixel", definedAs("pair"), &Sighting::pixel),
+            storedValue("frame", integerSchema(0, 100000), &Sighting::frame)});
+}
+
+StoredField<core::View> annotationsField()
+{
+    StoredField<core::View> field =
+        storedList("annotations", manyOf("Arrows and words on the image; they are drawn and mean nothing else."),
+                   &core::View::annotations, objectSchema({}, {"kind", "pixels"}),
+                   StoredFields<ImageAnnotation>{
+                       wordField("kind", choiceSchema({"arrow", "text"}), &ImageAnnotation::kind, annotationKinds),
+                       storedValue("pixels", about(pointList("pair", 1, 2), "Of an arrow its tail and its tip."),
+                                   &ImageAnnotation::pixels),
+                       storedIfSet("text", textSchema(), &ImageAnnotation::text),
+                       storedValue("frame", integerSchema(0, 100000), &ImageAnnotation::frame)});
+    field.read = [read = field.read](const Json& value, core::View& view, Reading& reading) {
+        read(value, view, reading);
+        for (std::size_t i = 0; i < view.annotations.size(); ++i) {
+            const ImageAnnotation& each = view.annotations[i];
+            if (each.pixels.size() != (each.kind == core::AnnotationKind::Arrow ? 2U : 1U)) {
+                reading.problems.push_back(says::caseAnnotationPoints().about("annotations: " + std::to_string(i)));
+            }
+        }
+    };
+    return field;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,170 @@
+#include "io/check_point_table.h"
+
+#include "io/case/fields/json_values.h"
+#include "io/support/atomic_file.h"
+#include "io/support/csv_table.h"
+#include "io/support/json_text.h"
+#include "io/support/measurement_words.h"
+#include "io/support/message_json.h"
+#include "io/support/numbers.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+namespace angiopose::io {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr std::string_view checkPointHeader =
+    "mark,kind,name,x_mm,y_mm,z_mm,radius_mm,view,frame,seen_u_px,seen_v_px,expected_u_px,expected_v_px,error_px,"
+    "error_mm,claimed_mm,bent_error_mm,depth_mm,notes\n";
+
+std::string wordOf(const core::VesselMark& mark)
+{
+    return markKinds[static_cast<std::size_t>(mark.kind)];
+}
+
+std::string placeCells(const core::VesselMark& mark)
+{
+    const bool isRing = mark.kind == core::VesselMarkKind::OstiumRing;
+    return std::to_string(mark.id) + "," + wordOf(mark) + "," + csvCell(mark.name) + "," +
+           toText(mark.pointInPatient.x()) + "," + toText(mark.pointInPatient.y()) + "," +
+           toText(mark.pointInPatient.z()) + "," + (isRing ? toText(mark.radiusMm) : "");
+}
+
+std::string noteCell(const core::Messages& messages)
+{
+    std::string notes;
+    for (const std::string& sentence : sentencesOf(messages)) {
+        notes += (notes.empty() ? "" : " ") + sentence;
+    }
+    return csvCell(notes);
+}
+
+std::string known(const std::optional<double>& value)
+{
+    return value ? toText(*value) : std::string();
+}
+
+std::string pixelCells(const Eigen::Vector2d& pixel)
+{
+    return toText(pixel.x()) + "," + toText(pixel.y());
+}
+
+std::string viewCells(const core::CheckedView& checked)
+{
+    const std::string where = std::to_string(checked.view + 1) + "," + std::to_string(checked.frame) + ",";
+    const std::string notes = noteCell(core::sentencesOf(checked));
+    if (!checked.error) {
+        return where + ",,,,,,,,," + notes;
+    }
+    const core::ImageError& error = checked.error.value();
+    const auto claimed = checked.claimed ? std::optional(checked.claimed->inPlaneMm) : std::nullopt;
+    return where + pixelCells(error.seenPx) + "," + pixelCells(error.expectedPx) + "," + toText(error.px) + "," +
+           toText(error.mm) + "," + known(claimed) + "," + known(checked.bentMm) + "," + toText(error.depthMm) + "," +
+           notes;
+}
+
+std::string spaceCells(const core::CheckedPoint& checked)
+{
+    return "space,,,,,,," + toText(checked.spaceMm()) + "," + known(checked.claimedSpaceMm) + ",,," +
+           noteCell(core::spaceSentences(checked));
+}
+
+OrderedJson viewJson(const core::CheckedView& checked)
+{
+    OrderedJson json{{"view", checked.view + 1}, {"frame", checked.frame}};
+    if (checked.error) {
+        const core::ImageError& error = checked.error.value();
+        json["seenPx"] = {error.seenPx.x(), error.seenPx.y()};
+        json["expectedPx"] = {error.expectedPx.x(), error.expectedPx.y()};
+        json["errorPx"] = error.px;
+        json["errorMm"] = error.mm;
+        json["claimedMm"] = checked.claimed ? OrderedJson(checked.claimed->inPlaneMm) : OrderedJson();
+        json["depthMm"] = error.depthMm;
+    }
+    if (checked.bentMm) {
+        json["bentErrorMm"] = *checked.bentMm;
+    }
+    json["notes"] = sentencesOf(core::sentencesOf(checked));
+    return json;
+}
+
+OrderedJson pointJson(const core::VesselMark& mark)
+{
+    OrderedJson json{{"mark", mark.id}, {"kind", wordOf(mark)}, {"name", mark.name}};
+    json["pointInPatientMm"] = {mark.pointInPatient.x(), mark.pointInPatient.y(), mark.pointInPatient.z()};
+    if (mark.kind == core::VesselMarkKind::OstiumRing) {
+        json["normal"] = {mark.normal.x(), mark.normal.y(), mark.normal.z()};
+        json["radiusMm"] = mark.radiusMm;
+    }
+    return json;
+}
+
+OrderedJson checkedJson(const core::CheckedPoint& checked)
+{
+    OrderedJson json = pointJson(checked.mark);
+    json["views"] = OrderedJson::array();
+    for (const core::CheckedView& view : checked.views) {
+        json["views"].push_back(viewJson(view));
+    }
+    if (checked.meeting) {
+        const core::MeetingPoint& meeting = checked.meeting.value();
+        const Eigen::Vector3d& point = meeting.pointInPatient;
+        json["space"] = {{"pointInPatientMm", {point.x(), point.y(), point.z()}},
+                         {"errorMm", checked.spaceMm()},
+                         {"claimedMm", checked.claimedSpaceMm ? OrderedJson(*checked.claimedSpaceMm) : OrderedJson()},
+                         {"angleDeg", meeting.angleDeg},
+                         {"raysApartMm", meeting.raysApartMm}};
+    }
+    return json;
+}
+
+bool isRing(const core::VesselMark& mark)
+{
+    return mark.kind == core::VesselMarkKind::OstiumRing;
+}
+
+}   // namespace
+
+std::string checkPointTable(const core::Case& theCase)
+{
+    std::string table(checkPointHeader);
+    for (const core::CheckedPoint& checked : core::checkedPoints(theCase)) {
+        const std::string place = placeCells(checked.mark) + ",";
+        for (const core::CheckedView& view : checked.views) {
+            table += place + viewCells(view) + "\n";
+        }
+        if (checked.meeting) {
+            table += place + spaceCells(checked) + "\n";
+        } else if (checked.views.empty()) {
+            table += place + ",,,,,,,,,,," + noteCell(core::spaceSentences(checked)) + "\n";
+        }
+    }
+    for (const core::VesselMark& mark : theCase.vessels.marks) {
+        table += isRing(mark) ? placeCells(mark) + ",,,,,,,,,,,,\n" : std::string();
+    }
+    return table;
+}
+
+core::Status writeCheckPoints(const core::Case& theCase, const std::string& path)
+{
+    return writeAtomically(path, checkPointTable(theCase));
+}
+
+std::string checkPointJson(const core::Case& theCase)
+{
+    OrderedJson list = OrderedJson::array();
+    for (const core::CheckedPoint& checked : core::checkedPoints(theCase)) {
+        list.push_back(checkedJson(checked));
+    }
+    for (const core::VesselMark& mark : theCase.vessels.marks) {
+        if (isRing(mark)) {
+            list.push_back(pointJson(mark));
+        }
+    }
+    return prettyJson(list.dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
+}
+
+}   // namespace angiopose::io

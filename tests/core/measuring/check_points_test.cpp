@@ -1,0 +1,172 @@
+#include "core/measuring/check_points.h"
+
+#include "core/messages/says.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <random>
+
+namespace angiopose::core {
+namespace {
+
+/// A bent vessel in two views 90° apart, and a check point on it that is seen where it is.
+struct Checked {
+    Checked()
+    {
+        VesselTree tree;
+        tree.branches.push_back({1, "", {{-30, 0, 0}, {0, 10, 5}, {30, 0, -5}, {40, -20, 10}}, {}, 0});
+        theCase.vessels.tree = std::make_shared<const VesselTree>(tree);
+        theCase.vessels.marks = {{7, VesselMarkKind::CheckPoint, "fork", {25.0, 2.0, -4.0}}};
+        theCase.views.resize(2);
+        auto run = std::make_shared<Angiogram>();
+        run->frames.assign(3, ImageF(512, 512));
+        for (std::size_t k = 0; k < 2; ++k) {
+            View& view = theCase.views[k];
+            view.angiogram = run;
+            view.frame = 1;
+            view.geometry.cameraOverride = ProjectionCamera{-5000.0, 5200.0, 255.5, 255.5, 512, 512};
+            view.cameraFromPatient.rotation = expSo3(Eigen::Vector3d(0.0, k == 0 ? 0.1 : 1.6, 0.05));
+            view.cameraFromPatient.translation = {2.0, -3.0, 760.0 + 20.0 * static_cast<double>(k)};
+            view.sightings = {{7, seenAt(k, mark().pointInPatient), 1}};
+        }
+    }
+    const VesselMark& mark() const { return theCase.vessels.marks.front(); }
+    Eigen::Vector2d seenAt(std::size_t view, const Eigen::Vector3d& point) const
+    {
+        const View& in = theCase.views[view];
+        return *project(cameraOf(in).value(), in.cameraFromPatient * point);
+    }
+    CheckedPoint checked() const { return checkedPoints(theCase).front(); }
+    Case theCase;
+};
+
+/// A covariance that no two steps share.
+Matrix6d someCovariance(double scale)
+{
+    Matrix6d root;
+    for (int row = 0; row < 6; ++row) {
+        for (int column = 0; column < 6; ++column) {
+            root(row, column) = std::sin(1.0 + 3.1 * row + 1.7 * column) * (row < 3 ? 1e-3 : 0.1);
+        }
+    }
+    return scale * root * root.transpose();
+}
+
+}   // namespace
+
+TEST(CheckPoints, TheErrorIsTheShiftThatWasImposed)
+{
+    Checked seen;
+    EXPECT_NEAR(seen.checked().views[0].error.value().mm, 0.0, 1e-9);
+    seen.theCase.views[0].cameraFromPatient.translation += Eigen::Vector3d(3.0, -4.0, 0.0);
+    const CheckedPoint checked = seen.checked();
+    ASSERT_EQ(checked.views.size(), 2U);
+    const ImageError& error = checked.views[0].error.value();
+    EXPECT_NEAR(error.mm, 5.0, 1e-9);
+    const double depthMm = (seen.theCase.views[0].cameraFromPatient * seen.mark().pointInPatient).z();
+    EXPECT_NEAR(error.depthMm, depthMm, 1e-9);
+    EXPECT_NEAR(error.px, std::hypot(3.0 * 5000.0, 4.0 * 5200.0) / depthMm, 1e-9);
+    EXPECT_NEAR(checked.views[1].error.value().mm, 0.0, 1e-9);
+    EXPECT_FALSE(checked.views[0].claimed) << "no run found this pose";
+    const Messages told = sentencesOf(checked.views[0]);
+    EXPECT_TRUE(told.back().is(says::checkNothingClaimed));
+    EXPECT_EQ(labelOf(checked, 0)->text(), "5.0 mm off");
+}
+
+TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
+{
+    Checked seen;
+    const Eigen::Vector3d shift(2.0, -1.0, 2.0);   // 3 mm of the vessels against both cameras
+    for (std::size_t k = 0; k < 2; ++k) {
+        seen.theCase.views[k].sightings[0].pixel = seen.seenAt(k, seen.mark().pointInPatient + shift);
+    }
+    const CheckedPoint checked = seen.checked();
+    ASSERT_TRUE(checked.meeting) << checked.meeting.error().message;
+    EXPECT_NEAR(checked.spaceMm(), 3.0, 1e-7);
+    EXPECT_LT((checked.meeting.value().pointInPatient - seen.mark().pointInPatient - shift).norm(), 1e-7);
+    EXPECT_NEAR(checked.meeting.value().raysApartMm, 0.0, 1e-7);
+    EXPECT_GT(checked.meeting.value().angleDeg, 80.0);
+    EXPECT_EQ(checked.meetingViews, (std::vector<std::size_t>{0, 1}));
+
+    seen.theCase.views[1].sightings[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays do not meet any more
+    EXPECT_GT(seen.checked().meeting.value().raysApartMm, 0.5);
+}
+
+TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeTold)
+{
+    Checked seen;
+    seen.theCase.views[1].cameraFromPatient = seen.theCase.views[0].cameraFromPatient;
+    seen.theCase.views[1].cameraFromPatient.translation.x() += 10.0;
+    EXPECT_TRUE(seen.checked().meeting.error().message.is(says::checkRaysAlike));
+    seen.theCase.views[1].sightings.clear();
+    EXPECT_TRUE(seen.checked().meeting.error().message.is(says::checkNeedsTwoViews));
+    seen.theCase.views[0].sightings.clear();
+    EXPECT_TRUE(seen.checked().views.empty());
+    EXPECT_FALSE(labelOf(seen.checked(), 0));
+}
+
+TEST(CheckPoints, ThePoseIsOfOneFrame)
+{
+    Checked seen;
+    seen.theCase.views[0].sightings[0].frame = 2;
+    EXPECT_TRUE(seen.checked().views[0].error.error().message.is(says::checkOtherFrame));
+    EXPECT_FALSE(seen.checked().meeting);
+    seen.theCase.views[0].sightings.push_back({7, {100.0, 100.0}, 1});
+    EXPECT_TRUE(seen.checked().views[0].error) << "of several frames the one of the pose counts";
+    seen.theCase.views[0].cameraFromPatient.translation.z() = -700.0;
+    EXPECT_TRUE(seen.checked().views[0].error.error().message.is(says::checkBehindSource));
+}
+
+TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
+{
+    Checked seen;
+    View& view = seen.theCase.views[0];
+    view.result.emplace();
+    view.result->cameraFromPatient = view.cameraFromPatient;
+    const Matrix6d covariance = someCovariance(0.01);
+    view.result->uncertainty.covariance = covariance;
+    view.result->uncertainty.imageCovariance = covariance;
+    const ClaimedError claimed = *seen.checked().views[0].claimed;
+
+    const Eigen::Vector3d centroid = centroidInPatient(*seen.theCase.vessels.tree);
+    const Eigen::LLT<Matrix6d> root(Matrix6d(covariance + 1e-15 * Matrix6d::Identity()));
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    double inPlane = 0.0;
+    double inSpace = 0.0;
+    constexpr int draws = 40000;
+    for (int i = 0; i < draws; ++i) {
+        const Vector6d step = root.matrixL() * Vector6d::NullaryExpr([&] { return normal(random); });
+        RigidTransform moved;
+        moved.rotation = expSo3(step.head<3>()) * view.cameraFromPatient.rotation;
+        moved.translation = view.cameraFromPatient * centroid + step.tail<3>() - moved.rotation * centroid;
+        const Eigen::Vector2d at = *project(cameraOf(view).value(), moved * seen.mark().pointInPatient);
+        const auto error = imageError({cameraOf(view).value(), view.cameraFromPatient}, seen.mark().pointInPatient, at);
+        inPlane += error.value().mm * error.value().mm / draws;
+        inSpace +=
+            (moved * seen.mark().pointInPatient - view.cameraFromPatient * seen.mark().pointInPatient).squaredNorm() /
+            draws;
+    }
+    EXPECT_GT(claimed.inPlaneMm, 1e-3);
+    EXPECT_NEAR(std::sqrt(inPlane) / claimed.inPlaneMm, 1.0, 0.02);
+    EXPECT_NEAR(std::sqrt(inSpace) / claimed.spaceMm, 1.0, 0.02);
+    EXPECT_TRUE(sentencesOf(seen.checked().views[0])[1].is(says::checkClaimed));
+}
+
+TEST(CheckPoints, APoseLookedAtForAWhileHasNoClaim)
+{
+    Checked seen;
+    seen.theCase.views[0].result.emplace();
+    seen.theCase.views[0].result->cameraFromPatient = seen.theCase.views[0].cameraFromPatient;
+    EXPECT_TRUE(seen.checked().views[0].claimed);
+    const auto moved = checkedPoints(seen.theCase, [&](std::size_t view) {
+        RigidTransform pose = seen.theCase.views[view].cameraFromPatient;
+        pose.translation.x() += 1.0;
+        return pose;
+    });
+    EXPECT_FALSE(moved.front().views[0].claimed);
+    EXPECT_NEAR(moved.front().views[0].error.value().mm, 1.0, 1e-9);
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,96 @@
+#include "ui/scenes/label_places.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr double edgePx = 4.0;
+constexpr double roomPx = 2.0;   // between labels
+constexpr double overlapCost = 30.0;   // of a px² of another text
+constexpr double vesselCost = 40.0;   // of a point of the vessels
+constexpr double wayCost = 3.0;   // of a px of the way to the place
+const std::array sides{Eigen::Vector2d(1, 1), Eigen::Vector2d(1, -1), Eigen::Vector2d(-1, 1), Eigen::Vector2d(-1, -1),
+                       Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 0), Eigen::Vector2d(0, 1),  Eigen::Vector2d(0, -1)};
+constexpr std::array ways{1.0, 2.0, 3.5, 5.5};   // in gaps
+
+ViewRect boxAt(const Eigen::Vector2d& corner, const Eigen::Vector2d& size)
+{
+    return {corner.x() - roomPx, corner.x() + size.x() + roomPx, corner.y() - roomPx, corner.y() + size.y() + roomPx};
+}
+
+double overlap(const ViewRect& a, const ViewRect& b)
+{
+    const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
+    const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+    return width > 0.0 && height > 0.0 ? width * height : 0.0;
+}
+
+bool isIn(const ViewRect& box, const Eigen::Vector2d& point)
+{
+    return point.x() > box.left && point.x() < box.right && point.y() > box.top && point.y() < box.bottom;
+}
+
+Eigen::Vector2d inside(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, const LabelGround& ground)
+{
+    const auto within = [](double wanted, double most) {
+        return std::clamp(wanted, edgePx, std::max(edgePx, most - edgePx));
+    };
+    return {within(corner.x(), ground.width - size.x()), within(corner.y(), ground.height - size.y())};
+}
+
+/// The corner of a label that stands on one side of its place.
+Eigen::Vector2d beside(const WantedLabel& label, const Eigen::Vector2d& side, double way)
+{
+    const Eigen::Vector2d half = 0.5 * label.size;
+    return label.at + side.cwiseProduct(half + Eigen::Vector2d::Constant(way * label.gapPx)) - half;
+}
+
+double costOf(const ViewRect& box, const WantedLabel& label, const LabelGround& ground,
+              const std::vector<ViewRect>& placed)
+{
+    const Eigen::Vector2d middle(0.5 * (box.left + box.right), 0.5 * (box.top + box.bottom));
+    const Eigen::Vector2d half(0.5 * (box.right - box.left), 0.5 * (box.bottom - box.top));
+    double cost = wayCost * ((middle - label.at).cwiseAbs() - half).cwiseMax(0.0).norm();
+    for (const ViewRect& other : ground.taken) {
+        cost += overlapCost * overlap(box, other);
+    }
+    for (const ViewRect& other : placed) {
+        cost += overlapCost * overlap(box, other);
+    }
+    for (const Eigen::Vector2d& point : ground.avoided) {
+        cost += isIn(box, point) ? vesselCost : 0.0;
+    }
+    return cost + (isIn(box, label.at) ? 10.0 * vesselCost : 0.0);
+}
+
+}   // namespace
+
+std::vector<Eigen::Vector2d> labelPlaces(const std::vector<WantedLabel>& labels, const LabelGround& ground)
+{
+    std::vector<Eigen::Vector2d> corners;
+    std::vector<ViewRect> placed;
+    for (const WantedLabel& label : labels) {
+        Eigen::Vector2d best = label.at;
+        if (label.size.minCoeff() > 0.0) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const double way : ways) {
+                for (const Eigen::Vector2d& side : sides) {
+                    const Eigen::Vector2d corner = inside(beside(label, side, way), label.size, ground);
+                    const double cost = costOf(boxAt(corner, label.size), label, ground, placed);
+                    if (cost < least) {
+                        least = cost;
+                        best = corner;
+                    }
+                }
+            }
+            placed.push_back(boxAt(best, label.size));
+        }
+        corners.push_back(best);
+    }
+    return corners;
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,218 @@
+#include "ui/views/tools/mark_tool.h"
+
+#include "ui/views/angiogram_view.h"
+#include "ui/views/paint_marks.h"
+#include "ui/words/spoken.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr double markReachPx = 9.0;
+constexpr int wordsWidth = 220;
+constexpr int mostLetters = 200;
+
+}   // namespace
+
+MarkTool::MarkTool(MarkMode mode, AngiogramView& view) : ImageTool(view), mode_(mode) {}
+
+void MarkTool::showHandles(std::vector<Eigen::Vector2d> handles)
+{
+    if (handles != handles_) {
+        handles_ = std::move(handles);
+        held_.reset();
+        if (view().tool() == this) {
+            view().update();
+        }
+    }
+}
+
+QString MarkTool::caption() const
+{
+    switch (mode_) {
+        case MarkMode::CheckPoint:
+            return tr("Check point: click the vessels, here, in 3-D or in a slice · points can be moved");
+        case MarkMode::OstiumRing:
+            return tr("Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved");
+        case MarkMode::SeenHere:
+            return tr("Seen here: click where the chosen check point is seen, or drag it there");
+        case MarkMode::Arrow:
+            return tr("Arrow: drag from its tail to its tip, then type · ends can be moved");
+        case MarkMode::Words:
+            break;
+    }
+    return tr("Text: click where it begins, then type · texts can be moved");
+}
+
+std::optional<std::size_t> MarkTool::handleAt(const QPointF& position) const
+{
+    std::optional<std::size_t> nearest;
+    double nearestPx = markReachPx;
+    for (std::size_t i = 0; i < handles_.size(); ++i) {
+        const QPointF way = view().widgetFromImage(handles_[i]) - position;
+        if (std::hypot(way.x(), way.y()) < nearestPx) {
+            nearestPx = std::hypot(way.x(), way.y());
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
+std::optional<Eigen::Vector2d> MarkTool::snapped(const Eigen::Vector2d& pixel) const
+{
+    return snap_ ? snap_(pixel) : std::optional(pixel);
+}
+
+bool MarkTool::startDrag(const ToolPoint& pressed)
+{
+    finishWords();
+    held_ = handleAt(pressed.position);
+    points_.clear();
+    if (!held_ && mode_ == MarkMode::Arrow) {
+        points_ = {pressed.imagePx};
+    }
+    return true;   // a drag while marking must not change the grey values
+}
+
+void MarkTool::drag(const ToolPoint& point)
+{
+    mousePx_ = point.imagePx;
+    view().update();
+}
+
+void MarkTool::finishDrag(const ToolPoint& point)
+{
+    if (const auto held = std::exchange(held_, std::nullopt)) {
+        emit handleMoved(static_cast<int>(*held), point.imagePx);
+    } else if (!points_.empty()) {
+        points_.push_back(point.imagePx);
+        askWords();
+    } else {
+        click(point);   // a hand that shook between press and release
+    }
+    view().update();
+}
+
+bool MarkTool::click(const ToolPoint& point)
+{
+    finishWords();
+    if (mode_ == MarkMode::Words) {
+        points_ = {point.imagePx};
+        askWords();
+    } else if (mode_ != MarkMode::Arrow) {
+        emit placed(point.imagePx);
+    }
+    return true;
+}
+
+/// A line at the first point; what is typed counts with Enter and with whatever is done next, not with Esc.
+void MarkTool::askWords()
+{
+    words_ = new QLineEdit(&view());
+    withName(words_, [] { return tr("Text on the image"); });
+    words_->setMaxLength(mostLetters);
+    words_->setPlaceholderText(tr("Text, then Enter"));
+    const QPointF at = view().widgetFromImage(points_.front());
+    const QSize size(std::min(wordsWidth, view().width()), words_->sizeHint().height());
+    words_->setGeometry(std::clamp(qRound(at.x()) + 8, 0, view().width() - size.width()),
+                        std::clamp(qRound(at.y()) + 8, 0, std::max(0, view().height() - size.height())), size.width(),
+                        size.height());
+    connect(words_, &QLineEdit::editingFinished, this, &MarkTool::finishWords);
+    words_->show();
+    words_->setFocus();
+}
+
+void MarkTool::finishWords()
+{
+    QLineEdit* line = std::exchange(words_, nullptr);
+    if (!line) {
+        return;
+    }
+    const QString words = line->text().simplified();
+    line->hide();
+    line->deleteLater();
+    view().setFocus();
+    const std::vector<Eigen::Vector2d> points = std::exchange(points_, {});
+    if (!words.isEmpty() || points.size() == 2) {
+        emit written(points, words);
+    }
+    view().update();
+}
+
+void MarkTool::hover(const ToolPoint& point)
+{
+    mousePx_ = point.imagePx;
+    view().update();
+}
+
+void MarkTool::leave()
+{
+    mousePx_.reset();
+    view().update();
+}
+
+bool MarkTool::takesKey(const QKeyEvent& event) const
+{
+    return event.key() == Qt::Key_Delete && (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier && !words_;
+}
+
+void MarkTool::keyPress(const QKeyEvent&)
+{
+    emit removeRequested();
+}
+
+bool MarkTool::takeBack()
+{
+    const bool hadWords = words_ != nullptr;
+    drop();
+    return hadWords;
+}
+
+void MarkTool::drop()
+{
+    held_.reset();
+    points_.clear();
+    if (QLineEdit* line = std::exchange(words_, nullptr)) {
+        line->hide();
+        line->deleteLater();
+        view().setFocus();
+    }
+    view().update();
+}
+
+std::optional<QCursor> MarkTool::cursor(bool isDragging) const
+{
+    return QCursor(isDragging && held_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
+}
+
+void MarkTool::paint(QPainter& painter) const
+{
+    const auto placeOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+        const QPointF place = view().widgetFromImage(pixel);
+        return {place.x(), place.y()};
+    };
+    painter.save();
+    for (std::size_t i = 0; i < handles_.size(); ++i) {
+        const bool isHeld = held_ == i;
+        paintHandle(painter, placeOf(isHeld && mousePx_ ? *mousePx_ : handles_[i]), isHeld);
+    }
+    if (!points_.empty() && (points_.size() == 2 || mousePx_) && mode_ == MarkMode::Arrow) {
+        paintMarks(painter,
+                   {{MarkShape::Arrow, {points_.front(), points_.size() == 2 ? points_[1] : *mousePx_}, {}, true}},
+                   placeOf);
+    } else if (mousePx_ && snap_ && !held_) {
+        if (const auto place = snapped(*mousePx_)) {
+            paintMarks(painter, {{MarkShape::Point, {*place}, {}, true}}, placeOf);
+        }
+    }
+    painter.restore();
+}
+
+}   // namespace angiopose::ui
