@@ -1,6 +1,7 @@
 #pragma once
 
 #include "angiopose/angiogram.h"
+#include "angiopose/bending.h"
 #include "angiopose/geometry.h"
 #include "angiopose/options.h"
 #include "angiopose/registration.h"
@@ -10,6 +11,7 @@
 #include "core/geometry/projection_camera.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/image2d.h"
+#include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
@@ -53,8 +55,9 @@ DistanceMetrics toPublic(const core::DistanceMetrics& metrics);
 BranchResidual toPublic(const core::BranchResidual& branch);
 Hypothesis toPublic(const core::Hypothesis& hypothesis);
 
-// A result is of a tree, whose centroid its covariance is about.
+// A result is of a tree: its covariance is about the centroid, its motions are of the points.
 PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree);
+BentVessels toPublic(const core::DeformableResult& bent, const core::VesselTree& tree);
 RegistrationResult toPublic(const core::RegistrationResult& result, const core::VesselTree& tree);
 MultiViewResult toPublic(const core::MultiViewResult& result, const core::VesselTree& tree);
 

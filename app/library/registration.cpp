@@ -120,6 +120,9 @@ RegistrationResult toPublic(const core::RegistrationResult& result, const core::
     converted.uncertainty = toPublic(result.uncertainty, tree);
     converted.branches = eachPublic(result.branches);
     converted.alternatives = eachPublic(result.alternatives);
+    if (result.bent) {
+        converted.bent = toPublic(*result.bent, tree);
+    }
     converted.trustworthy = result.trustworthy;
     converted.warnings = toPublic(result.warnings);
     converted.totalMs = result.time.totalMs;
@@ -131,6 +134,7 @@ MultiViewResult toPublic(const core::MultiViewResult& result, const core::Vessel
     return {eachPublic(result.views, tree),
             {result.corrections.begin(), result.corrections.end()},
             toPublic(result.uncertainty, tree),
+            result.bent ? std::optional(toPublic(*result.bent, tree)) : std::nullopt,
             result.trustworthy,
             toPublic(result.warnings)};
 }

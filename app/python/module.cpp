@@ -55,6 +55,7 @@ PYBIND11_MODULE(_angiopose, module)
     bindAngiograms(module);
     bindVolumes(module);
     bindOptions(module);
+    bindBending(module);
     bindRegistration(module);
     bindCases(module);
 }

@@ -147,6 +147,7 @@ void bindResults(py::module_& module)
         .def_property_readonly("branches", asTuple<&Result::branches>(), "used branches, in the tree's order")
         .def_property_readonly("alternatives", asTuple<&Result::alternatives>(),
                                "best first, without the result itself")
+        .def_readonly("bent", &Result::bent, "BentVessels where bending was asked (option deformable), else None")
         .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
         .def_property_readonly("warnings", asTuple<&Result::warnings>(),
                                "why it is not trustworthy, then what one view cannot tell")
@@ -170,6 +171,7 @@ void bindResults(py::module_& module)
             },
             "(6,) each: turn (rad) and shift (mm) of a view's geometry to the first, camera axes")
         .def_readonly("uncertainty", &MultiViewResult::uncertainty, "of the first view's pose, from all views")
+        .def_readonly("bent", &MultiViewResult::bent, "BentVessels from all views, in space; or None")
         .def_readonly("trustworthy", &MultiViewResult::trustworthy, "False: look before you use the poses")
         .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why not");
 }

@@ -59,6 +59,51 @@ TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)
     EXPECT_EQ("dynaweight", theCase.options().method);
 }
 
+/// How far the tree lies from the image points when projected, px, in the median.
+double medianPx(RegistrationInput input, const VesselTree& tree, const Pose& pose)
+{
+    input.tree = tree;
+    return evaluatePose(input, pose).metrics.medianPx;
+}
+
+/// The far half of the tree 4 mm aside, more and more from its middle on.
+VesselTree bentByHand(VesselTree tree)
+{
+    double meanZ = 0.0;
+    for (const Eigen::Vector3d& point : tree.points) {
+        meanZ += point.z() / static_cast<double>(tree.points.size());
+    }
+    for (Eigen::Vector3d& point : tree.points) {
+        point.x() += 4.0 / (1.0 + std::exp((meanZ - point.z()) / 5.0));
+    }
+    return tree;
+}
+
+TEST(Arrays, BentVesselsLieNearerToTheImageThanRigidOnes)
+{
+    RegistrationInput input = inputOf(test::smallCase().theCase);
+    input.tree = bentByHand(input.tree);
+    const RegistrationResult found = registerVessels(input, RegistrationOptions().set("deformable", "always"));
+    ASSERT_TRUE(found.bent);
+    EXPECT_EQ("bent", toText(found.bent->verdict));
+    ASSERT_EQ(input.tree.points.size(), found.bent->displacementMm.size());
+    ASSERT_EQ(input.tree.points.size(), found.bent->covarianceMm2.size());
+    ASSERT_EQ(input.tree.branchIds, found.bent->tree.branchIds);
+    ASSERT_EQ(1u, found.bent->viewPoses.size());
+    for (std::size_t i = 0; i < input.tree.points.size(); ++i) {
+        const Eigen::Vector3d moved = found.bent->tree.points[i] - input.tree.points[i];
+        EXPECT_LT((moved - found.bent->displacementMm[i]).norm(), 1e-9);
+        EXPECT_GT(found.bent->covarianceMm2[i](2, 2), found.bent->covarianceMm2[i](0, 0));   // one view, along the ray
+    }
+    EXPECT_LT(medianPx(input, found.bent->tree, found.bent->viewPoses.front()), 0.5 * found.metrics.medianPx);
+}
+
+TEST(Arrays, VesselsAreNotBentWhereNobodyAsks)
+{
+    const RegistrationInput input = inputOf(test::smallCase().theCase);
+    EXPECT_FALSE(registerVessels(input, RegistrationOptions().set("deformable", "never")).bent);
+}
+
 TEST(Arrays, ImagePointsInNoOrderLeadToTheSamePlace)
 {
     const SimulatedCase simulated = test::smallCase();

@@ -40,6 +40,25 @@ def test_options_reach_the_solver_as_from_the_command_line(demo, cli, tmp_path):
     assert ours.method == "dynaweight"
 
 
+def test_bent_vessels_are_those_of_the_command_line(demo, cli, tmp_path):
+    cli(demo, "register", "case.angiopose", "--deformable", "--output", str(tmp_path))
+    theirs = json.loads((tmp_path / "result.json").read_text())["deformable"]
+    theCase = angiopose.readCase(str(demo / "case.angiopose"))
+    options = theCase.options
+    theCase.options = angiopose.RegistrationOptions(options.method, **{**options.values, "deformable": "always"})
+    bent = angiopose.registerCase(theCase).bent
+
+    assert bent.verdict.name.lower() == theirs["verdict"]
+    assert bent.logEvidenceGain == theirs["logEvidenceGain"]
+    assert bent.viewPoses[0].tolist() == theirs["cameraFromPatient"]
+    assert [message.text for message in bent.messages] == theirs["warnings"]
+    assert np.array_equal(bent.tree.points, angiopose.readVesselTree(tmp_path / "bent.vtp").points)
+    assert np.allclose(bent.tree.points - bent.displacementMm, angiopose.inputOf(theCase).tree.points, atol=1e-9)
+    assert bent.covarianceMm2.shape == (len(bent.tree), 3, 3)
+    with pytest.raises(ValueError):
+        bent.displacementMm[0] = 0.0
+
+
 def test_arrays_of_ones_own_give_the_same_bits(arrays):
     tree = angiopose.VesselTree(arrays.tree.points.copy(), list(arrays.tree.branchIds), arrays.tree.radiusMm)
     target = angiopose.Centerline2d(arrays.target.points, arrays.target.curveIds, arrays.target.radiusPx)

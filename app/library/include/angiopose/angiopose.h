@@ -3,6 +3,7 @@
 // Where a 3-D vessel tree lies in a 2-D angiogram: all of the library.
 
 #include "angiopose/angiogram.h"
+#include "angiopose/bending.h"
 #include "angiopose/case.h"
 #include "angiopose/error.h"
 #include "angiopose/geometry.h"

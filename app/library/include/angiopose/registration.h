@@ -1,6 +1,7 @@
 #pragma once
 
 #include "angiopose/angiogram.h"
+#include "angiopose/bending.h"
 #include "angiopose/error.h"
 #include "angiopose/export.h"
 #include "angiopose/geometry.h"
@@ -80,6 +81,7 @@ struct RegistrationResult {
     PoseUncertainty uncertainty;
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
+    std::optional<BentVessels> bent;   ///< where bending was asked (option `deformable`); the pose stays the rigid one
     bool trustworthy = false;   ///< false: look before you use the pose; `warnings` say why
     std::vector<Message> warnings;
     double totalMs = 0.0;
@@ -99,6 +101,7 @@ struct MultiViewResult {
     std::vector<RegistrationResult> views;   ///< each judged at its joint pose, in the order given
     std::vector<Vector6d> corrections;   ///< of each view's geometry to the first: turn (rad), shift (mm), camera axes
     PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
+    std::optional<BentVessels> bent;   ///< from all views, in space; where bending was asked (option `deformable`)
     bool trustworthy = false;
     std::vector<Message> warnings;
 };
