@@ -155,6 +155,13 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
            " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
 }
 
+/// ", within 2 mm of the vessels with 97 %", where it is known.
+std::string likelihoodText(const core::RegistrationResult& result)
+{
+    const auto& probability = result.probabilityWithin2Mm;
+    return probability ? ", within 2 mm of the vessels with " + fixedText(100.0 * *probability, 0) + " %" : "";
+}
+
 }   // namespace
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
@@ -190,7 +197,7 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
         printLine("", sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) +
                           " where the geometry is right");
     }
-    printLine("trustworthy", result.trustworthy ? "yes" : "NO");
+    printLine("trustworthy", (result.trustworthy ? "yes" : "NO") + likelihoodText(result));
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());
     }

@@ -124,6 +124,7 @@ RegistrationResult toPublic(const core::RegistrationResult& result, const core::
         converted.bent = toPublic(*result.bent, tree);
     }
     converted.trustworthy = result.trustworthy;
+    converted.probabilityWithin2Mm = result.probabilityWithin2Mm;
     converted.warnings = toPublic(result.warnings);
     converted.totalMs = result.time.totalMs;
     return converted;

@@ -149,6 +149,10 @@ void bindResults(py::module_& module)
                                "best first, without the result itself")
         .def_readonly("bent", &Result::bent, "BentVessels where bending was asked (option deformable), else None")
         .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
+        .def_readonly(
+            "probabilityWithin2Mm", &Result::probabilityWithin2Mm,
+            "that the overlay lies within 2 mm of the vessels, in the mean over the tree, 0...1; None where it "
+            "is not known: other methods, several views, poses that were only judged")
         .def_property_readonly("warnings", asTuple<&Result::warnings>(),
                                "why it is not trustworthy, then what one view cannot tell")
         .def_readonly("totalMs", &Result::totalMs, "how long it took")

@@ -36,6 +36,7 @@ void takeOverFromRun(core::RegistrationResult& judged, const core::RegistrationR
 {
     judged.warnings = run.warnings;
     judged.trustworthy = run.trustworthy;
+    judged.probabilityWithin2Mm = run.probabilityWithin2Mm;
     judged.uncertainty = run.uncertainty;
     judged.stopReason = run.stopReason;
     judged.time = run.time;

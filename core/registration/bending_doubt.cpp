@@ -44,20 +44,11 @@ bool isExplained(const Message& reason)
            reason.is(says::trustPoseUncertain);
 }
 
-/// Speaks against trust, whatever the vessels do.
-bool isAgainst(const Message& said)
-{
-    const std::string_view id = said.id();
-    const bool isTold = said.is(says::trustDepthUnknown) || said.is(says::trustDepthMoved) ||
-                        said.is(says::trustPartFilled) || said.is(says::trustFewFilled);
-    return (id.starts_with("trust.") && !isTold) || id.starts_with("frame.") || id.starts_with("views.");
-}
-
 /// A bend that is sure and small explains what spoke against the fit.
 void withdrawExplained(RigidJudgement judgement)
 {
     if (std::erase_if(judgement.warnings, isExplained) > 0) {
-        judgement.trustworthy = std::ranges::none_of(judgement.warnings, isAgainst);
+        judgement.trustworthy = std::ranges::none_of(judgement.warnings, speaksAgainstTrust);
     }
 }
 
@@ -82,7 +73,7 @@ Message offWords(const DeformableResult& bent, const VesselTree& tree)
 /// first where it is sure.
 void tellBend(const DeformableResult& bent, const VesselTree& tree, RigidJudgement judgement)
 {
-    const bool isOff = std::hypot(bent.rigid.meanMm, bent.placeStdMm) > mostRigidOffMm;
+    const bool isOff = putsOverlayOff(bent);
     if (bent.verdict == BendVerdict::Bent && !isOff) {
         withdrawExplained(judgement);
     }
@@ -104,6 +95,19 @@ DeformableOptions bendingOptions(const RegistrationOptions& options)
     bending.startLateralMm = options.angiopose.priorLateralMm;
     bending.startDepthMm = options.angiopose.priorDepthMm;
     return bending;
+}
+
+bool putsOverlayOff(const DeformableResult& bent)
+{
+    return bent.verdict != BendVerdict::Rigid && std::hypot(bent.rigid.meanMm, bent.placeStdMm) > mostRigidOffMm;
+}
+
+bool speaksAgainstTrust(const Message& said)
+{
+    const std::string_view id = said.id();
+    const bool isTold = said.is(says::trustDepthUnknown) || said.is(says::trustDepthMoved) ||
+                        said.is(says::trustPartFilled) || said.is(says::trustFewFilled);
+    return (id.starts_with("trust.") && !isTold) || id.starts_with("frame.") || id.starts_with("views.");
 }
 
 bool looksBent(const RigidFit& fit)

@@ -19,6 +19,12 @@ struct RigidFit {
 /// asked. A rigid tree seldom looks so.
 bool looksBent(const RigidFit& fit);
 
+/// Whether bent vessels put the rigid overlay so far off that it is not to be trusted.
+bool putsOverlayOff(const DeformableResult& bent);
+
+/// Whether a sentence speaks against trust, whatever the vessels do.
+bool speaksAgainstTrust(const Message& said);
+
 /// What is said of a rigid pose, to be corrected by what bending found.
 struct RigidJudgement {
     PoseUncertainty& uncertainty;

@@ -1,6 +1,7 @@
 #include "core/registration/registration.h"
 
 #include "core/registration/bending_doubt.h"
+#include "core/registration/experience.h"
 #include "core/registration/frame_doubt.h"
 #include "core/registration/held_depth.h"
 #include "core/registration/judging/judge_pose.h"
@@ -84,6 +85,9 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
                                      {result.uncertainty, result.trustworthy, result.warnings},
                                      [&](const IterationReport&) { return progress.askAgain("bending"); });
         result.stopReason = progress.isStopped() ? StopReason::StoppedByUser : result.stopReason;
+    }
+    if (solution.wantsCare && result.stopReason != StopReason::StoppedByUser) {
+        heedExperience(result);
     }
     result.method = options.method;
     result.history = progress.history();

@@ -3644,6 +3644,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine andere Lage erklärt das Bild fast ebenso gut: die Alternativen vergleichen.</translation>
     </message>
     <message>
+        <source>Fits that look like this one lie within 2 mm of the vessels in %1 of cases only.</source>
+        <comment>trust.often-fails</comment>
+        <translation>Anpassungen, die so aussehen, liegen nur in %1 der Fälle höchstens 2 mm neben den Gefäßen.</translation>
+    </message>
+    <message>
         <source>The registration was stopped before its end.</source>
         <comment>trust.stopped</comment>
         <translation>Die Registrierung wurde vor ihrem Ende angehalten.</translation>
@@ -8995,6 +9000,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Depth ±%1 mm: one view cannot tell it.</source>
         <translation>Tiefe ±%1 mm: eine Ansicht allein verrät sie nicht.</translation>
+    </message>
+    <message>
+        <source>Within 2 mm of the vessels with a probability of %1 %.</source>
+        <translation>Mit einer Wahrscheinlichkeit von %1 % höchstens 2 mm neben den Gefäßen.</translation>
     </message>
     <message>
         <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>

@@ -3644,6 +3644,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>另一位姿几乎同样符合图像：请比较其他解。</translation>
     </message>
     <message>
+        <source>Fits that look like this one lie within 2 mm of the vessels in %1 of cases only.</source>
+        <comment>trust.often-fails</comment>
+        <translation>与此相似的配准中，只有 %1 落在血管 2 mm 以内。</translation>
+    </message>
+    <message>
         <source>The registration was stopped before its end.</source>
         <comment>trust.stopped</comment>
         <translation>配准在结束前被停止。</translation>
@@ -8995,6 +9000,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Depth ±%1 mm: one view cannot tell it.</source>
         <translation>深度 ±%1 mm：单一投影无法确定。</translation>
+    </message>
+    <message>
+        <source>Within 2 mm of the vessels with a probability of %1 %.</source>
+        <translation>位于血管 2 mm 以内的概率为 %1 %。</translation>
     </message>
     <message>
         <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>

@@ -64,6 +64,20 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         .arg(numberText(agreeingMm, 1));
 }
 
+/// "97", at most 99: nobody counted farther.
+QString percentText(double probability)
+{
+    return numberText(std::clamp(100.0 * probability, 1.0, 99.0), 0);
+}
+
+/// Of a run that knows it.
+QString likelihood(const core::RegistrationResult& result)
+{
+    return result.probabilityWithin2Mm ? ResultWords::tr("Within 2 mm of the vessels with a probability of %1 %.")
+                                             .arg(percentText(*result.probabilityWithin2Mm))
+                                       : QString();
+}
+
 /// The geometry makes depth clearly less certain than the image does.
 bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 {
@@ -149,10 +163,14 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     ResultSentences sentences;
     const QString pose = certainPose(result.uncertainty);
     const QString branches = agreement(result.branches, millimetresPerPixel);
+    const QString likely = likelihood(result);
     if (result.trustworthy) {
-        sentences.certain << (pose.isEmpty() ? branches : joinedSentences({pose, branches}));
+        QStringList parts{pose, branches, likely};
+        parts.removeAll(QString());
+        sentences.certain << joinedSentences(parts);
     } else {
-        sentences.doubtful << ResultWords::tr("Look closely: this fit is not trustworthy.");
+        const QString look = ResultWords::tr("Look closely: this fit is not trustworthy.");
+        sentences.doubtful << (likely.isEmpty() ? look : joinedSentences({look, likely}));
     }
     for (const core::Message& warning : result.warnings) {
         sentences.doubtful << messageText(warning);

@@ -1,9 +1,7 @@
 #include "core/registration/judging/judge_pose.h"
 
-#include "core/registration/alignment/agreement_score.h"
 #include "core/registration/alignment/camera_influence.h"
-#include "core/registration/judging/distance_metrics.h"
-#include "core/registration/judging/pose_shift.h"
+#include "core/registration/judging/fit_signs.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/judging/trust.h"
 #include "core/registration/judging/unfilled_branches.h"
@@ -50,18 +48,8 @@ RegistrationResult judgePose(const RegistrationProblem& whole, const Registratio
     result.alternatives = solution.alternatives;
     result.time = solution.time;
 
-    Evidence evidence{problem, projected, result, *lines};
-    evidence.isFilledInParts = filled.has_value();
-    evidence.filledForks = solution.filledForks;
-    evidence.agreement = solution.agreement
-                             ? *solution.agreement
-                             : AgreementScore(problem, *lines).of(aboutCentroid(pose, problem.tree.centroid));
-    evidence.settlingMm = solution.isSettled ? 0.0 : settlingShiftMm(problem, *lines, pose, options);
-    evidence.expectedErrorMm = expectedShiftMm(problem, pose, result.uncertainty);
-    for (const Hypothesis& other : solution.alternatives) {
-        evidence.rivalMm = std::max(evidence.rivalMm, meanShiftMm(problem.tree, pose, other.cameraFromPatient));
-    }
-    Trust trust = judgeTrust(evidence);
+    result.signs = fitSigns({problem, *lines, projected, result.uncertainty}, options, solution);
+    Trust trust = judgeTrust(problem, result);
     result.trustworthy = trust.isTrustworthy;
     if (filled) {
         result.unfilled = unfilledBranches(whole.tree, solution.isFilled, projectedWhole.isInView);
@@ -71,7 +59,7 @@ RegistrationResult judgePose(const RegistrationProblem& whole, const Registratio
     result.warnings = whole.notes;
     result.warnings.insert(result.warnings.end(), solution.warnings.begin(), solution.warnings.end());
     result.warnings.insert(result.warnings.end(), trust.warnings.begin(), trust.warnings.end());
-    if (result.camera && evidence.settlingMm < settledMm) {
+    if (result.camera && result.signs.settlingMm < settledMm) {
         const Messages said = contradictionsOf(*result.camera, problem.camera);
         result.warnings.insert(result.warnings.end(), said.begin(), said.end());
     }

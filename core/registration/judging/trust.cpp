@@ -4,7 +4,6 @@
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace angiopose::core {
@@ -34,19 +33,6 @@ Quantity percent(double share)
     return {100.0 * share, 0, "%"};
 }
 
-double shareOf(const std::vector<std::uint8_t>& flags)
-{
-    return static_cast<double>(std::count(flags.begin(), flags.end(), 1)) / static_cast<double>(flags.size());
-}
-
-/// Share of all tree points that lie along traced vessels.
-double agreeingShare(const ProjectedTree& projected)
-{
-    const auto agreeing = std::count_if(projected.distancePx.begin(), projected.distancePx.end(),
-                                        [](double distance) { return distance <= agreementPx; });
-    return static_cast<double>(agreeing) / static_cast<double>(projected.distancePx.size());
-}
-
 /// A tree that lies on vessels, but is a speck among them, is another tree or in another unit.
 Message littleAgreement(double shareOfTree, double shareOfVessels)
 {
@@ -55,31 +41,27 @@ Message littleAgreement(double shareOfTree, double shareOfVessels)
 }
 
 /// What the image shows of the tree runs along traced vessels, however much lies outside.
-bool followsVessels(const Evidence& evidence)
+bool followsVessels(const FitSigns& signs)
 {
-    const FollowedVessels followed =
-        followedVessels(evidence.problem, evidence.target, evidence.result.cameraFromPatient, evidence.projected);
-    return followed.share() >= convincingShare && followed.branchesFollowed >= convincingBranches;
+    return signs.followedShare >= convincingShare && signs.followedBranches >= convincingBranches;
 }
 
-void judgeFit(const Evidence& evidence, Messages& reasons)
+void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
 {
-    const double inView = shareOf(evidence.projected.isInView);
-    const bool isDoubtful = inView < minInView || evidence.agreement < minAgreement;
-    if (isDoubtful && !followsVessels(evidence)) {
-        if (inView < minInView) {
-            reasons.push_back(says::trustOutsideImage(percent(inView)));
+    const bool isDoubtful = signs.inViewShare < minInView || signs.agreement < minAgreement;
+    if (isDoubtful && !followsVessels(signs)) {
+        if (signs.inViewShare < minInView) {
+            reasons.push_back(says::trustOutsideImage(percent(signs.inViewShare)));
         }
-        if (evidence.agreement < minAgreement) {
-            reasons.push_back(littleAgreement(agreeingShare(evidence.projected), evidence.result.metrics.coverage));
+        if (signs.agreement < minAgreement) {
+            reasons.push_back(littleAgreement(signs.treeShare, coverage));
         }
     }
-    if (evidence.isFilledInParts &&
-        (evidence.agreement < minFilledAgreement || evidence.filledForks < leastFilledForks)) {
+    if (signs.isFilledInParts && (signs.agreement < minFilledAgreement || signs.filledForks < leastFilledForks)) {
         reasons.push_back(says::trustFilledDoubtful());
     }
-    if (evidence.settlingMm > maxSettlingMm) {
-        reasons.push_back(says::trustBetterAside(inMm(evidence.settlingMm, 1)));
+    if (signs.settlingMm > maxSettlingMm) {
+        reasons.push_back(says::trustBetterAside(inMm(signs.settlingMm, 1)));
     }
 }
 
@@ -101,23 +83,24 @@ void judgeUncertainty(const PoseUncertainty& uncertainty, Messages& reasons)
 
 }   // namespace
 
-Trust judgeTrust(const Evidence& evidence)
+Trust judgeTrust(const RegistrationProblem& problem, const RegistrationResult& result)
 {
+    const FitSigns& signs = result.signs;
     Trust trust;
-    judgeFit(evidence, trust.warnings);
-    judgeUncertainty(evidence.result.uncertainty, trust.warnings);
-    if (evidence.expectedErrorMm > maxExpectedErrorMm) {
-        trust.warnings.push_back(says::trustPoseUncertain(inMm(evidence.expectedErrorMm, 1)));
+    judgeFit(signs, result.metrics.coverage, trust.warnings);
+    judgeUncertainty(result.uncertainty, trust.warnings);
+    if (signs.expectedErrorMm > maxExpectedErrorMm) {
+        trust.warnings.push_back(says::trustPoseUncertain(inMm(signs.expectedErrorMm, 1)));
     }
-    if (evidence.rivalMm > maxRivalMm) {
+    if (signs.rivalMm > maxRivalMm) {
         trust.warnings.push_back(says::trustRival());
     }
-    if (evidence.result.stopReason == StopReason::StoppedByUser) {
+    if (result.stopReason == StopReason::StoppedByUser) {
         trust.warnings.push_back(says::trustStopped());
     }
     trust.isTrustworthy = trust.warnings.empty();
-    if (!evidence.result.uncertainty.observed[5]) {
-        const double movedMm = std::abs(depthShiftMm(evidence.problem, evidence.result.cameraFromPatient));
+    if (!result.uncertainty.observed[5]) {
+        const double movedMm = std::abs(depthShiftMm(problem, result.cameraFromPatient));
         trust.warnings.push_back(movedMm < stayedInDepthMm ? says::trustDepthUnknown()
                                                            : says::trustDepthMoved(inMm(movedMm, 0)));
     }

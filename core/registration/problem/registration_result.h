@@ -119,6 +119,21 @@ struct Hypothesis {
     double score = 0.0;   ///< 0…1, higher is better, comparable within one result
 };
 
+/// What tells how far a fit may be off, without knowing the truth (ALGORITHMS §6.21).
+struct FitSigns {
+    double agreement = 0.0;   ///< both ways, 0…1 (§6.8); of the filled parts where only these count
+    double treeShare = 0.0;   ///< of the tree's points, that lie along traced vessels
+    double inViewShare = 0.0;   ///< of the tree's points
+    double followedShare = 0.0;   ///< of the tree's length inside the image, that runs along vessels
+    double followedMm = 0.0;   ///< the length of it
+    int followedBranches = 0;
+    double settlingMm = 0.0;   ///< how far the pose slides when it is refined where it is
+    double expectedErrorMm = 0.0;   ///< by the covariance of a rigid tree, 1-σ
+    double rivalMm = 0.0;   ///< how far the farthest alternative puts the tree elsewhere
+    bool isFilledInParts = false;
+    int filledForks = 0;   ///< places where three filled pieces or more meet; of a tree filled in parts
+};
+
 /// Who had a result found, when, by which program and with what.
 struct Provenance {
     std::string author;   ///< empty: not known
@@ -142,6 +157,10 @@ struct RegistrationResult {
     /// registered together every result has it with its own view as the first (MultiViewResult: once for all).
     std::shared_ptr<const DeformableResult> bent;
     std::vector<IterationReport> history;   ///< for the convergence plot
+    FitSigns signs;
+    /// Probability that the overlay lies within 2 mm of the vessels, in the mean over the tree (ALGORITHMS §6.21).
+    /// None: of other methods than the default, of several views and of poses set by hand it is not known.
+    std::optional<double> probabilityWithin2Mm;
     bool trustworthy = false;
     Messages warnings;   ///< why it is not trustworthy, or what one view cannot tell
     StageTimes time;

@@ -65,6 +65,7 @@ core::RegistrationResult richResult(const core::Case& theCase)
     result.unfilled = {{4, 0.75}};
     result.alternatives = {{theCase.shown().cameraFromPatient, 0.9}};
     result.trustworthy = false;
+    result.probabilityWithin2Mm = 0.1 + 0.2;
     result.warnings = {core::says::trustPoseUncertain(core::inMm(2.44, 1)), core::says::trustStopped(),
                        core::says::inView(2, io::says::fileMissing().about("b.dcm")).as(core::Severity::Note)};
     result.time = {1.0, 2.0, 3.0, 6.5};
@@ -132,6 +133,7 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     ASSERT_EQ(is.alternatives.size(), 1U);
     EXPECT_EQ(is.alternatives[0].score, 0.9);
     EXPECT_FALSE(is.trustworthy);
+    EXPECT_EQ(is.probabilityWithin2Mm, was.probabilityWithin2Mm);
     EXPECT_EQ(is.warnings, was.warnings);   // ids, severities, numbers: they can be told in any language
     EXPECT_EQ(is.time.totalMs, 6.5);
     EXPECT_EQ(is.provenance.author, "Ada");

@@ -83,5 +83,19 @@ TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
         QStringLiteral("Another pose explains the image nearly as well: compare the alternatives.")));
 }
 
+TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)
+{
+    core::RegistrationResult result = resultWith({1.0, 1.0});
+    EXPECT_FALSE(
+        sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).certain.join(' ').contains(QStringLiteral("probability")));
+    result.probabilityWithin2Mm = 0.9987;   // nobody counted farther than 99
+    EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3)
+                    .certain.join(' ')
+                    .contains(QStringLiteral("Within 2 mm of the vessels with a probability of 99 %.")));
+    result.trustworthy = false;
+    result.probabilityWithin2Mm = 0.314;
+    EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).doubtful.join(' ').contains(QStringLiteral("31 %")));
+}
+
 }   // namespace
 }   // namespace angiopose::ui
