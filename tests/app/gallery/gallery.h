@@ -11,7 +11,8 @@ class CaseController;
 
 namespace angiopose::ui {
 class MainWindow;
-}
+class SliceModel;
+}   // namespace angiopose::ui
 
 namespace angiopose::test {
 
@@ -34,6 +35,7 @@ private:
     void showViews(ui::MainWindow& window, app::CaseController& controller);
     void showModes(ui::MainWindow& window);
     void showQuestions(ui::MainWindow& window, app::CaseController& controller);
+    void measureSlices(app::CaseController& controller, const ui::SliceModel& slices);
     void showScan(ui::MainWindow& window, app::CaseController& controller);
     void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
     void showWindow(QWidget& window, const QString& name);
