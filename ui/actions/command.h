@@ -16,6 +16,7 @@ enum class Command {
     ExportPose,
     ExportTrace,
     ExportVessels,
+    ExportMask,
     ExportBent,
     ExportReport,
     ExportFollowed,
@@ -33,6 +34,10 @@ enum class Command {
     // Vessels
     TraceScan,
     ChooseLabels,
+    PaintMask,
+    EraseMask,
+    CutMask,
+    TraceMask,
     FindBranch,
     SelectAll,
     RenameBranch,
