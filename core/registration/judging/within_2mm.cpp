@@ -67,6 +67,9 @@ constexpr std::array<Weight, signCount> weights{{
 }};
 
 constexpr double farthestUnits = 3.0;   // nothing was learned beyond
+// Half of a tree that lies farther than this from every vessel is seldom right; squares must not say otherwise.
+constexpr double farOffMm = 2.0;
+constexpr double farOffProbability = 0.45;
 
 }   // namespace
 
@@ -110,7 +113,9 @@ double overlayProbability(const RegistrationResult& result)
         const double units = std::clamp((values[k] - weight.mean) / weight.spread, -farthestUnits, farthestUnits);
         logit += weight.linear * units + weight.square * units * units;
     }
-    return 1.0 / (1.0 + std::exp(-logit));
+    const double probability = 1.0 / (1.0 + std::exp(-logit));
+    const bool isNear = result.metrics.medianMm < farOffMm;   // not where it is no number
+    return isNear ? probability : std::min(probability, farOffProbability);
 }
 
 }   // namespace angiopose::core
