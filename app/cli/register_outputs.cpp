@@ -13,6 +13,7 @@
 #include "io/result_file.h"
 #include "io/vessel_tree_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -155,11 +156,13 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
            " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
 }
 
-/// ", within 2 mm of the vessels with 97 %", where it is known.
+/// ", within 2 mm of the vessels with a probability of 97 %", where it is known; at most 99: nobody counted farther.
 std::string likelihoodText(const core::RegistrationResult& result)
 {
     const auto& probability = result.probabilityWithin2Mm;
-    return probability ? ", within 2 mm of the vessels with " + fixedText(100.0 * *probability, 0) + " %" : "";
+    return probability ? ", within 2 mm of the vessels with a probability of " +
+                             fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
+                       : "";
 }
 
 }   // namespace
