@@ -132,6 +132,17 @@ std::vector<bool> missingBranches(const core::VesselTree& tree, core::CounterRan
 
 }   // namespace
 
+core::VesselTree centred(core::VesselTree tree)
+{
+    const Eigen::Vector3d middle = core::centroidInPatient(tree);
+    for (core::VesselBranch& branch : tree.branches) {
+        for (Eigen::Vector3d& point : branch.pointsInPatient) {
+            point -= middle;
+        }
+    }
+    return tree;
+}
+
 BentCase makeBentCase(const core::VesselTree& tree, const TrueMotion& motion, const std::vector<double>& turnsDeg,
                       core::CounterRandom random)
 {

@@ -25,6 +25,9 @@ struct BentCase {
     std::vector<BentView> views;
 };
 
+/// About the origin, where the views of a case look at.
+core::VesselTree centred(core::VesselTree tree);
+
 /// Makes a case by a generator of its own: nothing of it is shared with the program's simulator. A fifth of the
 /// branches that end freely is not filled, one foreign curve for every five branches is; the nominal pose is off by 1°
 /// and 3 mm (1-σ per axis). Views after the first are turned about the body's axis by `turnsDeg`.

@@ -130,18 +130,6 @@ Answer ask(const BentCase& bentCase, const core::RegistrationOptions& options)
     return answer;
 }
 
-/// About the origin, where the views look at.
-core::VesselTree centred(core::VesselTree tree)
-{
-    const Eigen::Vector3d middle = core::centroidInPatient(tree);
-    for (core::VesselBranch& branch : tree.branches) {
-        for (Eigen::Vector3d& point : branch.pointsInPatient) {
-            point -= middle;
-        }
-    }
-    return tree;
-}
-
 BentCase caseOf(const Question& question, const std::vector<RootedTree>& trees, std::size_t tree, std::uint64_t trial,
                 const std::vector<double>& turns, core::CounterRandom random)
 {

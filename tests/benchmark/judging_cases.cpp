@@ -128,18 +128,6 @@ AskedCase fromBent(const BentCase& made)
     return asked;
 }
 
-/// About the origin, where the views of bent cases look at.
-core::VesselTree centred(core::VesselTree tree)
-{
-    const Eigen::Vector3d middle = core::centroidInPatient(tree);
-    for (core::VesselBranch& branch : tree.branches) {
-        for (Eigen::Vector3d& point : branch.pointsInPatient) {
-            point -= middle;
-        }
-    }
-    return tree;
-}
-
 }   // namespace
 
 std::vector<RootedTree> judgingTrees(const std::string& dataFolder)
