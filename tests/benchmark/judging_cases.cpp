@@ -5,6 +5,7 @@
 #include "tests/benchmark/wrong_geometry.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 
 namespace angiopose::benchmarks {
@@ -91,7 +92,9 @@ RootedTree rootedByTouch(const core::VesselTree& tree, const std::string& name)
 void addFile(std::vector<RootedTree>& trees, const std::string& path, const std::string& name)
 {
     const auto tree = io::readVesselTree(path);
-    if (tree && tree.value().branches.size() >= leastBranches) {
+    if (!tree) {
+        std::fprintf(stderr, "Left out: %s\n", tree.error().message.text().c_str());
+    } else if (tree.value().branches.size() >= leastBranches) {
         trees.push_back(rootedByTouch(tree.value(), name));
     }
 }
