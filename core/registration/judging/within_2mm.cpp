@@ -59,7 +59,7 @@ constexpr std::array<Weight, signCount> weights{{
     {-0.7342, 1.1341, -0.2333, -0.1390},   // rival
     {-1.0091, 1.3259, -0.4656, 0.5484},   // medianMm
     {1.3354, 1.4806, 0.1443, 0.3962},   // p95Mm
-    {0.1813, 0.3853, -0.3365, -0.5566},   // filledInParts
+    {0.1813, 0.3853, -0.3365, -0.5566},   // inParts
     {0.1413, 0.4283, 0.1197, 0.1842},   // filledForks
     {0.5366, 1.3852, 0.6929, 0.2579},   // bendOff
     {0.1320, 0.3385, 0.0244, 0.0530},   // unsure
@@ -67,9 +67,16 @@ constexpr std::array<Weight, signCount> weights{{
 }};
 
 constexpr double farthestUnits = 3.0;   // nothing was learned beyond
-// Half of a tree that lies farther than this from every vessel is seldom right; squares must not say otherwise.
+// A tree that lies farther than this from every vessel is seldom right; squares must not say otherwise.
 constexpr double farOffMm = 2.0;
 constexpr double farOffProbability = 0.45;
+
+/// Half of the tree lies far from vessels, and not because it lies outside the image.
+bool isFarOff(const RegistrationResult& result)
+{
+    const bool isNear = result.metrics.medianMm < farOffMm;   // not where it is no number
+    return !isNear && result.signs.treeShare <= 0.5 * result.signs.inViewShare;
+}
 
 }   // namespace
 
@@ -114,8 +121,7 @@ double overlayProbability(const RegistrationResult& result)
         logit += weight.linear * units + weight.square * units * units;
     }
     const double probability = 1.0 / (1.0 + std::exp(-logit));
-    const bool isNear = result.metrics.medianMm < farOffMm;   // not where it is no number
-    return isNear ? probability : std::min(probability, farOffProbability);
+    return isFarOff(result) ? std::min(probability, farOffProbability) : probability;
 }
 
 }   // namespace angiopose::core
