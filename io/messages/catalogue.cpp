@@ -13,6 +13,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "io/messages/case.def"
 #include "io/messages/files.def"
 #include "io/messages/images.def"
+#include "io/messages/movies.def"
 #include "io/messages/opening.def"
 #include "io/messages/vessels.def"
 #include "io/messages/volumes.def"

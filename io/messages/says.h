@@ -12,6 +12,7 @@ using core::placesIn;
 #include "io/messages/case.def"
 #include "io/messages/files.def"
 #include "io/messages/images.def"
+#include "io/messages/movies.def"
 #include "io/messages/opening.def"
 #include "io/messages/vessels.def"
 #include "io/messages/volumes.def"

@@ -1,0 +1,218 @@
+#include "io/movie/gif_movie.h"
+
+#include "io/messages/says.h"
+#include "io/movie/gif_palette.h"
+#include "io/movie/movie_clock.h"
+#include "io/support/atomic_file.h"
+#include "io/support/file_error.h"
+
+#include <gif_lib.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+constexpr double ticksPerSecond = 100.0;
+constexpr std::int64_t leastDelay = 2;   // below it viewers take a tenth of a second
+constexpr std::int64_t mostDelay = 65535;
+constexpr int paletteSize = 256;
+
+/// What of a picture is not as before, px.
+struct Part {
+    int left = 0, top = 0, width = 0, height = 0;
+};
+
+/// giflib's file in a stream of ours.
+struct GifCloser {
+    void operator()(GifFileType* file) const { EGifCloseFile(file, nullptr); }
+};
+
+struct MapCloser {
+    void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
+};
+
+bool isSamePixel(const std::uint8_t* a, const std::uint8_t* b)
+{
+    return std::equal(a, a + 3, b);
+}
+
+Part changedPart(const core::ColorImage& before, const core::ColorImage& now)
+{
+    int left = now.width, right = -1, top = now.height, bottom = -1;
+    for (int y = 0; y < now.height; ++y) {
+        const std::size_t row = 3 * static_cast<std::size_t>(y) * static_cast<std::size_t>(now.width);
+        for (int x = 0; x < now.width; ++x) {
+            const std::size_t at = row + 3 * static_cast<std::size_t>(x);
+            if (!isSamePixel(&before.rgb[at], &now.rgb[at])) {
+                left = std::min(left, x);
+                right = std::max(right, x);
+                top = std::min(top, y);
+                bottom = y;
+            }
+        }
+    }
+    return right < 0 ? Part{} : Part{left, top, right - left + 1, bottom - top + 1};
+}
+
+std::unique_ptr<ColorMapObject, MapCloser> mapOf(const GifPalette& palette)
+{
+    std::unique_ptr<ColorMapObject, MapCloser> map(GifMakeMapObject(paletteSize, nullptr));
+    for (std::size_t i = 0; map && i < palette.colors().size(); ++i) {
+        const auto& [red, green, blue] = palette.colors()[i];
+        map->Colors[i] = {red, green, blue};
+    }
+    return map;
+}
+
+class GifMovie : public MovieWriter {
+public:
+    GifMovie(AtomicFile file, std::string path, const MovieSize& size)
+        : file_(std::move(file)), path_(std::move(path)), size_(size)
+    {
+        int error = 0;
+        gif_.reset(EGifOpen(this, &GifMovie::write, &error));
+    }
+
+    core::Status begin(const MovieFacts& facts);
+    core::Status add(const core::ColorImage& picture, double ms) override;
+    core::Status finish() override;
+
+private:
+    static int write(GifFileType* gif, const GifByteType* bytes, int count);
+    bool writeHead(const MovieFacts& facts);
+    bool putWaiting(std::int64_t until);
+    bool putPixels(const Part& part, GifPalette& palette, bool isFirst);
+    core::Status statusOf(bool isWritten) const
+    {
+        return isWritten  ? core::Status(core::Done{})
+               : written_ ? core::Status(fileError(path_, says::movieNotMade()))
+                          : written_;
+    }
+
+    AtomicFile file_;
+    std::string path_;
+    MovieSize size_;
+    core::Status written_ = core::Done{};   ///< of what giflib gave to the file
+    MovieClock clock_{ticksPerSecond};
+    std::int64_t waitingFrom_ = 0;
+    core::ColorImage waiting_;   ///< its delay is known once the next one comes
+    core::ColorImage before_;   ///< as it is in the file
+    std::unique_ptr<GifFileType, GifCloser> gif_;   ///< goes first: it writes its end
+};
+
+int GifMovie::write(GifFileType* gif, const GifByteType* bytes, int count)
+{
+    auto& movie = *static_cast<GifMovie*>(gif->UserData);
+    if (movie.written_) {
+        movie.written_ = movie.file_.write({reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count)});
+    }
+    return movie.written_ ? count : 0;
+}
+
+core::Status GifMovie::begin(const MovieFacts& facts)
+{
+    return statusOf(gif_ && writeHead(facts));
+}
+
+bool GifMovie::writeHead(const MovieFacts& facts)
+{
+    EGifSetGifVersion(gif_.get(), true);
+    constexpr unsigned char forEver[]{1, 0, 0};
+    std::string comment = facts.title;
+    for (const auto& [key, text] : facts.texts) {
+        comment += "\n" + key + ": " + text;
+    }
+    return EGifPutScreenDesc(gif_.get(), size_.width, size_.height, 8, 0, nullptr) == GIF_OK &&
+           EGifPutExtensionLeader(gif_.get(), APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
+           EGifPutExtensionBlock(gif_.get(), 11, "NETSCAPE2.0") == GIF_OK &&
+           EGifPutExtensionBlock(gif_.get(), sizeof(forEver), forEver) == GIF_OK &&
+           EGifPutExtensionTrailer(gif_.get()) == GIF_OK && EGifPutComment(gif_.get(), comment.c_str()) == GIF_OK;
+}
+
+core::Status GifMovie::add(const core::ColorImage& picture, double ms)
+{
+    if (picture.width != size_.width || picture.height != size_.height) {
+        return fileError(path_, says::movieSizesDiffer());
+    }
+    const std::int64_t from = clock_.now();
+    clock_.advance(ms);
+    if (waiting_.rgb.empty()) {
+        waiting_ = picture;
+        return core::Done{};
+    }
+    if (from - waitingFrom_ < leastDelay || waiting_.rgb == picture.rgb) {
+        return core::Done{};   // stays longer
+    }
+    const bool isWritten = putWaiting(from);
+    before_ = std::exchange(waiting_, picture);
+    waitingFrom_ = from;
+    return statusOf(isWritten);
+}
+
+bool GifMovie::putWaiting(std::int64_t until)
+{
+    const bool isFirst = before_.rgb.empty();
+    const Part part = isFirst ? Part{0, 0, size_.width, size_.height} : changedPart(before_, waiting_);
+    GifPalette palette(waiting_);
+    const auto map = mapOf(palette);
+    GraphicsControlBlock control{};
+    control.DisposalMode = DISPOSE_DO_NOT;
+    control.DelayTime = static_cast<int>(std::clamp(until - waitingFrom_, leastDelay, mostDelay));
+    control.TransparentColor = isFirst ? NO_TRANSPARENT_COLOR : GifPalette::asBefore;
+    GifByteType extension[4];
+    const auto length = static_cast<int>(EGifGCBToExtension(&control, extension));
+    return map && EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, length, extension) == GIF_OK &&
+           EGifPutImageDesc(gif_.get(), part.left, part.top, part.width, part.height, false, map.get()) == GIF_OK &&
+           putPixels(part, palette, isFirst);
+}
+
+bool GifMovie::putPixels(const Part& part, GifPalette& palette, bool isFirst)
+{
+    std::vector<GifPixelType> line(static_cast<std::size_t>(part.width));
+    for (int y = part.top; y < part.top + part.height; ++y) {
+        for (int x = 0; x < part.width; ++x) {
+            const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
+                                        static_cast<std::size_t>(part.left + x));
+            const std::uint8_t* now = &waiting_.rgb[at];
+            line[static_cast<std::size_t>(x)] = !isFirst && isSamePixel(&before_.rgb[at], now)
+                                                    ? GifPalette::asBefore
+                                                    : palette.indexOf({now[0], now[1], now[2]});
+        }
+        if (EGifPutLine(gif_.get(), line.data(), part.width) != GIF_OK) {
+            return false;
+        }
+    }
+    return true;
+}
+
+core::Status GifMovie::finish()
+{
+    if (waiting_.rgb.empty()) {
+        return fileError(path_, says::movieNotMade());
+    }
+    if (!putWaiting(clock_.now()) || EGifCloseFile(gif_.release(), nullptr) != GIF_OK) {
+        return statusOf(false);
+    }
+    return file_.commit();
+}
+
+}   // namespace
+
+core::Result<std::unique_ptr<MovieWriter>> createGif(const std::string& path, const MovieSize& size,
+                                                     const MovieFacts& facts)
+{
+    auto file = AtomicFile::create(path);
+    if (!file) {
+        return file.error();
+    }
+    auto movie = std::make_unique<GifMovie>(std::move(file).value(), path, size);
+    if (auto begun = movie->begin(facts); !begun) {
+        return begun.error();
+    }
+    return std::unique_ptr<MovieWriter>(std::move(movie));
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,219 @@
+#include "io/movie/gif_palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+namespace angiopose::io {
+namespace {
+
+using Color = GifPalette::Color;
+
+constexpr std::size_t mostColors = 255;
+constexpr std::size_t leastGreys = 127;   // 2 apart over the whole range: no bands
+constexpr int greyTolerance = 8;   // between channels: what the eye takes for grey
+constexpr std::uint16_t unknown = 0xFFFF;
+constexpr int cellBits = 5;   // of a channel, in which colours are counted
+constexpr int keyBits = 6;   // in which the nearest is remembered
+
+bool isGrey(const Color& color)
+{
+    const auto [least, most] = std::ranges::minmax(color);
+    return most - least <= greyTolerance;
+}
+
+std::size_t keyOf(const Color& color, int bits)
+{
+    std::size_t key = 0;
+    for (const std::uint8_t channel : color) {
+        key = (key << bits) | static_cast<std::size_t>(channel >> (8 - bits));
+    }
+    return key;
+}
+
+/// Colours of a cell of the colour cube, counted.
+struct Cell {
+    std::array<double, 3> sum{};
+    double count = 0.0;
+
+    double mean(std::size_t channel) const { return sum[channel] / count; }
+};
+
+/// A part of the cube that gets one colour.
+struct Box {
+    std::size_t first = 0;
+    std::size_t last = 0;   ///< one behind
+    std::size_t widest = 0;   ///< channel
+    double spread = 0.0;   ///< sum of squares along it
+};
+
+/// Small things of their own colour matter as much as long lines: counts are damped.
+double weightOf(const Cell& cell)
+{
+    return std::sqrt(cell.count);
+}
+
+Box boxOf(std::span<const Cell> cells, std::size_t first, std::size_t last)
+{
+    Box box{first, last};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        double sum = 0.0, squares = 0.0, weights = 0.0;
+        for (const Cell& cell : cells.subspan(first, last - first)) {
+            const double weight = weightOf(cell), value = cell.mean(channel);
+            sum += weight * value;
+            squares += weight * value * value;
+            weights += weight;
+        }
+        const double spread = squares - sum * sum / weights;
+        if (last - first > 1 && spread > box.spread) {
+            box.spread = spread;
+            box.widest = channel;
+        }
+    }
+    return box;
+}
+
+Color meanOf(std::span<const Cell> cells)
+{
+    Cell all;
+    for (const Cell& cell : cells) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            all.sum[channel] += cell.sum[channel];
+        }
+        all.count += cell.count;
+    }
+    Color color{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        color[channel] = static_cast<std::uint8_t>(std::lround(all.mean(channel)));
+    }
+    return color;
+}
+
+/// Median cut by spread: the widest box is parted where its spread halves best, its middle.
+std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
+{
+    std::vector<Color> colors;
+    if (cells.empty()) {
+        return colors;
+    }
+    std::vector<Box> boxes{boxOf(cells, 0, cells.size())};
+    while (boxes.size() < most) {
+        const auto widest = std::ranges::max_element(boxes, {}, &Box::spread);
+        if (widest->spread <= 0.0) {
+            break;
+        }
+        const Box parted = *widest;
+        const auto part = std::span(cells).subspan(parted.first, parted.last - parted.first);
+        std::ranges::sort(part, {}, [channel = parted.widest](const Cell& cell) { return cell.mean(channel); });
+        const double middle = 0.5 * (part.front().mean(parted.widest) + part.back().mean(parted.widest));
+        const auto upper =
+            std::ranges::find_if(part, [&](const Cell& cell) { return cell.mean(parted.widest) > middle; });
+        const auto lower = std::clamp<std::ptrdiff_t>(upper - part.begin(), 1, std::ssize(part) - 1);
+        const std::size_t cut = parted.first + static_cast<std::size_t>(lower);
+        *widest = boxOf(cells, parted.first, cut);
+        boxes.push_back(boxOf(cells, cut, parted.last));
+    }
+    for (const Box& box : boxes) {
+        colors.push_back(meanOf(std::span(cells).subspan(box.first, box.last - box.first)));
+    }
+    return colors;
+}
+
+/// All that there are, or evenly spread ones.
+std::vector<int> chosenGreys(const std::array<std::size_t, 256>& counts, std::size_t most)
+{
+    std::vector<int> greys;
+    for (int grey = 0; grey < 256; ++grey) {
+        if (counts[static_cast<std::size_t>(grey)] > 0) {
+            greys.push_back(grey);
+        }
+    }
+    if (greys.size() <= most) {
+        return greys;
+    }
+    const int first = greys.front(), last = greys.back();
+    greys.clear();
+    for (std::size_t i = 0; i < most; ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(most - 1);
+        greys.push_back(first + static_cast<int>(std::lround(part * (last - first))));
+    }
+    return greys;
+}
+
+int luma(const Color& color)
+{
+    return (color[0] + color[1] + color[2] + 1) / 3;
+}
+
+int distance(const Color& a, const Color& b)
+{
+    const int red = a[0] - b[0], green = a[1] - b[1], blue = a[2] - b[2];
+    return 3 * red * red + 4 * green * green + 2 * blue * blue;   // about as the eye weighs them
+}
+
+/// How often each grey is there, and the cells of the cube with all other colours.
+struct Counted {
+    std::array<std::size_t, 256> greys{};
+    std::vector<Cell> others;
+};
+
+Counted countColors(const core::ColorImage& picture)
+{
+    Counted counted;
+    counted.others.resize(std::size_t{1} << (3 * cellBits));
+    for (std::size_t at = 0; at + 2 < picture.rgb.size(); at += 3) {
+        const Color color{picture.rgb[at], picture.rgb[at + 1], picture.rgb[at + 2]};
+        if (isGrey(color)) {
+            ++counted.greys[static_cast<std::size_t>(luma(color))];
+            continue;
+        }
+        Cell& cell = counted.others[keyOf(color, cellBits)];
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            cell.sum[channel] += color[channel];
+        }
+        ++cell.count;
+    }
+    std::erase_if(counted.others, [](const Cell& cell) { return cell.count == 0.0; });
+    return counted;
+}
+
+}   // namespace
+
+GifPalette::GifPalette(const core::ColorImage& picture) : nearest_(std::size_t{1} << (3 * keyBits), unknown)
+{
+    Counted counted = countColors(picture);
+    const auto greysThere =
+        static_cast<std::size_t>(std::ranges::count_if(counted.greys, [](auto n) { return n > 0; }));
+    const std::size_t left = mostColors - std::min(mostColors, counted.others.size());
+    const std::vector<int> greys = chosenGreys(counted.greys, std::max(std::min(greysThere, leastGreys), left));
+    for (const int grey : greys) {
+        const auto value = static_cast<std::uint8_t>(grey);
+        colors_.push_back({value, value, value});
+    }
+    hasGreys_ = !greys.empty();
+    for (std::size_t grey = 0; hasGreys_ && grey < nearestGrey_.size(); ++grey) {
+        const auto nearest =
+            std::ranges::min_element(greys, {}, [grey](int each) { return std::abs(each - static_cast<int>(grey)); });
+        nearestGrey_[grey] = static_cast<std::uint8_t>(nearest - greys.begin());
+    }
+    const std::vector<Color> others = chosenColors(std::move(counted.others), mostColors - colors_.size());
+    colors_.insert(colors_.end(), others.begin(), others.end());
+}
+
+std::uint8_t GifPalette::indexOf(const Color& color)
+{
+    if (hasGreys_ && isGrey(color)) {
+        return nearestGrey_[static_cast<std::size_t>(luma(color))];
+    }
+    std::uint16_t& known = nearest_[keyOf(color, keyBits)];
+    if (known == unknown) {
+        const auto nearest =
+            std::ranges::min_element(colors_, {}, [&color](const Color& each) { return distance(each, color); });
+        known = static_cast<std::uint16_t>(nearest - colors_.begin());
+    }
+    return static_cast<std::uint8_t>(known);
+}
+
+}   // namespace angiopose::io

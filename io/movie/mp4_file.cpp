@@ -1,0 +1,207 @@
+#include "io/movie/mp4_file.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <numeric>
+#include <string_view>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t profilesWithChroma = 100;   // and above: avcC says more (14496-15, 5.3.3.1)
+
+std::string number(std::uint64_t value, int bytes)
+{
+    std::string text;
+    for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) {
+        text += static_cast<char>((value >> shift) & 0xFF);
+    }
+    return text;
+}
+
+std::string u8(std::uint64_t value)
+{
+    return number(value, 1);
+}
+std::string u16(std::uint64_t value)
+{
+    return number(value, 2);
+}
+std::string u32(std::uint64_t value)
+{
+    return number(value, 4);
+}
+
+std::string zeros(std::size_t bytes)
+{
+    return std::string(bytes, '\0');
+}
+
+std::string box(std::string_view type, std::initializer_list<std::string> parts)
+{
+    std::string content;
+    for (const std::string& part : parts) {
+        content += part;
+    }
+    return u32(8 + content.size()) + std::string(type) + content;
+}
+
+/// With version 0 and flags.
+std::string fullBox(std::string_view type, std::uint32_t flags, std::initializer_list<std::string> parts)
+{
+    std::string content = u32(flags);
+    for (const std::string& part : parts) {
+        content += part;
+    }
+    return box(type, {content});
+}
+
+/// No turn and no scale: 1 in 16.16, the last one in 2.30.
+std::string unityMatrix()
+{
+    return u32(0x10000) + zeros(12) + u32(0x10000) + zeros(12) + u32(0x40000000);
+}
+
+std::uint64_t ticksOf(const Mp4Track& track)
+{
+    return std::accumulate(track.samples.begin(), track.samples.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const Mp4Sample& sample) { return sum + sample.ticks; });
+}
+
+std::string movieHeader(const Mp4Track& track)
+{
+    return fullBox("mvhd", 0,
+                   {zeros(8), u32(track.ticksPerSecond), u32(ticksOf(track)), u32(0x10000), u16(0x100), zeros(10),
+                    unityMatrix(), zeros(24), u32(2)});
+}
+
+std::string trackHeader(const Mp4Track& track)
+{
+    constexpr std::uint32_t enabledInMovie = 3;
+    return fullBox("tkhd", enabledInMovie,
+                   {zeros(8), u32(1), zeros(4), u32(ticksOf(track)), zeros(16), unityMatrix(),
+                    u32(static_cast<std::uint64_t>(track.size.width) << 16),
+                    u32(static_cast<std::uint64_t>(track.size.height) << 16)});
+}
+
+std::string avcConfiguration(const Mp4Track& track)
+{
+    const std::string profile = track.sequence.substr(1, 3);   // profile, constraints, level
+    std::string configuration = u8(1) + profile + u8(0xFF) + u8(0xE1) + u16(track.sequence.size()) + track.sequence +
+                                u8(1) + u16(track.picture.size()) + track.picture;
+    if (static_cast<unsigned char>(profile.front()) >= profilesWithChroma) {
+        configuration += u8(0xFD) + u8(0xF8) + u8(0xF8) + u8(0);   // 4:2:0, 8 bits, 8 bits, no more units
+    }
+    return box("avcC", {configuration});
+}
+
+std::string sampleEntry(const Mp4Track& track)
+{
+    constexpr std::uint32_t dotsPerInch72 = 0x480000;
+    constexpr std::uint64_t bt709 = 1;
+    return box("avc1",
+               {zeros(6), u16(1), zeros(16), u16(static_cast<std::uint64_t>(track.size.width)),
+                u16(static_cast<std::uint64_t>(track.size.height)), u32(dotsPerInch72), u32(dotsPerInch72), zeros(4),
+                u16(1), zeros(32), u16(0x18), u16(0xFFFF), avcConfiguration(track),
+                box("colr", {"nclx", u16(bt709), u16(bt709), u16(bt709), u8(0)}), box("pasp", {u32(1), u32(1)})});
+}
+
+std::string timesToSamples(const Mp4Track& track)
+{
+    std::string rows;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < track.samples.size();) {
+        std::size_t end = i;
+        while (end < track.samples.size() && track.samples[end].ticks == track.samples[i].ticks) {
+            ++end;
+        }
+        rows += u32(end - i) + u32(track.samples[i].ticks);
+        ++count;
+        i = end;
+    }
+    return fullBox("stts", 0, {u32(count), rows});
+}
+
+std::string wholeSamples(const Mp4Track& track)
+{
+    std::string rows;
+    std::uint32_t count = 0;
+    for (std::size_t i = 0; i < track.samples.size(); ++i) {
+        if (track.samples[i].isWhole) {
+            rows += u32(i + 1);
+            ++count;
+        }
+    }
+    return fullBox("stss", 0, {u32(count), rows});
+}
+
+std::string sampleSizes(const Mp4Track& track)
+{
+    std::string rows;
+    for (const Mp4Sample& sample : track.samples) {
+        rows += u32(sample.bytes);
+    }
+    return fullBox("stsz", 0, {u32(0), u32(track.samples.size()), rows});
+}
+
+/// All samples are one chunk at `offset` of the file.
+std::string sampleTable(const Mp4Track& track, std::uint64_t offset)
+{
+    return box("stbl", {fullBox("stsd", 0, {u32(1), sampleEntry(track)}), timesToSamples(track), wholeSamples(track),
+                        fullBox("stsc", 0, {u32(1), u32(1), u32(track.samples.size()), u32(1)}), sampleSizes(track),
+                        fullBox("stco", 0, {u32(1), u32(offset)})});
+}
+
+std::string media(const Mp4Track& track, std::uint64_t offset)
+{
+    constexpr std::uint64_t noLanguage = 0x55C4;   // "und", five bits a letter
+    const std::string handler = fullBox("hdlr", 0, {zeros(4), "vide", zeros(12), "AngioPose" + zeros(1)});
+    const std::string here = fullBox("dref", 0, {u32(1), fullBox("url ", 1, {})});
+    return box(
+        "mdia",
+        {fullBox("mdhd", 0, {zeros(8), u32(track.ticksPerSecond), u32(ticksOf(track)), u16(noLanguage), u16(0)}),
+         handler, box("minf", {fullBox("vmhd", 1, {zeros(8)}), box("dinf", {here}), sampleTable(track, offset)})});
+}
+
+std::string namedText(std::string_view type, const std::string& text)
+{
+    constexpr std::uint64_t isText = 1;
+    return box(type, {box("data", {u32(isText), u32(0), text})});
+}
+
+/// Title and comment where players look for them.
+std::string userData(const MovieFacts& facts)
+{
+    std::string comment;
+    for (const auto& [key, text] : facts.texts) {
+        comment += (comment.empty() ? "" : "\n") + key + ": " + text;
+    }
+    const std::string handler = fullBox("hdlr", 0, {zeros(4), "mdirappl", zeros(9)});
+    return box("udta",
+               {fullBox("meta", 0,
+                        {handler, box("ilst", {namedText("\xA9nam", facts.title), namedText("\xA9too", "AngioPose"),
+                                               namedText("\xA9"
+                                                         "cmt",
+                                                         comment)})})});
+}
+
+std::string movieBox(const Mp4Track& track, std::uint64_t offset)
+{
+    return box("moov",
+               {movieHeader(track), box("trak", {trackHeader(track), media(track, offset)}), userData(track.facts)});
+}
+
+}   // namespace
+
+std::string mp4Head(const Mp4Track& track)
+{
+    const std::uint64_t bytes =
+        std::accumulate(track.samples.begin(), track.samples.end(), std::uint64_t{0},
+                        [](std::uint64_t sum, const Mp4Sample& sample) { return sum + sample.bytes; });
+    const std::string type = box("ftyp", {"isom", u32(0x200), "isomiso2avc1mp41"});
+    constexpr std::uint64_t mdatHead = 8;
+    const std::uint64_t offset = type.size() + movieBox(track, 0).size() + mdatHead;   // its length hangs on no offset
+    return type + movieBox(track, offset) + u32(mdatHead + bytes) + "mdat";
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <cmath>
+
+namespace angiopose::io {
+
+/// A grey angiogram-like ground with a coloured line that wanders.
+inline core::ColorImage moviePicture(int width, int height, int step)
+{
+    core::ColorImage picture{width, height, {}};
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const bool isLine = std::abs(x - y * width / height - 3 * step) < 4;
+            const auto grey = static_cast<std::uint8_t>(40 + 150 * y / height + 20 * x / width);
+            const std::uint8_t line[3]{40, 130, 250}, ground[3]{grey, grey, grey};
+            picture.rgb.insert(picture.rgb.end(), isLine ? line : ground, (isLine ? line : ground) + 3);
+        }
+    }
+    return picture;
+}
+
+}   // namespace angiopose::io
