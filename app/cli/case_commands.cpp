@@ -4,6 +4,7 @@
 #include "app/cli/method_list.h"
 #include "core/registration/options/option_fields.h"
 
+#include <map>
 #include <memory>
 
 namespace angiopose::app {
@@ -86,6 +87,37 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_flag("--16-bit", arguments->is16Bit, "The grey values of the frame alone, 16-bit .png, without texts");
     command->footer("Example: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png");
     command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
+}
+
+void addMovie(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("movie", "Write a movie: the overlay through a run, a convergence, or a turn");
+    auto arguments = std::make_shared<MovieArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--output", arguments->outputPath, "Movie to write, .mp4 or .gif")->required();
+    const std::map<std::string, MovieContent> contents{
+        {"run", MovieContent::Run}, {"convergence", MovieContent::Convergence}, {"turn", MovieContent::Turn}};
+    command
+        ->add_option("--show", arguments->content,
+                     "run: the overlay through the frames (default); convergence: the poses of the registration, which "
+                     "is made where the case keeps none; turn: the vessels alone, turning once")
+        ->transform(CLI::CheckedTransformer(contents, CLI::ignore_case).description("{run,convergence,turn}"));
+    command->add_option("--frames", arguments->frames, "First and last frame of the run, from 0 (default: all)")
+        ->expected(2);
+    command->add_flag("--back-and-forth", arguments->isBackAndForth, "The run to its end and back");
+    command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
+    command->add_flag("--follow", arguments->isFollowed,
+                      "Follow the vessels from that pose through the run, each frame with its own");
+    command->add_option("--fps", arguments->framesPerSecond, "Pictures a second (default: as the run was taken)")
+        ->check(CLI::Range(0.5, 100.0));
+    command->add_option("--speed", arguments->speed, "Times as fast as that")->check(CLI::Range(0.05, 20.0));
+    command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the image)")
+        ->check(CLI::Range(64, 8192));
+    command->add_option("--frame", arguments->frame, "Frame of the case's pose, from 0");
+    command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
+    command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
+    command->footer("Example: angiopose-cli movie case.angiopose --register --follow --output run.mp4");
+    command->callback([arguments, &exitCode] { exitCode = runMovie(*arguments); });
 }
 
 void addAngles(CLI::App& app, int& exitCode)

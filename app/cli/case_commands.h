@@ -8,6 +8,7 @@ namespace angiopose::app {
 void addRegister(CLI::App& app, int& exitCode);
 void addTrack(CLI::App& app, int& exitCode);
 void addProject(CLI::App& app, int& exitCode);
+void addMovie(CLI::App& app, int& exitCode);
 void addAngles(CLI::App& app, int& exitCode);
 void addMeasure(CLI::App& app, int& exitCode);
 void addBatch(CLI::App& app, int& exitCode);

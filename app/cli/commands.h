@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
+#include "app/texts/movie.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/viewing/angle_map.h"
 
@@ -51,6 +52,23 @@ struct ProjectArguments {
     bool is16Bit = false;   ///< the frame alone, its grey values
 };
 int runProject(const ProjectArguments& arguments);
+
+struct MovieArguments {
+    std::string casePath;
+    std::string outputPath;
+    MovieContent content = MovieContent::Run;
+    std::vector<int> frames;   ///< first and last of a run; empty: all
+    bool isBackAndForth = false;
+    bool isRegistered = false;   ///< its frame is registered first
+    bool isFollowed = false;   ///< then the vessels are followed through the run
+    double framesPerSecond = 0.0;   ///< 0: as the run was taken, or usual
+    double speed = 1.0;   ///< times as fast
+    int widthPx = 0;   ///< 0: twice the image
+    std::optional<int> frame;
+    bool isRigid = false;
+    bool depthCue = false;
+};
+int runMovie(const MovieArguments& arguments);
 
 struct AnglesArguments {
     std::string casePath;

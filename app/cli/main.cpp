@@ -29,6 +29,7 @@ int parseAndRun(int argc, char** argv)
     addRegister(app, exitCode);
     addTrack(app, exitCode);
     addProject(app, exitCode);
+    addMovie(app, exitCode);
     addAngles(app, exitCode);
     addMeasure(app, exitCode);
     addSimulate(app, exitCode);

@@ -248,7 +248,7 @@ core::Result<Picture> drawAs(const core::Case& theCase, const core::Centerline2d
         return core::Error(says::overlayIncomplete());
     }
     if (!options.isStartBeside) {
-        return drawOne<Picture>(theCase, target, options, std::nullopt);
+        return drawOne<Picture>(theCase, target, options, options.words);
     }
     const auto start = core::startPoseOf(theCase);
     if (!start) {

@@ -33,6 +33,7 @@ struct OverlayPictureOptions {
     ui::Cutout cutout = {};   ///< swipe or lens where the vessels step aside, image px
     /// Before and after: a second picture on the left with the vessels at the start pose.
     bool isStartBeside = false;
+    std::optional<core::Message> words = std::nullopt;   ///< at the bottom left, of a picture among several
     /// Shows the vessels as a radiograph, which this makes from a pose, in place of their lines; not set: lines.
     std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> radiograph = nullptr;
 };

@@ -1,0 +1,97 @@
+#include "app/cli/case_input.h"
+#include "app/cli/commands.h"
+#include "app/cli/register_case.h"
+#include "app/messages/says.h"
+#include "app/texts/number_text.h"
+#include "core/workflow/register_case.h"
+
+#include <cstdio>
+
+namespace angiopose::app {
+namespace {
+
+MoviePlan planOf(const MovieArguments& arguments, const core::Case& theCase)
+{
+    const core::Angiogram& run = *theCase.shown().angiogram;
+    MoviePlan plan;
+    plan.content = arguments.content;
+    plan.frames = arguments.frames.empty() ? core::FrameRange{0, run.frameCount() - 1}
+                                           : core::FrameRange{arguments.frames[0], arguments.frames[1]};
+    plan.order = arguments.isBackAndForth ? core::CineOrder::BackAndForth : core::CineOrder::Loop;
+    const double usual = arguments.content == MovieContent::Run           ? framesPerSecondOf(run)
+                         : arguments.content == MovieContent::Convergence ? convergencePerSecond
+                                                                          : turnPerSecond;
+    plan.framesPerSecond = (arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond : usual) * arguments.speed;
+    return plan;
+}
+
+/// A convergence shows the registration that the case keeps, where it does.
+bool needsRun(const MovieArguments& arguments, const core::Case& theCase)
+{
+    const auto& result = theCase.shown().result;
+    const bool isKnown = result && !result->history.empty();
+    return arguments.isRegistered || (arguments.content == MovieContent::Convergence && !isKnown);
+}
+
+core::Result<core::Case> registered(core::Case theCase)
+{
+    auto found = registerForCommand(std::move(theCase), "registering");
+    return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
+}
+
+core::Status followInto(MoviePlan& plan, const core::Case& theCase)
+{
+    ProgressLine progress("following");
+    auto followed = core::followFrames(theCase, progress.observer());
+    if (!followed) {
+        return followed.error();
+    }
+    plan.followed = std::move(followed).value();
+    return core::Done{};
+}
+
+core::Status write(const core::Case& theCase, const MovieArguments& arguments, const MoviePlan& plan)
+{
+    OverlayPictureOptions options;
+    options.widthPx = arguments.widthPx;
+    options.coloring = OverlayColoring::Branches;
+    options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
+    options.depthCue = arguments.depthCue ? ui::DepthCue::NearBright : ui::DepthCue::None;
+    ProgressLine progress("writing");
+    return writeMovie(theCase, {}, options, plan, arguments.outputPath, [&progress](double fraction) {
+        progress.show(fraction, "");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+}
+
+}   // namespace
+
+int runMovie(const MovieArguments& arguments)
+{
+    auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
+    if (loaded && !loaded.value().shown().angiogram) {
+        loaded = core::Error(says::overlayIncomplete().about(arguments.casePath));
+    }
+    if (loaded && needsRun(arguments, loaded.value())) {
+        loaded = registered(std::move(loaded).value());
+    }
+    if (!loaded) {
+        return failInput(loaded.error());
+    }
+    const core::Case& theCase = loaded.value();
+    MoviePlan plan = planOf(arguments, theCase);
+    if (arguments.isFollowed && arguments.content == MovieContent::Run) {
+        if (const auto followed = followInto(plan, theCase); !followed) {
+            return failInput(followed.error().about(arguments.casePath));
+        }
+    }
+    if (const auto written = write(theCase, arguments, plan); !written) {
+        return failInput(written.error());
+    }
+    const MovieLength length = lengthOf(theCase, plan);
+    std::printf("%s: %zu pictures, %s s\n", arguments.outputPath.c_str(), length.pictures,
+                fixedText(length.seconds, 2).c_str());
+    return exitDone;
+}
+
+}   // namespace angiopose::app

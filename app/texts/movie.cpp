@@ -1,0 +1,94 @@
+#include "app/texts/movie.h"
+
+#include "app/messages/says.h"
+#include "app/texts/movie_steps.h"
+#include "io/movie/movie_writer.h"
+
+#include <cmath>
+
+namespace angiopose::app {
+namespace {
+
+constexpr core::DisplayRange darkGround{0.0, 1.0};
+
+/// What is the same in all pictures: grey values that follow the frame would flicker, and curves are those of one
+/// frame.
+OverlayPictureOptions steadyLook(const core::Case& theCase, OverlayPictureOptions options, const MoviePlan& plan)
+{
+    options.isStartBeside = false;
+    options.radiograph = plan.content == MovieContent::Turn ? nullptr : options.radiograph;
+    const core::Angiogram& run = *theCase.shown().angiogram;
+    if (plan.content == MovieContent::Turn) {
+        options.range = darkGround;
+        options.cutout = {};
+        options.depthCue = ui::DepthCue::NearBright;
+        options.vessels = options.vessels == ui::OverlayMode::Hidden ? ui::OverlayMode::Centerline : options.vessels;
+    } else if (!options.range) {
+        options.range = core::displayRange(run.frames[static_cast<std::size_t>(theCase.shown().frame)]);
+    }
+    if (plan.content != MovieContent::Convergence && options.coloring == OverlayColoring::Residuals) {
+        options.coloring = OverlayColoring::Branches;
+    }
+    if (plan.content == MovieContent::Turn) {
+        options.coloring = OverlayColoring::Branches;
+    }
+    return options;
+}
+
+core::Result<core::ColorImage> pictureOf(const MovieStep& step, const core::Centerline2d& target,
+                                         OverlayPictureOptions options)
+{
+    options.words = step.words;
+    return drawOverlay(step.theCase, target, options);
+}
+
+core::Status stopped(const std::string& path)
+{
+    return core::Error(core::Stopped{says::movieStopped().about(path)});
+}
+
+/// Picture by picture: one is in memory at a time.
+core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, const core::Centerline2d& target,
+                           const OverlayPictureOptions& options, core::ColorImage first, const std::string& path,
+                           const MovieObserver& observe)
+{
+    const std::size_t count = steps.count();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (observe(static_cast<double>(i) / static_cast<double>(count)) == core::Verdict::Stop) {
+            return stopped(path);
+        }
+        const MovieStep step = steps.at(i);
+        const auto picture =
+            i == 0 ? core::Result<core::ColorImage>(std::move(first)) : pictureOf(step, target, options);
+        if (!picture) {
+            return picture.error();
+        }
+        if (auto added = movie.add(picture.value(), step.ms); !added) {
+            return added;
+        }
+    }
+    return observe(1.0) == core::Verdict::Stop ? stopped(path) : movie.finish();
+}
+
+}   // namespace
+
+core::Status writeMovie(const core::Case& theCase, const core::Centerline2d& target,
+                        const OverlayPictureOptions& options, const MoviePlan& plan, const std::string& path,
+                        const MovieObserver& observe)
+{
+    if (const auto problem = findProblem(theCase, plan)) {
+        return core::Error(*problem);
+    }
+    const OverlayPictureOptions look = steadyLook(theCase, options, plan);
+    const MovieSteps steps(theCase, plan, look.shape);
+    auto first = pictureOf(steps.at(0), target, look);
+    if (!first) {
+        return first.error();
+    }
+    const io::MovieSize size{first.value().width, first.value().height};
+    auto movie = io::MovieWriter::create(path, size, {theCase.title, provenanceTexts(theCase)});
+    return movie ? writePictures(*movie.value(), steps, target, look, std::move(first).value(), path, observe)
+                 : core::Status(movie.error());
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,163 @@
+#include "app/texts/movie_steps.h"
+
+#include "app/messages/says.h"
+#include "app/texts/turned_vessels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::app {
+namespace {
+
+constexpr double usualPerSecond = 15.0;   // where the run does not say
+constexpr double turnSeconds = 6.0;
+constexpr double restMs = 1500.0;   // on the last pose of a convergence
+constexpr double msPerSecond = 1000.0;
+
+bool isDistrusted(const core::View& view)
+{
+    return view.result && !view.result->trustworthy;
+}
+
+/// At another pose nothing holds that was found or measured at the case's.
+void moveTo(core::Case& theCase, const core::RigidTransform& pose)
+{
+    core::View& view = theCase.shown();
+    if (pose.matrix() == view.cameraFromPatient.matrix()) {
+        return;
+    }
+    view.cameraFromPatient = pose;
+    view.result.reset();
+    view.measurements.clear();
+    view.sightings.clear();
+}
+
+std::size_t turnSteps(const MoviePlan& plan)
+{
+    return static_cast<std::size_t>(std::max(2L, std::lround(turnSeconds * plan.framesPerSecond)));
+}
+
+std::size_t stepCount(const core::Case& theCase, const MoviePlan& plan)
+{
+    const auto frames = static_cast<std::size_t>(std::max(1, plan.frames.count()));
+    switch (plan.content) {
+        case MovieContent::Convergence:
+            return theCase.shown().result ? theCase.shown().result->history.size() : 0;
+        case MovieContent::Turn:
+            return turnSteps(plan);
+        case MovieContent::Run:
+            break;
+    }
+    return plan.order == core::CineOrder::BackAndForth && frames > 1 ? 2 * (frames - 1) : frames;
+}
+
+}   // namespace
+
+double framesPerSecondOf(const core::Angiogram& run)
+{
+    return run.frameTimeMs > 1.0 ? msPerSecond / run.frameTimeMs : usualPerSecond;
+}
+
+std::optional<core::Message> findProblem(const core::Case& theCase, const MoviePlan& plan)
+{
+    if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
+        return says::overlayIncomplete();
+    }
+    const auto& result = theCase.shown().result;
+    if (plan.content == MovieContent::Convergence && (!result || result->history.empty())) {
+        return says::movieNoHistory();
+    }
+    const int last = theCase.shown().angiogram->frameCount() - 1;
+    if (plan.content == MovieContent::Run &&
+        (plan.frames.first < 0 || plan.frames.last > last || plan.frames.first > plan.frames.last)) {
+        return says::movieFramesBeyond(plan.frames.first, plan.frames.last, last);
+    }
+    return std::nullopt;
+}
+
+MovieLength lengthOf(const core::Case& theCase, const MoviePlan& plan)
+{
+    const std::size_t pictures = stepCount(theCase, plan);
+    const double restSeconds = plan.content == MovieContent::Convergence && pictures > 0
+                                   ? restMs / msPerSecond - 1.0 / plan.framesPerSecond
+                                   : 0.0;
+    return {pictures, static_cast<double>(pictures) / plan.framesPerSecond + std::max(0.0, restSeconds)};
+}
+
+double aspectOf(const core::Case& theCase, const MoviePlan& plan)
+{
+    const auto& run = theCase.shown().angiogram;
+    return plan.content == MovieContent::Turn || !run || run->width() == 0
+               ? 1.0
+               : static_cast<double>(run->height()) / run->width();
+}
+
+MovieSteps::MovieSteps(const core::Case& theCase, const MoviePlan& plan, VesselShape shape)
+    : case_(theCase), plan_(plan)
+{
+    if (plan.content == MovieContent::Turn) {
+        const core::View& shown = theCase.shown();
+        const DrawnVessels drawn = drawnVessels(shown, theCase.vessels, shown.cameraFromPatient, shape);
+        if (drawn.known) {
+            turned_ = shapeLines(drawn).front();
+        }
+        case_ = vesselsAlone(theCase, shape);
+    }
+}
+
+std::size_t MovieSteps::count() const
+{
+    return stepCount(case_, plan_);
+}
+
+MovieStep MovieSteps::at(std::size_t index) const
+{
+    if (plan_.content == MovieContent::Run) {
+        return frameStep(index);
+    }
+    if (plan_.content == MovieContent::Convergence) {
+        return iterationStep(index);
+    }
+    const double degrees = 360.0 * static_cast<double>(index) / static_cast<double>(count());
+    const core::Message turn = says::movieTurned(core::Quantity{degrees, 0, "°"});
+    return {turnedBy(case_, degrees), turned_ ? says::twoParts(turn, *turned_) : turn,
+            msPerSecond / plan_.framesPerSecond};
+}
+
+MovieStep MovieSteps::frameStep(std::size_t index) const
+{
+    const core::CineClock clock(plan_.frames, plan_.order, 1.0);
+    const int frame = clock.frameAt(static_cast<double>(index));
+    const core::View& own = case_.shown();
+    MovieStep step{case_, std::nullopt, msPerSecond / plan_.framesPerSecond};
+    step.theCase.shown().frame = frame;
+    if (frame == own.frame) {
+        return step;
+    }
+    const auto followed = std::ranges::find(plan_.followed, frame, &core::FollowedFrame::frame);
+    if (followed == plan_.followed.end()) {
+        step.words = says::moviePoseOfFrame(own.frame);
+        return step;
+    }
+    moveTo(step.theCase, followed->tracked.cameraFromPatient);
+    step.words =
+        followed->tracked.isTrustworthy && !isDistrusted(own) ? says::movieFollowed() : says::movieFollowedDistrusted();
+    return step;
+}
+
+MovieStep MovieSteps::iterationStep(std::size_t index) const
+{
+    const core::View& own = case_.shown();
+    const std::vector<core::IterationReport>& history = own.result->history;
+    const core::IterationReport& report = history[index];
+    const core::Quantity median{report.medianDistancePx, 2, "px"};
+    const bool isLast = index + 1 == history.size();
+    const double ms = msPerSecond / plan_.framesPerSecond;
+    MovieStep step{case_, std::nullopt, isLast ? std::max(restMs, ms) : ms};
+    moveTo(step.theCase, report.cameraFromPatient);
+    step.words = isDistrusted(own) ? says::movieStepDistrusted(index + 1, history.size(), median)
+                                   : says::movieStep(index + 1, history.size(), median);
+    return step;
+}
+
+}   // namespace angiopose::app
