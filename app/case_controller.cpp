@@ -66,6 +66,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       angles_(document_, branches_, window.actions(), window),
       follow_({document_, review_, judgement_, sync_, preview_, session_.exporting(), notices_, window.actions(),
                window.result(), window.strip()}),
+      movie_({document_, target_, session_.exporting(), follow_, cine_, notices_, window.actions(), window.strip(),
+              window}),
       radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
       habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window)
@@ -84,7 +86,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
 bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || follow_.isRunning() ||
-           poses_.isBusy() || views_.isLooking() || document_.isInTrial();
+           movie_.isRunning() || poses_.isBusy() || views_.isLooking() || document_.isInTrial();
 }
 
 /// What the window itself hears: files, clicks, keys, its end.

@@ -23,6 +23,7 @@
 #include "app/review/follow_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
+#include "app/review/movie_controller.h"
 #include "app/review/pose_gestures.h"
 #include "app/review/pose_tools.h"
 #include "app/review/profile_controller.h"
@@ -71,6 +72,7 @@ public:
     PoseTools& poses() { return poses_; }
     const PosePreview& preview() const { return preview_; }
     FollowController& following() { return follow_; }
+    const MovieController& movies() const { return movie_; }
     Habits& habits() { return habits_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
@@ -123,6 +125,7 @@ private:
     LinkedCrosshair crosshair_;
     AngleController angles_;
     FollowController follow_;
+    MovieController movie_;
     RadiographController radiograph_;
     Habits habits_;
     HelpController help_;

@@ -55,6 +55,11 @@ ExportController::ExportController(CaseDocument& document, TargetProvider& targe
 
 void ExportController::askFile(const FileQuestion& question, const Write& write, const Then& then)
 {
+    askPath(question, [this, write, then](const QString& path) { writeFile(path, write, then); });
+}
+
+void ExportController::askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use)
+{
     const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
                                                     : QFileInfo(document_.path()).completeBaseName();
     const QString suggested = suggestedPath(document_.path(), base + QLatin1Char('.') + question.suffix);
@@ -62,8 +67,7 @@ void ExportController::askFile(const FileQuestion& question, const Write& write,
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(question.suffix);
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, write, then](const QString& path) { writeFile(path, write, then); });
+    connect(dialog, &QFileDialog::fileSelected, this, use);
     dialog->open();
 }
 

@@ -35,9 +35,11 @@ public:
     using Write = std::function<core::Status(const QString& path)>;
     using Then = std::function<void()>;   ///< called once it is written
     void askFile(const FileQuestion& question, const Write& write, const Then& then = {});
+    void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
     void writeFile(const QString& path, const Write& write, const Then& then = {});   ///< returns at once
 
     void askOverlay();
+    OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
     void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
     void askReport();
     void askResult();
@@ -55,7 +57,6 @@ signals:
 
 private:
     void askReportFile(ui::Choice identity);
-    OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
     static FileQuestion questionFor(ui::PictureFormat format);
     Write overlayWriter(const ui::ExportChoice& choice) const;
 

@@ -59,6 +59,8 @@ inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
 inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
+inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< else MP4
+inline const Setting<int> movieWidthPx{"export/movieWidthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 inline const Setting<bool> exportEnglish{"export/english", false};   ///< whatever language the window speaks
 }   // namespace settings

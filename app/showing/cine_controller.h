@@ -23,6 +23,10 @@ public:
     CineController(CaseDocument& document, ViewSync& sync, ReviewController& review, ui::WindowActions& actions,
                    ui::BottomStrip& strip, QObject* parent = nullptr);
 
+    const core::FrameRange& loop() const { return loop_; }   ///< frames that play
+    double speed() const { return speed_; }   ///< times as fast as the run was taken
+    core::CineOrder order() const { return order_; }
+
 private:
     void connectCommands();
     void followDocument();

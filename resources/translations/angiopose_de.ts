@@ -5908,6 +5908,91 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <comment>case.annotation-points</comment>
         <translation>ein Pfeil hat zwei Punkte, ein Text einen. Die Punkte berichtigen oder ihn entfernen.</translation>
     </message>
+    <message>
+        <source>movies are written as .mp4 or .gif. Choose one of these.</source>
+        <comment>movie.kind</comment>
+        <translation>Filme werden als .mp4 oder .gif geschrieben. Eines davon wählen.</translation>
+    </message>
+    <message>
+        <source>a movie has %1 pixels on a side at least. Choose a larger size.</source>
+        <comment>movie.too-small</comment>
+        <translation>ein Film hat mindestens %1 Pixel je Seite. Eine größere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>MP4 holds no pictures of %1 × %2 pixels: 9,437,184 at most (4096 × 2304), and 8688 on a side. Choose a smaller size, or GIF.</source>
+        <comment>movie.too-large</comment>
+        <translation>MP4 fasst keine Bilder von %1 × %2 Pixeln: höchstens 9.437.184 (4096 × 2304) und 8688 je Seite. Eine kleinere Größe oder GIF wählen.</translation>
+    </message>
+    <message>
+        <source>a GIF of %1 × %2 pixels is not written: %3 on a side at most. Choose a smaller size.</source>
+        <comment>movie.gif-too-large</comment>
+        <translation>ein GIF von %1 × %2 Pixeln wird nicht geschrieben: höchstens %3 je Seite. Eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>the pictures of a movie must be equally large.</source>
+        <comment>movie.sizes-differ</comment>
+        <translation>die Bilder eines Films müssen gleich groß sein.</translation>
+    </message>
+    <message>
+        <source>the movie could not be encoded. Choose another size, or GIF.</source>
+        <comment>movie.encoder-failed</comment>
+        <translation>der Film konnte nicht kodiert werden. Eine andere Größe oder GIF wählen.</translation>
+    </message>
+    <message>
+        <source>the movie would be larger than 1 GB. Choose fewer frames or a smaller size.</source>
+        <comment>movie.too-long</comment>
+        <translation>der Film würde größer als 1 GB. Weniger Bilder oder eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>the movie could not be written. Choose another size or format.</source>
+        <comment>movie.not-made</comment>
+        <translation>der Film konnte nicht geschrieben werden. Eine andere Größe oder ein anderes Format wählen.</translation>
+    </message>
+    <message>
+        <source>No registration is known that led to this pose. Register first.</source>
+        <comment>movie.no-history</comment>
+        <translation>Keine Registrierung ist bekannt, die zu dieser Lage führte. Zuerst registrieren.</translation>
+    </message>
+    <message>
+        <source>There are no frames %1 to %2 in that order: the run has frames 0 to %3. Choose others.</source>
+        <comment>movie.frames-beyond</comment>
+        <translation>Bilder %1 bis %2 gibt es in dieser Folge nicht: Die Serie hat die Bilder 0 bis %3. Andere wählen.</translation>
+    </message>
+    <message>
+        <source>stopped before the movie was whole. Nothing was written.</source>
+        <comment>movie.stopped</comment>
+        <translation>angehalten, bevor der Film fertig war. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>pose of frame %1</source>
+        <comment>movie.pose-of-frame</comment>
+        <translation>Lage des Bildes %1</translation>
+    </message>
+    <message>
+        <source>pose followed to this frame</source>
+        <comment>movie.followed</comment>
+        <translation>bis zu diesem Bild verfolgte Lage</translation>
+    </message>
+    <message>
+        <source>pose followed to this frame · not trustworthy</source>
+        <comment>movie.followed-distrusted</comment>
+        <translation>bis zu diesem Bild verfolgte Lage · nicht vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · median %3</source>
+        <comment>movie.step</comment>
+        <translation>Schritt %1 von %2 · Median %3</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · median %3 · its result is not trustworthy</source>
+        <comment>movie.step-distrusted</comment>
+        <translation>Schritt %1 von %2 · Median %3 · sein Ergebnis ist nicht vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>seen from the front, turned by %1</source>
+        <comment>movie.turned</comment>
+        <translation>von vorn gesehen, um %1 gedreht</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7152,6 +7237,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Export check points …</source>
         <translation>Prüfpunkte exportieren …</translation>
+    </message>
+    <message>
+        <source>Export movie …</source>
+        <translation>Film exportieren …</translation>
     </message>
 </context>
 <context>
@@ -10085,6 +10174,140 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Check point %1</source>
         <translation>Prüfpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MovieController</name>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Could not export</source>
+        <translation>Export nicht möglich</translation>
+    </message>
+    <message>
+        <source>Writing the movie: %1 %</source>
+        <translation>Der Film wird geschrieben: %1 %</translation>
+    </message>
+    <message>
+        <source>Open vessels and an angiogram first.</source>
+        <translation>Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
+    </message>
+    <message>
+        <source>Something else is under way. Let it end first.</source>
+        <translation>Etwas anderes läuft gerade. Warten Sie, bis es endet.</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>Film exportieren</translation>
+    </message>
+    <message>
+        <source>GIF movies (*.gif)</source>
+        <translation>GIF-Filme (*.gif)</translation>
+    </message>
+    <message>
+        <source>MP4 movies (*.mp4)</source>
+        <translation>MP4-Filme (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Writing the movie …</source>
+        <translation>Der Film wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2, back and forth</source>
+        <translation>Bilder %1 bis %2, hin und zurück</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2</source>
+        <translation>Bilder %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the pose of this frame in all of them</source>
+        <translation>in allen die Lage dieses Bildes</translation>
+    </message>
+    <message>
+        <source>each with its followed pose</source>
+        <translation>jedes mit seiner verfolgten Lage</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MovieDialog</name>
+    <message>
+        <source>pictures a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Residual colours with their scale</source>
+        <translation>Abweichungsfarben mit Skala</translation>
+    </message>
+    <message>
+        <source>Patient identity in the pictures</source>
+        <translation>Identität des Patienten in den Bildern</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>Texte auf Englisch</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>Film exportieren</translation>
+    </message>
+    <message>
+        <source>MP4, for players and slides</source>
+        <translation>MP4, für Abspielprogramme und Folien</translation>
+    </message>
+    <message>
+        <source>GIF, for pages; starts again by itself</source>
+        <translation>GIF, für Seiten; beginnt von selbst von vorn</translation>
+    </message>
+    <message>
+        <source>Every picture says “Not for clinical use”, whose pose it shows, and whether that is trusted.</source>
+        <translation>Jedes Bild sagt „Nicht für den klinischen Einsatz“, wessen Lage es zeigt und ob ihr zu trauen ist.</translation>
+    </message>
+    <message>
+        <source>The overlay through the run</source>
+        <translation>Die Überlagerung durch die Serie</translation>
+    </message>
+    <message>
+        <source>How the registration converged</source>
+        <translation>Wie die Registrierung zum Ziel kam</translation>
+    </message>
+    <message>
+        <source>The vessels alone, turning once</source>
+        <translation>Die Gefäße allein, einmal gedreht</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 pictures, %2 s, %3 × %4 px</source>
+        <translation>%1 Bilder, %2 s, %3 × %4 px</translation>
     </message>
 </context>
 </TS>

@@ -5908,6 +5908,91 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <comment>case.annotation-points</comment>
         <translation>箭头有两个点，文字有一个。请修正这些点或移除。</translation>
     </message>
+    <message>
+        <source>movies are written as .mp4 or .gif. Choose one of these.</source>
+        <comment>movie.kind</comment>
+        <translation>影片以 .mp4 或 .gif 格式写出。请选择其一。</translation>
+    </message>
+    <message>
+        <source>a movie has %1 pixels on a side at least. Choose a larger size.</source>
+        <comment>movie.too-small</comment>
+        <translation>影片每边至少 %1 像素。请选择更大的尺寸。</translation>
+    </message>
+    <message>
+        <source>MP4 holds no pictures of %1 × %2 pixels: 9,437,184 at most (4096 × 2304), and 8688 on a side. Choose a smaller size, or GIF.</source>
+        <comment>movie.too-large</comment>
+        <translation>MP4 不能容纳 %1 × %2 像素的图片：最多 9,437,184 像素（4096 × 2304），每边最多 8688。请选择更小的尺寸或 GIF。</translation>
+    </message>
+    <message>
+        <source>a GIF of %1 × %2 pixels is not written: %3 on a side at most. Choose a smaller size.</source>
+        <comment>movie.gif-too-large</comment>
+        <translation>不写出 %1 × %2 像素的 GIF：每边最多 %3。请选择更小的尺寸。</translation>
+    </message>
+    <message>
+        <source>the pictures of a movie must be equally large.</source>
+        <comment>movie.sizes-differ</comment>
+        <translation>影片的图片大小必须相同。</translation>
+    </message>
+    <message>
+        <source>the movie could not be encoded. Choose another size, or GIF.</source>
+        <comment>movie.encoder-failed</comment>
+        <translation>影片无法编码。请选择其他尺寸或 GIF。</translation>
+    </message>
+    <message>
+        <source>the movie would be larger than 1 GB. Choose fewer frames or a smaller size.</source>
+        <comment>movie.too-long</comment>
+        <translation>影片将超过 1 GB。请选择更少的帧或更小的尺寸。</translation>
+    </message>
+    <message>
+        <source>the movie could not be written. Choose another size or format.</source>
+        <comment>movie.not-made</comment>
+        <translation>影片无法写出。请选择其他尺寸或格式。</translation>
+    </message>
+    <message>
+        <source>No registration is known that led to this pose. Register first.</source>
+        <comment>movie.no-history</comment>
+        <translation>没有得出此位姿的配准记录。请先配准。</translation>
+    </message>
+    <message>
+        <source>There are no frames %1 to %2 in that order: the run has frames 0 to %3. Choose others.</source>
+        <comment>movie.frames-beyond</comment>
+        <translation>没有按此顺序的第 %1 至 %2 帧：该序列有第 0 至 %3 帧。请另选。</translation>
+    </message>
+    <message>
+        <source>stopped before the movie was whole. Nothing was written.</source>
+        <comment>movie.stopped</comment>
+        <translation>影片尚未完成即已停止。未写出任何内容。</translation>
+    </message>
+    <message>
+        <source>pose of frame %1</source>
+        <comment>movie.pose-of-frame</comment>
+        <translation>第 %1 帧的位姿</translation>
+    </message>
+    <message>
+        <source>pose followed to this frame</source>
+        <comment>movie.followed</comment>
+        <translation>跟踪到此帧的位姿</translation>
+    </message>
+    <message>
+        <source>pose followed to this frame · not trustworthy</source>
+        <comment>movie.followed-distrusted</comment>
+        <translation>跟踪到此帧的位姿 · 不可信</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · median %3</source>
+        <comment>movie.step</comment>
+        <translation>第 %1 步，共 %2 步 · 中位数 %3</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · median %3 · its result is not trustworthy</source>
+        <comment>movie.step-distrusted</comment>
+        <translation>第 %1 步，共 %2 步 · 中位数 %3 · 其结果不可信</translation>
+    </message>
+    <message>
+        <source>seen from the front, turned by %1</source>
+        <comment>movie.turned</comment>
+        <translation>从前方观察，旋转 %1</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -7152,6 +7237,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Export check points …</source>
         <translation>导出检查点…</translation>
+    </message>
+    <message>
+        <source>Export movie …</source>
+        <translation>导出影片 …</translation>
     </message>
 </context>
 <context>
@@ -10084,6 +10173,140 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Check point %1</source>
         <translation>检查点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MovieController</name>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Could not export</source>
+        <translation>无法导出</translation>
+    </message>
+    <message>
+        <source>Writing the movie: %1 %</source>
+        <translation>正在写影片：%1 %</translation>
+    </message>
+    <message>
+        <source>Open vessels and an angiogram first.</source>
+        <translation>请先打开血管和血管造影。</translation>
+    </message>
+    <message>
+        <source>Something else is under way. Let it end first.</source>
+        <translation>其他任务正在进行，请等待其结束。</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>导出影片</translation>
+    </message>
+    <message>
+        <source>GIF movies (*.gif)</source>
+        <translation>GIF 影片 (*.gif)</translation>
+    </message>
+    <message>
+        <source>MP4 movies (*.mp4)</source>
+        <translation>MP4 影片 (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Writing the movie …</source>
+        <translation>正在写影片 …</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2, back and forth</source>
+        <translation>第 %1 至 %2 帧，往返</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2</source>
+        <translation>第 %1 至 %2 帧</translation>
+    </message>
+    <message>
+        <source>the pose of this frame in all of them</source>
+        <translation>全部使用当前帧的位姿</translation>
+    </message>
+    <message>
+        <source>each with its followed pose</source>
+        <translation>每帧使用其跟踪位姿</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MovieDialog</name>
+    <message>
+        <source>pictures a second</source>
+        <translation>张/秒</translation>
+    </message>
+    <message>
+        <source>Residual colours with their scale</source>
+        <translation>残差颜色及色标</translation>
+    </message>
+    <message>
+        <source>Patient identity in the pictures</source>
+        <translation>图片中包含患者身份</translation>
+    </message>
+    <message>
+        <source>Texts in English</source>
+        <translation>文字用英文</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>导出……</translation>
+    </message>
+    <message>
+        <source>Export movie</source>
+        <translation>导出影片</translation>
+    </message>
+    <message>
+        <source>MP4, for players and slides</source>
+        <translation>MP4，用于播放器和幻灯片</translation>
+    </message>
+    <message>
+        <source>GIF, for pages; starts again by itself</source>
+        <translation>GIF，用于网页；自动循环播放</translation>
+    </message>
+    <message>
+        <source>Every picture says “Not for clinical use”, whose pose it shows, and whether that is trusted.</source>
+        <translation>每张图片都注明“不可用于临床”、所示位姿的来源及其是否可信。</translation>
+    </message>
+    <message>
+        <source>The overlay through the run</source>
+        <translation>整个序列的叠加图</translation>
+    </message>
+    <message>
+        <source>How the registration converged</source>
+        <translation>配准的收敛过程</translation>
+    </message>
+    <message>
+        <source>The vessels alone, turning once</source>
+        <translation>仅血管，旋转一周</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>影片</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 pictures, %2 s, %3 × %4 px</source>
+        <translation>%1 张图片，%2 s，%3 × %4 px</translation>
     </message>
 </context>
 </TS>

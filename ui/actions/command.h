@@ -12,6 +12,7 @@ enum class Command {
     Save,
     SaveAs,
     ExportOverlay,
+    ExportMovie,
     ExportResult,
     ExportPose,
     ExportTrace,

@@ -22,6 +22,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
         {Command::SaveAs, QT_TR_NOOP("Save as …"), "Ctrl+Shift+S"},
         {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E", StartsGroup},
+        {Command::ExportMovie, QT_TR_NOOP("Export movie …"), "Ctrl+Shift+E"},
         {Command::ExportReport, QT_TR_NOOP("Export report …")},
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},

@@ -153,6 +153,7 @@ void Gallery::showDialogs(ui::MainWindow& window)
     const std::array dialogs{std::pair{Keys, "keys"},
                              std::pair{About, "about"},
                              std::pair{ExportOverlay, "export"},
+                             std::pair{ExportMovie, "movie"},
                              std::pair{PanelHelp, "help"},
                              std::pair{GoodFit, "good_fit"},
                              std::pair{AuxiliaryAdvice, "auxiliary"},

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/files/export_controller.h"
+#include "app/jobs/job.h"
+#include "app/review/follow_controller.h"
+#include "app/showing/cine_controller.h"
+#include "app/showing/notices.h"
+#include "app/texts/movie.h"
+#include "ui/dialogs/movie_dialog.h"
+
+#include <QObject>
+
+namespace angiopose::app {
+
+/// Movies that leave the program: asks which, writes it on a worker with progress and Stop.
+class MovieController : public QObject {
+    Q_OBJECT
+public:
+    /// What it takes from and tells.
+    struct Parts {
+        CaseDocument& document;
+        TargetProvider& target;
+        ExportController& exporting;
+        const FollowController& follow;
+        const CineController& cine;
+        Notices& notices;
+        ui::WindowActions& actions;
+        ui::BottomStrip& strip;
+        QWidget& dialogParent;
+    };
+    explicit MovieController(const Parts& parts, QObject* parent = nullptr);
+
+    bool isRunning() const { return job_.isRunning(); }
+
+private:
+    void ask();
+    void askFile(const ui::MovieChoice& choice);
+    void start(const ui::MovieChoice& choice, const QString& path);
+    MoviePlan planOf(const ui::MovieChoice& choice) const;
+    double usualPerSecond(ui::MoviePart part) const;
+    ui::MovieOffer::Outcome outcomeOf(const ui::MovieChoice& choice) const;
+    QString wordsOf(const MoviePlan& plan) const;
+
+    Parts on_;
+    Job<QString> job_;
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,154 @@
+#include "ui/dialogs/movie_dialog.h"
+
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
+#include "ui/words/language.h"
+#include "ui/words/number.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr double slowest = 0.5, fastest = 100.0;
+
+}   // namespace
+
+MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
+    : QDialog(parent),
+      offer_(std::move(offer)),
+      part_(new QComboBox),
+      format_(new QComboBox),
+      width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
+      rate_(new NumberField({slowest, fastest, 1, tr("pictures a second"), 1.0})),
+      outcome_(roleLabel("hint")),
+      residuals_(new QCheckBox(tr("Residual colours with their scale"))),
+      identity_(new QCheckBox(tr("Patient identity in the pictures"))),
+      english_(new QCheckBox(tr("Texts in English"))),
+      export_(new QPushButton(tr("Export …")))
+{
+    setObjectName(QStringLiteral("movieDialog"));
+    setWindowTitle(tr("Export movie"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(440);
+    part_->setObjectName(QStringLiteral("moviePart"));
+    format_->setObjectName(QStringLiteral("movieFormat"));
+    rate_->setObjectName(QStringLiteral("movieRate"));
+    outcome_->setObjectName(QStringLiteral("movieOutcome"));
+    outcome_->setWordWrap(true);
+    fillParts();
+    format_->addItems({tr("MP4, for players and slides"), tr("GIF, for pages; starts again by itself")});
+    auto* notice = roleLabel("hint", tr("Every picture says “Not for clinical use”, whose pose it shows, and whether "
+                                        "that is trusted."));
+    notice->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(14);
+    layout->addLayout(makeForm());
+    layout->addWidget(notice);
+    layout->addLayout(makeButtons());
+    connect(part_, &QComboBox::currentIndexChanged, this, &MovieDialog::showUsualRate);
+    connect(format_, &QComboBox::currentIndexChanged, this, &MovieDialog::showOutcome);
+    connect(width_, &NumberField::edited, this, &MovieDialog::showOutcome);
+    connect(rate_, &NumberField::edited, this, &MovieDialog::showOutcome);
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    showChoice({});
+    showUsualRate();
+}
+
+void MovieDialog::fillParts()
+{
+    if (offer_.hasRun) {
+        part_->addItem(tr("The overlay through the run"), static_cast<int>(MoviePart::Run));
+    }
+    if (offer_.hasConvergence) {
+        part_->addItem(tr("How the registration converged"), static_cast<int>(MoviePart::Convergence));
+    }
+    part_->addItem(tr("The vessels alone, turning once"), static_cast<int>(MoviePart::Turn));
+}
+
+QFormLayout* MovieDialog::makeForm()
+{
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    form->addRow(roleLabel("label", tr("Movie")), part_);
+    form->addRow(roleLabel("label", tr("File")), format_);
+    form->addRow(roleLabel("label", tr("Width")), width_);
+    form->addRow(roleLabel("label", tr("Speed")), rate_);
+    for (QWidget* line : std::initializer_list<QWidget*>{outcome_, residuals_, identity_, english_}) {
+        form->addRow(QString(), line);
+    }
+    english_->setVisible(currentLanguage() != languages().front());
+    return form;
+}
+
+QHBoxLayout* MovieDialog::makeButtons()
+{
+    auto* cancel = new QPushButton(tr("Cancel"));
+    export_->setProperty("role", "primary");
+    export_->setDefault(true);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(export_, &QPushButton::clicked, this, &QDialog::accept);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(export_);
+    return buttons;
+}
+
+void MovieDialog::showChoice(const MovieChoice& choice)
+{
+    const int part = part_->findData(static_cast<int>(choice.part));
+    part_->setCurrentIndex(part < 0 ? 0 : part);
+    format_->setCurrentIndex(static_cast<int>(choice.format));
+    width_->showValue(choice.widthPx);
+    residuals_->setChecked(choice.residualColors == Choice::On);
+    identity_->setChecked(choice.identity == Choice::On);
+    english_->setChecked(choice.english == Choice::On);
+    showOutcome();
+}
+
+MovieChoice MovieDialog::choice() const
+{
+    MovieChoice result;
+    result.part = static_cast<MoviePart>(part_->currentData().toInt());
+    result.format = static_cast<MovieFormat>(format_->currentIndex());
+    result.widthPx = static_cast<int>(width_->value().value_or(1024.0));
+    result.framesPerSecond = rate_->value().value_or(offer_.usualPerSecond(result.part));
+    result.identity = identity_->isChecked() ? Choice::On : Choice::Off;
+    result.english = english_->isChecked() ? Choice::On : Choice::Off;
+    result.residualColors = residuals_->isChecked() ? Choice::On : Choice::Off;
+    return result;
+}
+
+void MovieDialog::showUsualRate()
+{
+    rate_->showValue(std::clamp(offer_.usualPerSecond(choice().part), slowest, fastest));
+    showOutcome();
+}
+
+void MovieDialog::showOutcome()
+{
+    const MovieChoice wanted = choice();
+    residuals_->setVisible(wanted.part == MoviePart::Convergence);
+    const MovieOffer::Outcome outcome = offer_.outcomeOf(wanted);
+    const QString length = tr("%1 pictures, %2 s, %3 × %4 px")
+                               .arg(outcome.pictures)
+                               .arg(numberText(outcome.seconds, 1))
+                               .arg(outcome.size.width())
+                               .arg(outcome.size.height());
+    const QString told = outcome.words.isEmpty() ? length : length + QLatin1Char('\n') + outcome.words;
+    outcome_->setText(outcome.problem.isEmpty() ? told : outcome.problem);
+    export_->setEnabled(outcome.problem.isEmpty());
+}
+
+}   // namespace angiopose::ui
