@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytesOf(const std::string& path)
+std::string movieBytes(const std::string& path)
 {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -35,7 +35,7 @@ std::uint32_t numberAt(const std::string& bytes, std::size_t at, int length = 4)
 }
 
 /// What is inside the first box of that path ("moov/trak/…"), which must fill its parent exactly.
-std::optional<std::string> content(const std::string& bytes, const std::string& path)
+std::optional<std::string> boxContent(const std::string& bytes, const std::string& path)
 {
     const std::string type = path.substr(0, path.find('/'));
     for (std::size_t at = 0; at < bytes.size();) {
@@ -45,7 +45,7 @@ std::optional<std::string> content(const std::string& bytes, const std::string& 
         }
         if (bytes.substr(at + 4, 4) == type) {
             const std::string inside = bytes.substr(at + 8, size - 8);
-            return type == path ? std::optional(inside) : content(inside, path.substr(path.find('/') + 1));
+            return type == path ? std::optional(inside) : boxContent(inside, path.substr(path.find('/') + 1));
         }
         at += size;
     }
@@ -66,30 +66,30 @@ TakenApart takeApart(const std::string& bytes)
 {
     TakenApart movie;
     const std::string table = "moov/trak/mdia/minf/stbl/";
-    const std::string entry = content(bytes, table + "stsd").value().substr(8 + 8);
+    const std::string entry = boxContent(bytes, table + "stsd").value().substr(8 + 8);
     movie.width = static_cast<int>(numberAt(entry, 24, 2));
     movie.height = static_cast<int>(numberAt(entry, 26, 2));
-    const std::string configuration = content(entry.substr(78), "avcC").value();
+    const std::string configuration = boxContent(entry.substr(78), "avcC").value();
     const std::size_t length = numberAt(configuration, 6, 2);
     movie.sequence = configuration.substr(8, length);
     movie.picture = configuration.substr(11 + length, numberAt(configuration, 9 + length, 2));
-    const std::string sizes = content(bytes, table + "stsz").value();
-    std::size_t at = numberAt(content(bytes, table + "stco").value(), 8);
+    const std::string sizes = boxContent(bytes, table + "stsz").value();
+    std::size_t at = numberAt(boxContent(bytes, table + "stco").value(), 8);
     for (std::uint32_t i = 0; i < numberAt(sizes, 8); ++i) {
         const std::size_t size = numberAt(sizes, 12 + 4 * i);
         movie.samples.push_back(bytes.substr(at, size));
         at += size;
     }
     EXPECT_EQ(at, bytes.size()) << "the samples fill the file to its end";
-    const std::string times = content(bytes, table + "stts").value();
+    const std::string times = boxContent(bytes, table + "stts").value();
     for (std::uint32_t row = 0; row < numberAt(times, 4); ++row) {
         movie.ticks.insert(movie.ticks.end(), numberAt(times, 8 + 8 * row), numberAt(times, 12 + 8 * row));
     }
-    const std::string starts = content(bytes, table + "stss").value();
+    const std::string starts = boxContent(bytes, table + "stss").value();
     for (std::uint32_t row = 0; row < numberAt(starts, 4); ++row) {
         movie.whole.push_back(numberAt(starts, 8 + 4 * row));
     }
-    movie.ticksPerSecond = numberAt(content(bytes, "moov/trak/mdia/mdhd").value(), 12);
+    movie.ticksPerSecond = numberAt(boxContent(bytes, "moov/trak/mdia/mdhd").value(), 12);
     return movie;
 }
 
@@ -195,7 +195,7 @@ protected:
             EXPECT_TRUE(movie.value()->add(moviePicture(width, height, i), ms));
         }
         EXPECT_TRUE(movie.value()->finish());
-        return takeApart(bytesOf(path_));
+        return takeApart(movieBytes(path_));
     }
 
     fs::path folder_ = fs::temp_directory_path() / ("mp4-" + std::to_string(::getpid()));
@@ -251,22 +251,22 @@ TEST_F(Mp4Movie, HoldsOnePictureAlone)
 TEST_F(Mp4Movie, TellsTitleColoursAndSize)
 {
     written(64, 64, 1, 40.0);
-    const std::string bytes = bytesOf(path_);
+    const std::string bytes = movieBytes(path_);
     EXPECT_EQ(bytes.substr(4, 8), "ftypisom");
     EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "plays while it is read";
     EXPECT_NE(bytes.find(std::string("colrnclx\0\1\0\1\0\1\0", 15)), std::string::npos);
     EXPECT_NE(bytes.find("Title"), std::string::npos);
     EXPECT_NE(bytes.find("Program: test"), std::string::npos);
-    const std::string header = content(bytes, "moov/trak/tkhd").value();
+    const std::string header = boxContent(bytes, "moov/trak/tkhd").value();
     EXPECT_EQ(numberAt(header, 76), 64U << 16);
 }
 
 TEST_F(Mp4Movie, EncodesTheSameTwice)
 {
     written(96, 96, 5, 40.0);
-    const std::string first = bytesOf(path_);
+    const std::string first = movieBytes(path_);
     written(96, 96, 5, 40.0);
-    EXPECT_EQ(bytesOf(path_), first);
+    EXPECT_EQ(movieBytes(path_), first);
 }
 
 TEST_F(Mp4Movie, LeavesNothingWithoutAnEnd)
