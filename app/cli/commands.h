@@ -154,8 +154,10 @@ int runConvert(const ConvertArguments& arguments);
 
 struct FileArguments {
     std::string path;
+    bool allFiles = false;   ///< of `studies`: not only those that a DICOMDIR lists
     OutputFormat format = OutputFormat::Text;
 };
+int runStudies(const FileArguments& arguments);
 int runInfo(const FileArguments& arguments);
 int runValidate(const FileArguments& arguments);
 

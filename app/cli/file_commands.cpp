@@ -49,6 +49,19 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     command->callback([arguments, &exitCode] { exitCode = runTraceAngiogram(*arguments); });
 }
 
+void addStudies(CLI::App& app, int& exitCode)
+{
+    auto* command =
+        app.add_subcommand("studies", "List patients, studies and series of a folder, a disc or a DICOMDIR");
+    auto arguments = std::make_shared<FileArguments>();
+    command->add_option("FOLDER", arguments->path, "A folder, or a DICOMDIR")->required();
+    command->add_flag_callback(
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON and nothing else");
+    command->add_flag("--all-files", arguments->allFiles, "Read files too that the DICOMDIR does not list");
+    command->footer("Example: angiopose-cli studies /media/cdrom");
+    command->callback([arguments, &exitCode] { exitCode = runStudies(*arguments); });
+}
+
 void addInfo(CLI::App& app, int& exitCode)
 {
     addFileCommand(app, exitCode, "info", "Say what a file holds and what follows from it", runInfo);

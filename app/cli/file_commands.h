@@ -6,6 +6,7 @@ namespace angiopose::app {
 
 /// Adds the commands that look at files and angiograms; each sets `exitCode` when it runs.
 void addTraceAngiogram(CLI::App& app, int& exitCode);
+void addStudies(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 void addValidate(CLI::App& app, int& exitCode);
 void addSchema(CLI::App& app, int& exitCode);

@@ -38,6 +38,7 @@ int parseAndRun(int argc, char** argv)
     addBatch(app, exitCode);
     addTraceVessel(app, exitCode);
     addConvert(app, exitCode);
+    addStudies(app, exitCode);
     addInfo(app, exitCode);
     addValidate(app, exitCode);
     addSchema(app, exitCode);

@@ -42,6 +42,7 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
         case EVR_SS:
             return valueBy(&DcmElement::getSint16, element, index);
         case EVR_UL:
+        case EVR_up:   // an offset within a DICOMDIR
             return valueBy(&DcmElement::getUint32, element, index);
         case EVR_SL:
             return valueBy(&DcmElement::getSint32, element, index);
@@ -56,7 +57,7 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
 
 bool isBinaryVr(DcmEVR vr)
 {
-    return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
+    return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_up || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
 }
 
 /// The items of a sequence; each keeps the data set that it belongs to.

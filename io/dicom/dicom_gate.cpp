@@ -145,7 +145,7 @@ void pass(const ElementHead& head, std::string_view whole, bool isClean, DicomEn
         return;
     }
     const DicomTag group = head.tag >> 16;
-    const bool isOfStandard = group % 2 == 0 && group >= 0x0008;
+    const bool isOfStandard = group % 2 == 0 && group >= 0x0004;
     const bool isSequence = head.vr == "SQ" || head.length == undefinedLength;
     if (isClean && isOfStandard && (isSequence || value.size() <= maxValueBytes)) {
         (encoding.isExplicit && head.vr.empty() ? passed.withoutVr : passed.elements) += whole;

@@ -143,6 +143,22 @@ std::vector<SliceRecord> slicesOf(const DicomFile& file, const std::string& path
 
 }   // namespace
 
+DicomImages imagesOf(const DicomFile& file, const std::string& path)
+{
+    const DicomDataset& data = file.dataset;
+    DicomImages images;
+    images.identity = identityOf(data);
+    images.seriesDescription = utf8Text(data, 0x0008103e);
+    images.seriesNumber = data.integer(0x00200011).value_or(0);
+    images.sopClassUid = data.text(0x00080016);
+    images.modality = images.identity.modality;
+    images.damage = file.damage;
+    if (!file.pixels.empty()) {
+        images.slices = slicesOf(file, path);
+    }
+    return images;
+}
+
 core::Result<DicomImages> readSliceRecords(const std::string& path)
 {
     const auto input = openDicom(path);
@@ -153,18 +169,7 @@ core::Result<DicomImages> readSliceRecords(const std::string& path)
     if (!parsed) {
         return parsed.error();
     }
-    const DicomDataset& data = parsed.value().dataset;
-    DicomImages images;
-    images.identity = identityOf(data);
-    images.seriesDescription = utf8Text(data, 0x0008103e);
-    images.seriesNumber = data.integer(0x00200011).value_or(0);
-    images.sopClassUid = data.text(0x00080016);
-    images.modality = images.identity.modality;
-    images.damage = parsed.value().damage;
-    if (!parsed.value().pixels.empty()) {
-        images.slices = slicesOf(parsed.value(), path);
-    }
-    return images;
+    return imagesOf(parsed.value(), path);
 }
 
 }   // namespace angiopose::io

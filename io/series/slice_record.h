@@ -45,6 +45,11 @@ struct DicomImages {
     std::vector<SliceRecord> slices;   ///< empty: the file holds no image
 };
 
+struct DicomFile;
+
+/// What a parsed file says about its images.
+DicomImages imagesOf(const DicomFile& file, const std::string& path);
+
 /// Reads the header of a DICOM file, classic or enhanced multi-frame (functional groups). Fails as `openInput` does,
 /// and on files that are not DICOM.
 core::Result<DicomImages> readSliceRecords(const std::string& path);

@@ -1,0 +1,192 @@
+#include "app/cli/add_warnings.h"
+#include "app/cli/commands.h"
+#include "io/study/read_studies.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* textOf(io::SeriesUse use)
+{
+    switch (use) {
+        case io::SeriesUse::Vessels:
+            return "vessels";
+        case io::SeriesUse::View:
+            return "view";
+        case io::SeriesUse::None:
+            break;
+    }
+    return "none";
+}
+
+Json seriesJson(const io::StudySeries& each)
+{
+    const io::DicomSeries& series = each.series;
+    Json json{{"use", textOf(each.use)},           {"seriesId", series.id},
+              {"number", series.number},           {"modality", series.identity.modality},
+              {"description", series.description}, {"bodyPart", each.bodyPart},
+              {"images", each.imageCount}};
+    if (series.part) {
+        json["part"] = series.part->text();
+    }
+    if (!series.slices.empty()) {
+        json["size"] = {series.slices.front().size.x(), series.slices.front().size.y()};
+    }
+    if (each.use == io::SeriesUse::Vessels) {
+        json["sliceSpacingMm"] = series.stack.geometry.spacingMm.z();
+    }
+    if (each.frameTimeMs > 0.0 && series.isAngiogram) {
+        json["framesPerSecond"] = 1000.0 / each.frameTimeMs;
+    }
+    if (!each.place.empty()) {
+        json["place"] = each.place;
+    }
+    if (each.missingFiles > 0) {
+        json["missingFiles"] = each.missingFiles;
+    }
+    if (each.reason) {
+        json["reason"] = each.reason->text();
+    }
+    addWarnings(json, series.warnings);
+    return json;
+}
+
+Json studyJson(const io::Study& study)
+{
+    Json json{{"studyUid", study.identity.studyUid},
+              {"date", study.identity.studyDate},
+              {"description", study.description},
+              {"accessionNumber", study.identity.accessionNumber},
+              {"series", Json::array()}};
+    for (const io::StudySeries& series : study.series) {
+        json["series"].push_back(seriesJson(series));
+    }
+    return json;
+}
+
+Json directoryJson(const io::DirectoryCheck& check)
+{
+    if (check.damage) {
+        return {{"damage", check.damage->text()}};
+    }
+    return {{"series", check.series},
+            {"files", check.files},
+            {"missingFiles", check.missingFiles},
+            {"unlistedFiles", check.unlistedFiles}};
+}
+
+Json treeJson(const io::StudyTree& tree)
+{
+    Json json{{"files", tree.readFiles}, {"otherFiles", tree.otherFiles}, {"patients", Json::array()}};
+    for (const io::StudyPatient& patient : tree.patients) {
+        Json& added = json["patients"].emplace_back(Json{{"name", patient.identity.patientName},
+                                                         {"id", patient.identity.patientId},
+                                                         {"birthDate", patient.identity.birthDate},
+                                                         {"studies", Json::array()}});
+        for (const io::Study& study : patient.studies) {
+            added["studies"].push_back(studyJson(study));
+        }
+    }
+    if (tree.directory) {
+        json["dicomdir"] = directoryJson(*tree.directory);
+    }
+    json["damaged"] = Json::array();
+    for (const io::DamagedFile& file : tree.damaged) {
+        json["damaged"].push_back({{"file", file.path}, {"reason", file.reason.text()}});
+    }
+    return json;
+}
+
+std::string joinedParts(std::initializer_list<std::string> parts)
+{
+    std::string line;
+    for (const std::string& part : parts) {
+        line += part.empty() ? "" : (line.empty() ? "" : "  ") + part;
+    }
+    return line;
+}
+
+void printSeries(const io::StudySeries& each)
+{
+    const io::DicomSeries& series = each.series;
+    char spacing[48] = "";
+    if (each.use == io::SeriesUse::Vessels) {
+        std::snprintf(spacing, sizeof spacing, "%.2f mm apart", series.stack.geometry.spacingMm.z());
+    } else if (each.use == io::SeriesUse::View && each.frameTimeMs > 0.0) {
+        std::snprintf(spacing, sizeof spacing, "%.1f frames/s", 1000.0 / each.frameTimeMs);
+    }
+    const bool isRun = series.isAngiogram;
+    const std::string count = std::to_string(each.imageCount) + (isRun ? " frames" : " images");
+    const std::string size =
+        series.slices.empty() || series.slices.front().size.x() == 0
+            ? ""
+            : std::to_string(series.slices.front().size.x()) + " x " + std::to_string(series.slices.front().size.y());
+    const std::string missing = each.missingFiles > 0 ? std::to_string(each.missingFiles) + " files missing" : "";
+    const std::string line =
+        joinedParts({std::to_string(series.number), series.identity.modality, series.description,
+                     series.part ? series.part->text() : "", each.bodyPart, count, size, spacing, missing});
+    std::printf("    %-7s  %s\n", textOf(each.use), line.c_str());
+    std::printf("             %s\n", each.reason ? each.reason->text().c_str() : ("series " + series.id).c_str());
+}
+
+void printTree(const io::StudyTree& tree)
+{
+    for (const io::StudyPatient& patient : tree.patients) {
+        const core::StudyIdentity& who = patient.identity;
+        const std::string name = who.patientName.empty() ? "(without name)" : who.patientName;
+        std::printf("%s\n", joinedParts({name, who.patientId, who.birthDate}).c_str());
+        for (const io::Study& study : patient.studies) {
+            std::printf(
+                "  %s\n",
+                joinedParts({study.identity.studyDate, study.description, study.identity.accessionNumber}).c_str());
+            for (const io::StudySeries& series : study.series) {
+                printSeries(series);
+            }
+        }
+    }
+    std::printf("%zu files read, %zu of them no DICOM, %zu damaged\n", tree.readFiles, tree.otherFiles,
+                tree.damaged.size());
+    for (const io::DamagedFile& file : tree.damaged) {
+        std::printf("  damaged: %s: %s\n", file.path.c_str(), file.reason.text().c_str());
+    }
+    if (tree.directory && tree.directory->damage) {
+        std::printf("The DICOMDIR is damaged: %s; the files themselves were read.\n",
+                    tree.directory->damage->text().c_str());
+    } else if (tree.directory) {
+        std::printf(
+            "The DICOMDIR lists %zu series in %zu files, of which %zu are missing; %zu more files lie beside "
+            "it.\n",
+            tree.directory->series, tree.directory->files, tree.directory->missingFiles, tree.directory->unlistedFiles);
+    }
+}
+
+}   // namespace
+
+int runStudies(const FileArguments& arguments)
+{
+    ProgressLine line("reading");
+    const auto observe = [&line](const io::StudyProgress& progress) {
+        const auto all = static_cast<double>(std::max<std::size_t>(progress.found, 1));
+        line.show(static_cast<double>(progress.read) / all,
+                  std::to_string(progress.read) + " of " + std::to_string(progress.found) + " files");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    };
+    const auto tree = io::readStudies(arguments.path,
+                                      arguments.allFiles ? io::StudyReach::AllFiles : io::StudyReach::Listed, observe);
+    if (!tree) {
+        return failInput(tree.error(), arguments.format);
+    }
+    if (arguments.format == OutputFormat::Json) {
+        std::puts(treeJson(tree.value()).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    } else {
+        printTree(tree.value());
+    }
+    return tree.value().isStopped ? exitStopped : exitDone;
+}
+
+}   // namespace angiopose::app

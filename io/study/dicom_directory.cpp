@@ -1,0 +1,213 @@
+#include "io/study/dicom_directory.h"
+
+#include "io/dicom/dicom_gate.h"
+#include "io/dicom/dicom_text.h"
+#include "io/messages/says.h"
+#include "io/study/file_start.h"
+#include "io/support/file_error.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t maxDirectoryBytes = std::size_t{64} << 20;
+constexpr std::size_t bodyAt = 132;   // after preamble and magic
+constexpr int maxNesting = 16;
+constexpr std::uint32_t openLength = 0xffffffff;
+constexpr DicomTag itemTag = 0xfffee000;
+constexpr DicomTag itemEndTag = 0xfffee00d;
+constexpr DicomTag sequenceEndTag = 0xfffee0dd;
+constexpr DicomTag firstRecordTag = 0x00041200;
+constexpr DicomTag recordsTag = 0x00041220;
+constexpr DicomTag nextRecordTag = 0x00041400;
+constexpr DicomTag inUseTag = 0x00041410;
+constexpr DicomTag lowerRecordTag = 0x00041420;
+constexpr DicomTag fileTag = 0x00041500;
+constexpr DicomEncoding encoding;   // always explicit, little endian
+
+struct Record {
+    DicomDataset data;
+    std::size_t next = 0, lower = 0;   ///< bytes from the start of the file; 0: none
+    bool isInUse = true;
+};
+
+using Records = std::map<std::size_t, Record>;   // by where they begin
+
+/// Where elements end that are closed by `end`, after it; nothing where they are not.
+std::optional<std::size_t> closedAt(std::string_view bytes, std::size_t at, DicomTag end, int depth)
+{
+    while (const auto head = at <= bytes.size() ? readHead(bytes.substr(at), encoding) : std::nullopt) {
+        at += head->size;
+        if (head->tag == end) {
+            return at;
+        }
+        if (head->length != openLength) {
+            at += head->length;
+            continue;
+        }
+        const auto inner = depth < maxNesting
+                               ? closedAt(bytes, at, head->tag == itemTag ? itemEndTag : sequenceEndTag, depth + 1)
+                               : std::nullopt;
+        if (!inner) {
+            return std::nullopt;
+        }
+        at = *inner;
+    }
+    return std::nullopt;
+}
+
+std::size_t placeIn(const DicomDataset& data, DicomTag tag)
+{
+    const auto place = data.number(tag);
+    return place && *place > 0.0 ? static_cast<std::size_t>(*place) : 0;
+}
+
+Record recordOf(std::string_view elements)
+{
+    Record record;
+    record.data = readElements(passElements(elements, encoding).elements, encoding);
+    record.next = placeIn(record.data, nextRecordTag);
+    record.lower = placeIn(record.data, lowerRecordTag);
+    record.isInUse = record.data.integer(inUseTag).value_or(0xffff) != 0;
+    return record;
+}
+
+/// The items of the sequence of records, which begins at `at`.
+std::optional<Records> recordsIn(std::string_view bytes, std::size_t at, std::uint32_t length)
+{
+    Records records;
+    const std::size_t end = length == openLength ? bytes.size() : at + length;
+    if (end > bytes.size()) {
+        return std::nullopt;
+    }
+    while (at < end) {
+        const auto head = readHead(bytes.substr(at), encoding);
+        if (head && head->tag == sequenceEndTag && length == openLength) {
+            return records;
+        }
+        if (!head || head->tag != itemTag) {
+            return std::nullopt;
+        }
+        const std::size_t begin = at + head->size;
+        const auto closed =
+            head->length == openLength ? closedAt(bytes, begin, itemEndTag, 0) : std::optional(begin + head->length);
+        if (!closed || *closed > end) {
+            return std::nullopt;
+        }
+        records.emplace(at, recordOf(bytes.substr(begin, *closed - begin)));
+        at = *closed;
+    }
+    return length == openLength ? std::nullopt : std::optional(records);
+}
+
+/// The record's own elements with those of the records above it.
+ListedFile listedFile(const DicomDataset& data)
+{
+    ListedFile file;
+    for (std::size_t i = 0;; ++i) {
+        const std::string_view part = data.text(fileTag, i);
+        if (part.empty()) {
+            break;
+        }
+        file.name += (i == 0 ? "" : "/") + std::string(part);
+    }
+    file.identity = identityOf(data);
+    file.studyDescription = utf8Text(data, 0x00081030);
+    file.seriesDescription = utf8Text(data, 0x0008103e);
+    file.seriesNumber = data.integer(0x00200011).value_or(0);
+    return file;
+}
+
+/// Follows the records from the first; nothing where one is met twice, never, or is not there.
+std::optional<std::vector<ListedFile>> follow(const Records& records, std::size_t first)
+{
+    struct Step {
+        std::size_t place;
+        DicomDataset above;
+    };
+    std::vector<ListedFile> files;
+    std::map<std::size_t, bool> met;
+    std::vector<Step> steps;
+    if (first != 0) {
+        steps.push_back({first, {}});
+    }
+    while (!steps.empty()) {
+        const Step step = std::move(steps.back());
+        steps.pop_back();
+        const auto found = records.find(step.place);
+        if (found == records.end() || !met.emplace(step.place, true).second) {
+            return std::nullopt;
+        }
+        const Record& record = found->second;
+        DicomDataset data = record.data;
+        data.addMissingFrom(step.above);
+        if (record.isInUse && record.data.has(fileTag)) {
+            files.push_back(listedFile(data));
+        }
+        if (record.next != 0) {
+            steps.push_back({record.next, step.above});
+        }
+        if (record.lower != 0 && record.isInUse) {
+            steps.push_back({record.lower, data});
+        }
+    }
+    const bool isAllMet = std::ranges::all_of(
+        records, [&met](const auto& each) { return !each.second.isInUse || met.contains(each.first); });
+    return isAllMet ? std::optional(files) : std::nullopt;
+}
+
+}   // namespace
+
+core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path)
+{
+    const auto read = readStart(path, maxDirectoryBytes);
+    if (!read) {
+        return read.error();
+    }
+    const std::string_view bytes = read.value().bytes;
+    if (bytes.size() <= bodyAt || bytes.substr(bodyAt - 4, 4) != "DICM") {
+        return fileError(path, says::dicomNotOne());
+    }
+    std::size_t first = 0;
+    for (std::size_t at = bodyAt; at < bytes.size();) {
+        const auto head = readHead(bytes.substr(at), encoding);
+        if (!head) {
+            break;
+        }
+        at += head->size;
+        if (head->tag == recordsTag) {
+            const auto records = recordsIn(bytes, at, head->length);
+            auto files = records ? follow(*records, first) : std::nullopt;
+            if (!files) {
+                return fileError(path, records ? says::directoryTorn() : says::directoryUnfinished());
+            }
+            return *std::move(files);
+        }
+        if (head->tag == firstRecordTag && head->length == 4 && at + 4 <= bytes.size()) {
+            first = readUint32(bytes.substr(at), ByteOrder::Little);
+        }
+        if (head->length > bytes.size() - at) {
+            break;
+        }
+        at += head->length;
+    }
+    return fileError(path, says::directoryNoRecords());
+}
+
+std::string comparableName(std::string name)
+{
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+    if (const auto version = name.find(";1"); version != std::string::npos) {
+        name.erase(version);
+    }
+    if (name.ends_with('.')) {
+        name.pop_back();
+    }
+    return name;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,220 @@
+#include "io/study/read_studies.h"
+
+#include "io/messages/says.h"
+#include "io/study/dicom_directory.h"
+#include "io/study/study_collector.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <set>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t maxFiles = 50'000;
+constexpr int maxFolderDepth = 12;
+constexpr auto listedEvery = std::chrono::milliseconds(300);
+constexpr int groupingShare = 10;   ///< grouping anew takes at most this part of the time
+
+/// What discs carry beside images: programs that view them, and their pages.
+bool canBeImage(const std::string& path)
+{
+    static constexpr std::array<std::string_view, 24> others{
+        ".exe", ".dll", ".htm", ".html", ".txt", ".pdf", ".inf", ".ico", ".jar", ".xml", ".css", ".js",
+        ".png", ".jpg", ".gif", ".bmp",  ".ini", ".zip", ".log", ".bat", ".sh",  ".so",  ".dat", ".cab"};
+    return std::ranges::find(others, extensionOf(path)) == others.end();
+}
+
+/// One look at a folder: what lies in it, what is read of it, and what was told.
+class Scan {
+public:
+    Scan(std::string folder, const StudyObserver& observe) : folder_(std::move(folder)), observe_(observe) {}
+
+    core::Status find()
+    {
+        std::error_code failed;
+        fs::recursive_directory_iterator at(folder_, fs::directory_options::skip_permission_denied, failed);
+        if (failed) {
+            return fileError(folder_, says::folderNotRead(failed.message()));
+        }
+        for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
+            if (failed || files_.size() >= maxFiles) {
+                tree_.isCutOff = true;
+                break;
+            }
+            if (at.depth() >= maxFolderDepth) {
+                at.disable_recursion_pending();
+            }
+            std::error_code unknown;
+            if (at->is_regular_file(unknown)) {
+                files_.push_back(at->path().string());
+                tree_.foundFiles = files_.size();
+                if (files_.size() % 64 == 0 && isStopped()) {
+                    break;
+                }
+            }
+        }
+        std::ranges::sort(files_);
+        return core::Done{};
+    }
+
+    /// Leaves those that the DICOMDIR lists and takes note of what is missing or not listed.
+    void keepListed(const std::string& directoryPath)
+    {
+        DirectoryCheck& check = tree_.directory.emplace();
+        const auto listed = readDicomDirectory(directoryPath);
+        if (!listed) {
+            check.damage = listed.error().message.about({});
+            return;
+        }
+        const std::map<std::string, std::string> there = namesBelow(fs::path(directoryPath).parent_path());
+        std::set<std::string> wanted, series;
+        for (const ListedFile& file : listed.value()) {
+            const auto found = there.find(comparableName(file.name));
+            if (found != there.end()) {
+                wanted.insert(found->second);
+            } else {
+                collector_.addMissing(file);
+                ++check.missingFiles;
+            }
+            series.insert(file.identity.seriesUid);
+        }
+        check.files = listed.value().size();
+        check.series = series.size();
+        check.unlistedFiles = static_cast<std::size_t>(std::ranges::count_if(files_, [&](const std::string& path) {
+            return !wanted.contains(path) && !isDicomDirectory(path) && canBeImage(path);
+        }));
+        files_.assign(wanted.begin(), wanted.end());
+        tree_.foundFiles = files_.size();
+    }
+
+    void dropDirectories()
+    {
+        std::erase_if(files_, isDicomDirectory);
+        tree_.foundFiles = files_.size();
+    }
+
+    StudyTree read()
+    {
+        for (const std::string& path : files_) {
+            if (tree_.isStopped || isStopped()) {
+                break;
+            }
+            readOne(path);
+            ++tree_.readFiles;
+            groupWhenDue();
+        }
+        group();
+        return *shown_;
+    }
+
+private:
+    void readOne(const std::string& path)
+    {
+        auto read = readStudyFile(path);
+        if (!read) {
+            tree_.damaged.push_back({path, read.error().message.about({})});
+            return;
+        }
+        std::optional<StudyFile> file = std::move(read).value();
+        if (!file) {
+            ++tree_.otherFiles;
+            return;
+        }
+        if (file->images.damage) {
+            tree_.damaged.push_back({path, *file->images.damage});
+        }
+        collector_.add(*std::move(file));
+    }
+
+    void groupWhenDue()
+    {
+        if (observe_ && Clock::now() - groupedAt_ > std::max<Clock::duration>(listedEvery, groupingShare * grouping_)) {
+            group();
+        }
+    }
+
+    void group()
+    {
+        const auto begin = Clock::now();
+        StudyTree tree = collector_.tree();
+        tree_.patients.swap(tree.patients);
+        shown_ = std::make_shared<const StudyTree>(tree_);
+        groupedAt_ = Clock::now();
+        grouping_ = groupedAt_ - begin;
+    }
+
+    bool isStopped()
+    {
+        const StudyProgress progress{tree_.readFiles, tree_.foundFiles, shown_};
+        tree_.isStopped = tree_.isStopped || (observe_ && observe_(progress) == core::Verdict::Stop);
+        return tree_.isStopped;
+    }
+
+    /// Paths by their names below a folder, as DICOMDIRs write them.
+    std::map<std::string, std::string> namesBelow(const fs::path& folder) const
+    {
+        std::map<std::string, std::string> names;
+        for (const std::string& path : files_) {
+            names.emplace(comparableName(fs::path(path).lexically_relative(folder).generic_string()), path);
+        }
+        return names;
+    }
+
+    std::string folder_;
+    const StudyObserver& observe_;
+    std::vector<std::string> files_;
+    StudyCollector collector_;
+    StudyTree tree_;
+    std::shared_ptr<const StudyTree> shown_;
+    Clock::time_point groupedAt_ = Clock::now();
+    Clock::duration grouping_{0};
+};
+
+/// The DICOMDIR of a folder; empty where there is none.
+std::string directoryIn(const std::string& folder)
+{
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(folder, failed)) {
+        std::error_code unknown;
+        if (isDicomDirectory(entry.path().string()) && entry.is_regular_file(unknown)) {
+            return entry.path().string();
+        }
+    }
+    return {};
+}
+
+}   // namespace
+
+bool isDicomDirectory(const std::string& path)
+{
+    return comparableName(fs::path(path).filename().string()) == "dicomdir";
+}
+
+core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, const StudyObserver& observe)
+{
+    std::error_code unknown;
+    const bool isFile = fs::is_regular_file(place, unknown);
+    const fs::path absolute = fs::absolute(place, unknown).lexically_normal();
+    std::string folder = (isFile || !absolute.has_filename() ? absolute.parent_path() : absolute).string();
+    const std::string directory = isFile ? absolute.string() : directoryIn(folder);
+    Scan scan(std::move(folder), observe);
+    if (auto found = scan.find(); !found) {
+        return found.error();
+    }
+    if (!directory.empty() && reach == StudyReach::Listed) {
+        scan.keepListed(directory);
+    }
+    scan.dropDirectories();
+    return scan.read();
+}
+
+}   // namespace angiopose::io

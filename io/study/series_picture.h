@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/support/result.h"
+#include "io/series/series.h"
+#include "io/support/read_observer.h"
+
+namespace angiopose::io {
+
+/// A small picture of a series, 0 black to 1 white, no side longer than `sidePx`: the middle slice with a window that
+/// shows vessels, or the middle frame of a run. Of the files only that far is read.
+core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, const ReadObserver& observe = {});
+
+}   // namespace angiopose::io

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/series/slice_record.h"
+
+#include <optional>
+#include <string>
+
+namespace angiopose::io {
+
+/// What the header of one DICOM file says for a list of studies.
+struct StudyFile {
+    std::string path;
+    DicomImages images;   ///< with `damage` where the file ends too early
+    std::string studyDescription;
+    std::string bodyPart;
+    std::string imageType;   ///< "ORIGINAL\PRIMARY\LOCALIZER"
+    std::string transferSyntax;
+    int frames = 1;
+    int samples = 1;   ///< of a pixel: 3 in colour
+    double frameTimeMs = 0.0;
+};
+
+/// Reads only as far as the pixels. Nothing for a file that is no DICOM; fails on one that is and cannot be read.
+core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path);
+
+}   // namespace angiopose::io
