@@ -26,11 +26,6 @@ QString pictureName(const QString& casePath)
            QStringLiteral(".png");
 }
 
-QString picturePath(const QString& casePath)
-{
-    return folderName() + QLatin1Char('/') + pictureName(casePath);
-}
-
 /// The frame alone, in one grey where letters were drawn into it.
 std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run, int frame)
 {
@@ -50,6 +45,11 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
 
 }   // namespace
 
+QString casePicturePath(const QString& casePath)
+{
+    return folderName() + QLatin1Char('/') + pictureName(casePath);
+}
+
 bool storeCasePicture(const core::Case& theCase, const QString& casePath)
 {
     const auto& run = theCase.shown().angiogram;
@@ -65,12 +65,12 @@ bool storeCasePicture(const core::Case& theCase, const QString& casePath)
         return false;
     }
     QFile::setPermissions(folderName(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    return static_cast<bool>(io::writePng(picture.value(), picturePath(casePath).toStdString()));
+    return static_cast<bool>(io::writePng(picture.value(), casePicturePath(casePath).toStdString()));
 }
 
 QImage casePicture(const QString& casePath)
 {
-    return QImage(picturePath(casePath));
+    return QImage(casePicturePath(casePath));
 }
 
 void keepCasePictures(const QStringList& casePaths)

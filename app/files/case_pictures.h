@@ -19,6 +19,9 @@ bool storeCasePicture(const core::Case& theCase, const QString& casePath);
 /// Null where there is none.
 QImage casePicture(const QString& casePath);
 
+/// Where the picture of a case lies, if it has one; its name tells nothing about the case.
+QString casePicturePath(const QString& casePath);
+
 /// Removes the pictures of all other cases.
 void keepCasePictures(const QStringList& casePaths);
 

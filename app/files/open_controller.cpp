@@ -41,9 +41,23 @@ void OpenController::open(const QStringList& paths)
 {
     original_.reset();
     asView_ = false;
+    furtherRuns_.clear();
     io::OpenHints hints{{}, {}, foldersInUse()};
     hints.scanUse = scanUse();
+    hints.offersStudies = true;
     load(paths, hints);
+}
+
+void OpenController::openStudy(const StudyChoice& choice)
+{
+    original_.reset();
+    asView_ = false;
+    furtherRuns_ = choice.runs.mid(1);
+    io::OpenHints hints{choice.seriesId.toStdString(), {}, foldersInUse()};
+    hints.scanUse = scanUse();
+    load((choice.folder.isEmpty() ? QStringList() : QStringList{choice.folder}) +
+             choice.runs.first(std::min<qsizetype>(choice.runs.size(), 1)),
+         hints);
 }
 
 /// Vessels of a file without a scan: a scan that is opened may be theirs.
@@ -67,7 +81,23 @@ void OpenController::openScan(io::ScanUse use)
 void OpenController::openView(const QStringList& paths)
 {
     asView_ = true;
+    furtherRuns_.clear();
     load(paths, {{}, {}, foldersInUse()});
+}
+
+/// The next run of a study; without vessels there is nothing to view from several sides.
+void OpenController::openNextRun()
+{
+    if (furtherRuns_.isEmpty()) {
+        return;
+    }
+    if (!document_.current().vessels.tree || !document_.current().shown().angiogram) {
+        furtherRuns_.clear();
+        emit opened({tr("Further runs become views once there are vessels. Open them again then.")});
+        return;
+    }
+    asView_ = true;
+    load({furtherRuns_.takeFirst()}, {{}, {}, foldersInUse()});
 }
 
 void OpenController::openCopy(const QString& copy, const QString& original)
@@ -77,6 +107,7 @@ void OpenController::openCopy(const QString& copy, const QString& original)
         hints.searchFolders.insert(hints.searchFolders.begin(), QFileInfo(original).absolutePath().toStdString());
     }
     asView_ = false;
+    furtherRuns_.clear();
     original_ = original;
     copy_ = copy;
     load({copy}, hints);
@@ -192,6 +223,10 @@ void OpenController::finish()
 /// Nothing was read yet: which series, what the scan is for, or where the inputs of a case lie has to be known first.
 bool OpenController::asksFirst(const io::LoadedInputs& inputs, const QStringList& paths)
 {
+    if (inputs.isStudyOffered) {
+        emit studyOffered(paths.front());
+        return true;
+    }
     if (!inputs.offered.empty()) {
         askedPaths_ = paths;
         emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
@@ -270,7 +305,9 @@ void OpenController::carryOut(const Opening& opening)
     const auto notes = takeIn(document_, opening);
     if (notes) {
         emit opened(notes.value());
+        openNextRun();
     } else {
+        furtherRuns_.clear();
         emit failed(ui::messageText(notes.error().message), opening.paths);
     }
 }

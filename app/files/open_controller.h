@@ -8,6 +8,12 @@
 
 namespace angiopose::app {
 
+/// What was chosen of the studies in a folder.
+struct StudyChoice {
+    QString folder, seriesId;   ///< of the vessels; empty: none
+    QStringList runs;   ///< files of the views
+};
+
 /// Opens files: cases, or parts that make a case or join the open one. Reading happens on a worker; the open case stays
 /// as it is until everything has been read and whatever had to be asked is answered.
 class OpenController : public QObject {
@@ -20,6 +26,8 @@ public:
     void openCopy(const QString& copy, const QString& original);
     /// Answers `seriesChoiceNeeded`: opens one of the series that were offered.
     void openSeries(const QString& seriesId);
+    /// Opens vessels and the first run together, as a case or into the open one, and the other runs as further views.
+    void openStudy(const StudyChoice& choice);
     /// Opens an angiogram, or the image of a case, as another view of the open case's vessels.
     void openView(const QStringList& paths);
     /// Answers `unitNeeded`.
@@ -46,6 +54,8 @@ signals:
     /// A DICOM folder holds several series; answer with `openSeries` or nothing.
     void seriesChoiceNeeded(const QString& folder, const std::vector<io::DicomSeries>& series);
     void ended();
+    /// A folder or DICOMDIR was opened by itself; answer with `openStudy` or nothing.
+    void studyOffered(const QString& place);
     /// A case refers to files that were found nowhere; answer with `openWithInputs` or nothing.
     void inputsMissing(const QString& casePath, const QStringList& missing, bool areOptional);
     /// A scan was opened while the case has vessels of a file: to be seen beside them, or to trace vessels from?
@@ -72,6 +82,7 @@ private:
     void take(const io::LoadedInputs& inputs, const QStringList& paths);
     void admit(const Opening& opening);
     void carryOut(const Opening& opening);
+    void openNextRun();
     io::ScanUse scanUse() const;
     void finish();
 
@@ -79,6 +90,7 @@ private:
     LoadJob* job_ = nullptr;
     std::optional<Opening> waiting_;   ///< read, but the user still has to agree
     QString askedSeries_;   ///< of the scan that is asked about
+    QStringList furtherRuns_;   ///< of a study, to be opened as views
     QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
     bool asView_ = false;   ///< what is being opened becomes another view
     io::MovedInputs moved_;   ///< inputs found so far of the case that lacks some

@@ -64,6 +64,7 @@ OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveContr
     connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::askAboutPatient);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
     connect(&ui_.welcome, &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
+    connect(&ui_.welcome, &ui::WelcomePage::folderRequested, this, &OpenDialogs::askFolder);
     connect(&ui_.welcome, &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
     ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::Open], &QAction::triggered, this, &OpenDialogs::askFiles);

@@ -127,11 +127,14 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
     }
     emit started();
     files_.run(
-        [snapshot = document_.current(), path]() -> core::Result<QString> {
+        [snapshot = document_.current(), path,
+         withPicture = settings::recentPictures.read()]() -> core::Result<QString> {
             if (const auto written = io::saveCase(snapshot, path.toStdString()); !written) {
                 return written.error();
             }
-            storeCasePicture(snapshot, path);
+            if (withPicture) {
+                storeCasePicture(snapshot, path);
+            }
             return path;
         },
         [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {

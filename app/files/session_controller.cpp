@@ -1,8 +1,5 @@
 #include "app/files/session_controller.h"
 
-#include "app/files/case_pictures.h"
-#include "app/files/recent_cases.h"
-#include "app/messages/says.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
@@ -10,11 +7,9 @@
 #include "ui/panels/welcome_page.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QMenu>
 #include <QProcess>
 
 namespace angiopose::app {
@@ -30,7 +25,9 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       export_(document, target, preview, ui.view, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
-      close_(document, save_, registration, ui.actions, ui.dialogParent)
+      studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
+      close_(document, save_, registration, ui.actions, ui.dialogParent),
+      recent_(document, {ui.actions, ui.welcome})
 {
     connectFiles();
     connectOpening();
@@ -38,7 +35,6 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
     connectExporting();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
     connect(&close_, &CloseController::windowMayClose, this, &SessionController::windowMayClose);
-    ui::speak(this, [this] { fillRecent(); });
 }
 
 void SessionController::begin(const QStringList& paths)
@@ -55,6 +51,12 @@ void SessionController::begin(const QStringList& paths)
     } else {
         save_.offerRecovery();
     }
+}
+
+void SessionController::abandonLoading()
+{
+    open_.abandon();
+    studies_.abandon();
 }
 
 void SessionController::showNotice()
@@ -75,9 +77,7 @@ void SessionController::showNotice()
 
 void SessionController::connectFiles()
 {
-    connect(&ui_.welcome, &ui::WelcomePage::recentRequested, this, [this](const QString& path) { open({path}); });
-    connect(&ui_.welcome, &ui::WelcomePage::clearRequested, this, &SessionController::clearRecent,
-            Qt::QueuedConnection);   // the button that asks for it goes away
+    connect(&recent_, &RecentController::openRequested, this, [this](const QString& path) { open({path}); });
     connect(ui_.actions[ui::Command::Close], &QAction::triggered, &ui_.dialogParent, &QWidget::close);
     connect(ui_.actions[ui::Command::NewWindow], &QAction::triggered, this, &SessionController::openNewWindow);
 }
@@ -93,8 +93,8 @@ void SessionController::connectOpening()
     connect(&open_, &OpenController::ended, this, [this] { ui_.strip.showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
         save_.noteOpened(open_.openedCopy());
-        fillRecent();
-        pictureOpened();
+        recent_.fill();
+        recent_.pictureOpened();
         notices_.showNote(notes.isEmpty() ? tr("Opened") : ui::joinedSentences(notes));
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
@@ -112,7 +112,7 @@ void SessionController::connectSaving()
             [this](const QString& reason) { notices_.showProblem(tr("Could not save"), reason, {document_.path()}); });
     connect(&save_, &SaveController::started, this, [this] { notices_.showNote(tr("Saving …")); });
     connect(&save_, &SaveController::saved, this, [this] {
-        fillRecent();
+        recent_.fill();
         notices_.showNote(tr("Saved"));
     });
     connect(&save_, &SaveController::recoveryWanted, this,
@@ -149,57 +149,6 @@ void SessionController::openNewWindow()
         notices_.showProblem(tr("Could not open another window"),
                              tr("The program could not be started again. Start it from the menu of the system."));
     }
-}
-
-void SessionController::fillRecent()
-{
-    QMenu* menu = ui_.actions.recentMenu();
-    menu->clear();
-    for (const QString& path : recentCases()) {
-        const QFileInfo file(path);
-        const bool missing = !file.exists();
-        QAction* action = menu->addAction(missing ? tr("%1 (missing)").arg(file.fileName()) : file.fileName());
-        action->setToolTip(path);
-        action->setEnabled(!missing);
-        connect(action, &QAction::triggered, this, [this, path] { open({path}); });
-    }
-    menu->setEnabled(!menu->isEmpty());
-    if (!menu->isEmpty()) {
-        menu->addSeparator();
-        menu->addAction(tr("Clear the list"), this, &SessionController::clearRecent);
-    }
-    std::vector<ui::RecentCase> cases;
-    for (const QString& path : recentCases()) {
-        cases.push_back({path, casePicture(path)});
-    }
-    ui_.welcome.showRecent(cases);
-}
-
-void SessionController::clearRecent()
-{
-    forgetRecentCases();
-    fillRecent();
-}
-
-/// Of a case that was opened from its file; one that is saved gets its picture then.
-void SessionController::pictureOpened()
-{
-    const QString path = document_.path();
-    if (path.isEmpty() || !casePicture(path).isNull()) {
-        return;
-    }
-    pictures_.run(
-        [snapshot = document_.current(), path]() -> core::Result<QString> {
-            if (!storeCasePicture(snapshot, path)) {
-                return core::Error(says::notShown());
-            }
-            return path;
-        },
-        [this](const core::Result<QString>& stored) {
-            if (stored) {
-                fillRecent();
-            }
-        });
 }
 
 }   // namespace angiopose::app

@@ -5,7 +5,9 @@
 #include "app/files/export_controller.h"
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
+#include "app/files/recent_controller.h"
 #include "app/files/save_controller.h"
+#include "app/files/study_controller.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
 #include "app/showing/notices.h"
@@ -43,8 +45,8 @@ public:
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { open_.open(paths); }
     void closeWindow() { close_.closeWindow(); }   ///< asks first where something would be lost
-    void abandonLoading() { open_.abandon(); }
-    bool isLoading() const { return open_.isLoading(); }
+    void abandonLoading();
+    bool isLoading() const { return open_.isLoading() || studies_.isLooking(); }
 
     SaveController& saving() { return save_; }
     ExportController& exporting() { return export_; }
@@ -62,9 +64,6 @@ private:
     void connectExporting();
     void showNotice();
     void openNewWindow();
-    void fillRecent();
-    void clearRecent();
-    void pictureOpened();   ///< the case that was opened gets its picture among the recent ones
 
     CaseDocument& document_;
     Notices& notices_;
@@ -73,8 +72,9 @@ private:
     ExportController export_;
     SaveController save_;
     OpenDialogs dialogs_;
+    StudyController studies_;
     CloseController close_;
-    FileQueue pictures_;
+    RecentController recent_;
 };
 
 }   // namespace angiopose::app

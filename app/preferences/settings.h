@@ -32,6 +32,8 @@ namespace settings {
 inline const Setting<QString> lastFolder{"files/lastFolder", {}};
 inline const Setting<QString> saveFolder{"files/saveFolder", {}};   ///< of exports and new cases
 inline const Setting<QStringList> recentCases{"files/recentCases", {}};
+inline const Setting<QStringList> pinnedCases{"files/pinnedCases", {}};   ///< of the recent ones
+inline const Setting<bool> recentPictures{"files/recentPictures", true};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system
 inline const Setting<QString> colors{"window/colors", QStringLiteral("blue-amber")};   ///< see ColorController

@@ -21,6 +21,7 @@ struct LoadedInputs {
     core::StudyIdentity scanIdentity;
     core::InputFile scanFile;   ///< of a scan that is to be seen only: `volume` without a tree
     std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
+    bool isStudyOffered = false;   ///< a folder or DICOMDIR alone: nothing was read, see OpenHints::offersStudies
     bool isScanAsked = false;   ///< it is a scan: nothing was read, see ScanUse::Ask
     /// How many units vessels are across that say no unit and are too small or large for mm: nothing else was read.
     std::optional<double> askedUnitsAcross;
@@ -50,6 +51,7 @@ struct OpenHints {
         std::nullopt;   ///< of vessels among them; not set: mm where that is plausible, else it is told
     /// How vessels among them are read and traced; not set: as their content asks for.
     std::optional<core::VesselInput> vessels = std::nullopt;
+    bool offersStudies = false;   ///< a folder or DICOMDIR alone is not read: what lies in it is to be chosen first
     bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
 };
 

@@ -7,6 +7,7 @@
 #include "io/opening/add_vessels.h"
 #include "io/opening/input_kind.h"
 #include "io/opening/read_case_inputs.h"
+#include "io/study/read_studies.h"
 #include "io/subtraction_file.h"
 #include "io/vessel_input_file.h"
 
@@ -154,6 +155,11 @@ core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, con
 {
     if (paths.size() == 1) {
         const auto kind = inputKindOf(paths.front());
+        if (hints.offersStudies && kind && (kind.value() == InputKind::Folder || isDicomDirectory(paths.front()))) {
+            LoadedInputs inputs;
+            inputs.isStudyOffered = true;
+            return inputs;
+        }
         if (kind && kind.value() == InputKind::Case) {
             return readCaseInputs(paths.front(), hints, observe);
         }

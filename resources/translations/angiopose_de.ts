@@ -881,6 +881,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>View added: a click in the strip above the image shows it.</source>
         <translation>Ansicht hinzugefügt: ein Klick in der Leiste über dem Bild zeigt sie.</translation>
     </message>
+    <message>
+        <source>Further runs become views once there are vessels. Open them again then.</source>
+        <translation>Weitere Läufe werden zu Ansichten, sobald es Gefäße gibt. Dann bitte noch einmal öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
@@ -1488,14 +1492,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Could not export</source>
         <translation>Export nicht möglich</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1 (fehlt)</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>Liste leeren</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +5905,56 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Pfeil hat zwei Punkte, ein Text einen. Die Punkte berichtigen oder ihn entfernen.</translation>
     </message>
     <message>
+        <source>it is a report, not an image.</source>
+        <comment>study.report</comment>
+        <translation>sie ist ein Befund, kein Bild.</translation>
+    </message>
+    <message>
+        <source>it only says how other images are shown.</source>
+        <comment>study.presentation</comment>
+        <translation>sie sagt nur, wie andere Bilder gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>it holds no image (%1).</source>
+        <comment>study.no-image</comment>
+        <translation>sie enthält kein Bild (%1).</translation>
+    </message>
+    <message>
+        <source>it is a scout, which planned the scan: neither a volume nor an angiogram.</source>
+        <comment>study.scout</comment>
+        <translation>sie ist ein Übersichtsbild zur Planung: weder Volumen noch Angiogramm.</translation>
+    </message>
+    <message>
+        <source>its frames are packed as a video, which is not read. Export it in another way.</source>
+        <comment>study.video</comment>
+        <translation>ihre Bilder sind als Video gepackt, das nicht gelesen wird. Bitte anders exportieren.</translation>
+    </message>
+    <message>
+        <source>in images of modality %1 no vessels are traced.</source>
+        <comment>study.modality</comment>
+        <translation>in Bildern der Modalität %1 werden keine Gefäße gesucht.</translation>
+    </message>
+    <message>
+        <source>the DICOMDIR lists it, but its files are not there.</source>
+        <comment>study.missing</comment>
+        <translation>das DICOMDIR nennt sie, aber ihre Dateien sind nicht da.</translation>
+    </message>
+    <message>
+        <source>it has no list of files</source>
+        <comment>directory.no-records</comment>
+        <translation>es hat keine Liste von Dateien</translation>
+    </message>
+    <message>
+        <source>its records do not lead to each other</source>
+        <comment>directory.torn</comment>
+        <translation>seine Einträge führen nicht zueinander</translation>
+    </message>
+    <message>
+        <source>it ends in the middle of a record</source>
+        <comment>directory.unfinished</comment>
+        <translation>es endet mitten in einem Eintrag</translation>
+    </message>
+    <message>
         <source>movies are written as .mp4 or .gif. Choose one of these.</source>
         <comment>movie.kind</comment>
         <translation>Filme werden als .mp4 oder .gif geschrieben. Eines davon wählen.</translation>
@@ -9608,10 +9654,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Beispielfall öffnen</translation>
     </message>
     <message>
-        <source>%1 (missing)</source>
-        <translation>%1 (fehlt)</translation>
-    </message>
-    <message>
         <source>Drop a case here, or vessels together with an angiogram.</source>
         <translation>Hier einen Fall ablegen, oder Gefäße mit einem Angiogramm.</translation>
     </message>
@@ -9624,12 +9666,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Öffnen …</translation>
     </message>
     <message>
-        <source>Clear the list</source>
-        <translation>Liste leeren</translation>
+        <source>Open folder or disc …</source>
+        <translation>Ordner oder CD öffnen …</translation>
     </message>
     <message>
-        <source>Forgets these cases and removes their pictures; the case files stay.</source>
-        <translation>Vergisst diese Fälle und entfernt ihre Bilder; die Falldateien bleiben.</translation>
+        <source>Lists the patients, studies and series of a folder, a CD or a DICOMDIR.</source>
+        <translation>Listet Patienten, Studien und Serien eines Ordners, einer CD oder eines DICOMDIR.</translation>
     </message>
 </context>
 <context>
@@ -10174,6 +10216,248 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Check point %1</source>
         <translation>Prüfpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::RecentController</name>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::StudyController</name>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Could not open the folder</source>
+        <translation>Der Ordner ließ sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Looking through %1 …</source>
+        <translation>%1 wird durchgesehen …</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 of %2 files.</source>
+        <translation>Nach %1 von %2 Dateien angehalten.</translation>
+    </message>
+    <message>
+        <source>%1 files read.</source>
+        <translation>Gelesene Dateien: %1.</translation>
+    </message>
+    <message>
+        <source>The folder holds more than could be listed: choose the folder of one study.</source>
+        <translation>Der Ordner enthält mehr, als sich auflisten ließ: bitte den Ordner einer Studie wählen.</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR is of no use (%1): the files themselves were read.</source>
+        <translation>Das DICOMDIR ist nicht zu gebrauchen (%1): die Dateien selbst wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>Files that the DICOMDIR lists and that are missing: %1.</source>
+        <translation>Dateien, die das DICOMDIR nennt und die fehlen: %1.</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR lists %1 series; 1 more file lies beside it.</source>
+        <translation>Das DICOMDIR nennt %1 Serien; daneben liegt 1 weitere Datei.</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR lists %1 series; %2 more files lie beside it.</source>
+        <translation>Das DICOMDIR nennt %1 Serien; daneben liegen %2 weitere Dateien.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::StudyRows</name>
+    <message>
+        <source>Patient %1 (identity hidden)</source>
+        <translation>Patient %1 (Identität verborgen)</translation>
+    </message>
+    <message>
+        <source>Without name</source>
+        <translation>Ohne Namen</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>geboren %1</translation>
+    </message>
+    <message>
+        <source>accession %1</source>
+        <translation>Auftrag %1</translation>
+    </message>
+    <message>
+        <source>Study without date or description</source>
+        <translation>Studie ohne Datum und Beschreibung</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+    <message>
+        <source>Files that the DICOMDIR lists and that are missing: %1.</source>
+        <translation>Dateien, die das DICOMDIR nennt und die fehlen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::RecentList</name>
+    <message>
+        <source>No recent case has this in its name or folder.</source>
+        <translation>Kein Fall der Liste hat das in Namen oder Ordner.</translation>
+    </message>
+    <message>
+        <source>Small pictures</source>
+        <translation>Kleine Bilder</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Search recent cases</source>
+        <translation>Letzte Fälle durchsuchen</translation>
+    </message>
+    <message>
+        <source>Keeps a small picture of each recent case in the program&apos;s cache folder.</source>
+        <translation>Behält ein kleines Bild jedes Falls der Liste im Cache-Ordner des Programms.</translation>
+    </message>
+    <message>
+        <source>Forgets these cases and removes their pictures, pinned ones stay; so do the files.</source>
+        <translation>Vergisst diese Fälle und entfernt ihre Bilder; angeheftete bleiben, die Dateien auch.</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>%1 (inputs missing)</source>
+        <translation>%1 (Eingaben fehlen)</translation>
+    </message>
+    <message>
+        <source>Pinned: stays at the top of the list</source>
+        <translation>Angeheftet: bleibt oben in der Liste</translation>
+    </message>
+    <message>
+        <source>Pin to the top of the list</source>
+        <translation>Oben in der Liste anheften</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>%1 anheften</translation>
+    </message>
+    <message>
+        <source>Remove from the list; the file stays</source>
+        <translation>Aus der Liste nehmen; die Datei bleibt</translation>
+    </message>
+    <message>
+        <source>Remove %1 from the list</source>
+        <translation>%1 aus der Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StudyBrowser</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Read them too</source>
+        <translation>Auch lesen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Studies in %1</source>
+        <translation>Studien in %1</translation>
+    </message>
+    <message>
+        <source>Search by name, ID or description</source>
+        <translation>Nach Name, ID oder Beschreibung suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Damaged files</source>
+        <translation>Beschädigte Dateien</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files</source>
+        <translation>%1 von %2 Dateien</translation>
+    </message>
+    <message>
+        <source>%1 files found</source>
+        <translation>Gefundene Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Damaged files: %1</source>
+        <translation>Beschädigte Dateien: %1</translation>
+    </message>
+    <message>
+        <source>Vessels: %1</source>
+        <translation>Gefäße: %1</translation>
+    </message>
+    <message>
+        <source>Views: %1</source>
+        <translation>Ansichten: %1</translation>
+    </message>
+    <message>
+        <source>Tick the scan with the vessels and the runs, or double-click one.</source>
+        <translation>Die Aufnahme mit den Gefäßen und die Läufe ankreuzen, oder eine Zeile doppelt anklicken.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StudyList</name>
+    <message>
+        <source>Patients, studies and series</source>
+        <translation>Patienten, Studien und Serien</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Slices or rate</source>
+        <translation>Abstand, Rate</translation>
+    </message>
+    <message>
+        <source>Body part</source>
+        <translation>Körperteil</translation>
     </message>
 </context>
 <context>

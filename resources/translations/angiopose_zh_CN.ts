@@ -881,6 +881,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>View added: a click in the strip above the image shows it.</source>
         <translation>已添加视图：单击图像上方的条即可显示。</translation>
     </message>
+    <message>
+        <source>Further runs become views once there are vessels. Open them again then.</source>
+        <translation>有血管之后，其余序列才能成为视图。届时请再次打开。</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
@@ -1488,14 +1492,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Could not export</source>
         <translation>无法导出</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1（缺失）</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>清空列表</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +5905,56 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>箭头有两个点，文字有一个。请修正这些点或移除。</translation>
     </message>
     <message>
+        <source>it is a report, not an image.</source>
+        <comment>study.report</comment>
+        <translation>这是报告，不是图像。</translation>
+    </message>
+    <message>
+        <source>it only says how other images are shown.</source>
+        <comment>study.presentation</comment>
+        <translation>它只说明其他图像如何显示。</translation>
+    </message>
+    <message>
+        <source>it holds no image (%1).</source>
+        <comment>study.no-image</comment>
+        <translation>其中没有图像（%1）。</translation>
+    </message>
+    <message>
+        <source>it is a scout, which planned the scan: neither a volume nor an angiogram.</source>
+        <comment>study.scout</comment>
+        <translation>这是用于计划扫描的定位像：既非容积也非造影图像。</translation>
+    </message>
+    <message>
+        <source>its frames are packed as a video, which is not read. Export it in another way.</source>
+        <comment>study.video</comment>
+        <translation>其帧以视频方式压缩，无法读取。请以其他方式导出。</translation>
+    </message>
+    <message>
+        <source>in images of modality %1 no vessels are traced.</source>
+        <comment>study.modality</comment>
+        <translation>不在 %1 模态的图像中提取血管。</translation>
+    </message>
+    <message>
+        <source>the DICOMDIR lists it, but its files are not there.</source>
+        <comment>study.missing</comment>
+        <translation>DICOMDIR 列出了它，但文件不存在。</translation>
+    </message>
+    <message>
+        <source>it has no list of files</source>
+        <comment>directory.no-records</comment>
+        <translation>其中没有文件列表</translation>
+    </message>
+    <message>
+        <source>its records do not lead to each other</source>
+        <comment>directory.torn</comment>
+        <translation>其记录未能相互连接</translation>
+    </message>
+    <message>
+        <source>it ends in the middle of a record</source>
+        <comment>directory.unfinished</comment>
+        <translation>它在记录中间结束</translation>
+    </message>
+    <message>
         <source>movies are written as .mp4 or .gif. Choose one of these.</source>
         <comment>movie.kind</comment>
         <translation>影片以 .mp4 或 .gif 格式写出。请选择其一。</translation>
@@ -9607,10 +9653,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>打开示例病例</translation>
     </message>
     <message>
-        <source>%1 (missing)</source>
-        <translation>%1（缺失）</translation>
-    </message>
-    <message>
         <source>Drop a case here, or vessels together with an angiogram.</source>
         <translation>将病例，或血管与造影图像一起拖到此处。</translation>
     </message>
@@ -9623,12 +9665,12 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>打开……</translation>
     </message>
     <message>
-        <source>Clear the list</source>
-        <translation>清空列表</translation>
+        <source>Open folder or disc …</source>
+        <translation>打开文件夹或光盘……</translation>
     </message>
     <message>
-        <source>Forgets these cases and removes their pictures; the case files stay.</source>
-        <translation>忘记这些病例并删除其小图；病例文件保留。</translation>
+        <source>Lists the patients, studies and series of a folder, a CD or a DICOMDIR.</source>
+        <translation>列出文件夹、光盘或 DICOMDIR 中的患者、检查和序列。</translation>
     </message>
 </context>
 <context>
@@ -10173,6 +10215,248 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Check point %1</source>
         <translation>检查点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::RecentController</name>
+    <message>
+        <source>Clear the list</source>
+        <translation>清空列表</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::StudyController</name>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Could not open the folder</source>
+        <translation>无法打开文件夹</translation>
+    </message>
+    <message>
+        <source>Looking through %1 …</source>
+        <translation>正在查看 %1……</translation>
+    </message>
+    <message>
+        <source>Stopped after %1 of %2 files.</source>
+        <translation>已在第 %1 个文件处停止（共 %2 个）。</translation>
+    </message>
+    <message>
+        <source>%1 files read.</source>
+        <translation>已读取 %1 个文件。</translation>
+    </message>
+    <message>
+        <source>The folder holds more than could be listed: choose the folder of one study.</source>
+        <translation>文件夹内容过多，无法全部列出：请选择单个检查的文件夹。</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR is of no use (%1): the files themselves were read.</source>
+        <translation>DICOMDIR 无法使用（%1）：已直接读取文件。</translation>
+    </message>
+    <message>
+        <source>Files that the DICOMDIR lists and that are missing: %1.</source>
+        <translation>DICOMDIR 列出但缺失的文件：%1。</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR lists %1 series; 1 more file lies beside it.</source>
+        <translation>DICOMDIR 列出 %1 个序列；旁边另有 1 个文件。</translation>
+    </message>
+    <message>
+        <source>The DICOMDIR lists %1 series; %2 more files lie beside it.</source>
+        <translation>DICOMDIR 列出 %1 个序列；旁边另有 %2 个文件。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::StudyRows</name>
+    <message>
+        <source>Patient %1 (identity hidden)</source>
+        <translation>患者 %1（身份已隐藏）</translation>
+    </message>
+    <message>
+        <source>Without name</source>
+        <translation>无姓名</translation>
+    </message>
+    <message>
+        <source>ID %1</source>
+        <translation>ID %1</translation>
+    </message>
+    <message>
+        <source>born %1</source>
+        <translation>出生 %1</translation>
+    </message>
+    <message>
+        <source>accession %1</source>
+        <translation>检查号 %1</translation>
+    </message>
+    <message>
+        <source>Study without date or description</source>
+        <translation>无日期和描述的检查</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>序列 %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 帧/秒</translation>
+    </message>
+    <message>
+        <source>Files that the DICOMDIR lists and that are missing: %1.</source>
+        <translation>DICOMDIR 列出但缺失的文件：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::RecentList</name>
+    <message>
+        <source>No recent case has this in its name or folder.</source>
+        <translation>最近病例的名称或文件夹中没有此内容。</translation>
+    </message>
+    <message>
+        <source>Small pictures</source>
+        <translation>小图</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>清空列表</translation>
+    </message>
+    <message>
+        <source>Search recent cases</source>
+        <translation>搜索最近病例</translation>
+    </message>
+    <message>
+        <source>Keeps a small picture of each recent case in the program&apos;s cache folder.</source>
+        <translation>在程序缓存文件夹中为每个最近病例保留小图。</translation>
+    </message>
+    <message>
+        <source>Forgets these cases and removes their pictures, pinned ones stay; so do the files.</source>
+        <translation>忘记这些病例并删除其小图；固定的病例和文件均保留。</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1（缺失）</translation>
+    </message>
+    <message>
+        <source>%1 (inputs missing)</source>
+        <translation>%1（缺少输入）</translation>
+    </message>
+    <message>
+        <source>Pinned: stays at the top of the list</source>
+        <translation>已固定：保持在列表顶部</translation>
+    </message>
+    <message>
+        <source>Pin to the top of the list</source>
+        <translation>固定在列表顶部</translation>
+    </message>
+    <message>
+        <source>Pin %1</source>
+        <translation>固定 %1</translation>
+    </message>
+    <message>
+        <source>Remove from the list; the file stays</source>
+        <translation>从列表中移除；文件保留</translation>
+    </message>
+    <message>
+        <source>Remove %1 from the list</source>
+        <translation>从列表中移除 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StudyBrowser</name>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Read them too</source>
+        <translation>一并读取</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Studies in %1</source>
+        <translation>%1 中的检查</translation>
+    </message>
+    <message>
+        <source>Search by name, ID or description</source>
+        <translation>按姓名、ID 或描述搜索</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Damaged files</source>
+        <translation>损坏的文件</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files</source>
+        <translation>%1 / %2 个文件</translation>
+    </message>
+    <message>
+        <source>%1 files found</source>
+        <translation>已找到 %1 个文件</translation>
+    </message>
+    <message>
+        <source>Damaged files: %1</source>
+        <translation>损坏的文件：%1</translation>
+    </message>
+    <message>
+        <source>Vessels: %1</source>
+        <translation>血管：%1</translation>
+    </message>
+    <message>
+        <source>Views: %1</source>
+        <translation>视图：%1</translation>
+    </message>
+    <message>
+        <source>Tick the scan with the vessels and the runs, or double-click one.</source>
+        <translation>勾选含血管的扫描和造影序列，或双击其中一项。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::StudyList</name>
+    <message>
+        <source>Patients, studies and series</source>
+        <translation>患者、检查和序列</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>模态</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Slices or rate</source>
+        <translation>层距或帧率</translation>
+    </message>
+    <message>
+        <source>Body part</source>
+        <translation>部位</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,16 @@
 #include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
+#include "app/files/recent_controller.h"
 #include "tests/app/open_window.h"
 
+#include <QCheckBox>
 #include <QDir>
 #include <QMenu>
 #include <QPainter>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+
+#include <future>
 
 namespace angiopose::app {
 namespace {
@@ -51,17 +55,20 @@ TEST(WindowRecent, ASavedCaseShowsItsPictureOnTheFirstPage)
     EXPECT_EQ(picture.width(), casePictureWidthPx);
 
     OpenWindow w;
-    const QList<QPushButton*> buttons = recentButtons(w);
-    ASSERT_FALSE(buttons.isEmpty());
-    EXPECT_EQ(buttons.front()->text(), QStringLiteral("seen.angiopose"));
-    const QImage tile = buttons.front()->icon().pixmap(44, 44).toImage();
-    QSet<QRgb> colors;
-    for (int y = 0; y < tile.height(); ++y) {
-        for (int x = 0; x < tile.width(); ++x) {
-            colors.insert(tile.pixel(x, y));
+    const auto colorsOfTile = [&w] {
+        const QList<QPushButton*> buttons = recentButtons(w);
+        const QImage tile = buttons.isEmpty() ? QImage() : buttons.front()->icon().pixmap(44, 44).toImage();
+        QSet<QRgb> colors;
+        for (int y = 0; y < tile.height(); ++y) {
+            for (int x = 0; x < tile.width(); ++x) {
+                colors.insert(tile.pixel(x, y));
+            }
         }
-    }
-    EXPECT_GT(colors.size(), 100) << "a picture, not a tile";
+        return colors.size();
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return colorsOfTile() > 100; }, test::patienceMs)) << "a picture, not a tile";
+    ASSERT_FALSE(recentButtons(w).isEmpty());
+    EXPECT_EQ(recentButtons(w).front()->text(), QStringLiteral("seen.angiopose"));
 }
 
 TEST(WindowRecent, ClearingTheListRemovesThePicturesAndKeepsTheCase)
@@ -76,6 +83,7 @@ TEST(WindowRecent, ClearingTheListRemovesThePicturesAndKeepsTheCase)
     QMenu* menu = w.window.actions().recentMenu();
     ASSERT_FALSE(menu->actions().isEmpty());
     menu->actions().back()->trigger();
+    QTest::qWait(0);   // rows go when nobody is in them any more
 
     EXPECT_TRUE(recentCases().isEmpty());
     EXPECT_EQ(picturesStored(), 0);
@@ -92,10 +100,151 @@ TEST(WindowRecent, APictureGoesWhenItsCaseLeavesTheList)
     const QString first = folder.filePath(QStringLiteral("first.angiopose"));
     save(w, first);
     ASSERT_FALSE(casePicture(first).isNull());
-    for (int i = 0; i < 10; ++i) {
+    for (int i = 0; i < 30; ++i) {
         rememberCase(folder.filePath(QStringLiteral("%1.angiopose").arg(i)));
     }
     EXPECT_TRUE(casePicture(first).isNull());
+}
+
+QWidget* childNamed(const OpenWindow& w, const QString& accessibleName)
+{
+    for (QWidget* widget : w.window.findChildren<QWidget*>()) {
+        if (widget->accessibleName() == accessibleName && widget->isVisible()) {
+            return widget;
+        }
+    }
+    return nullptr;
+}
+
+TEST(WindowRecent, WhatIsMissingIsToldAndTheRestOpens)
+{
+    forgetRecentCases();
+    const QTemporaryDir folder;
+    const QString gone = folder.filePath(QStringLiteral("gone.angiopose"));
+    const QString torn = folder.filePath(QStringLiteral("torn.angiopose"));
+    {
+        OpenWindow w;
+        w.openSample();
+        save(w, torn);
+    }
+    QFile saved(torn);
+    ASSERT_TRUE(saved.open(QIODevice::ReadWrite));
+    QByteArray content = saved.readAll();
+    content.replace("run.dcm", "ran.dcm");
+    saved.resize(0);
+    saved.seek(0);
+    saved.write(content);
+    saved.close();
+    rememberCase(gone);
+
+    OpenWindow w;
+
+    const auto labels = [&w] {
+        QStringList texts;
+        for (const QPushButton* button : recentButtons(w)) {
+            texts << button->text() + (button->isEnabled() ? QString() : QStringLiteral(" -"));
+        }
+        return texts;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+            return labels().mid(0, 2) == QStringList{QStringLiteral("gone.angiopose (missing) -"),
+                                                     QStringLiteral("torn.angiopose (inputs missing)")};
+        },
+        test::patienceMs))
+        << labels().join(u'|').toStdString();
+}
+
+TEST(WindowRecent, CasesArePinnedRemovedAndSearched)
+{
+    forgetRecentCases();
+    for (int i = 0; i < 8; ++i) {
+        rememberCase(QStringLiteral("/nowhere/case%1.angiopose").arg(i));
+    }
+    OpenWindow w;
+    QWidget* pin = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] { return (pin = childNamed(w, QStringLiteral("Pin case6.angiopose (missing)"))) != nullptr; },
+        test::patienceMs));
+    QTest::mouseClick(pin, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor([] { return recentCases().front().endsWith(QStringLiteral("case6.angiopose")); },
+                                test::patienceMs));
+    for (int i = 10; i < 60; ++i) {
+        rememberCase(QStringLiteral("/nowhere/other%1.angiopose").arg(i));
+    }
+    EXPECT_TRUE(recentCases().front().endsWith(QStringLiteral("case6.angiopose"))) << "pinned ones stay";
+
+    QWidget* remove = childNamed(w, QStringLiteral("Remove case7.angiopose (missing) from the list"));
+    ASSERT_TRUE(remove);
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return !childNamed(w, QStringLiteral("Remove case7.angiopose (missing) from the list")); },
+        test::patienceMs));
+
+    QWidget* search = childNamed(w, QStringLiteral("Search recent cases"));
+    ASSERT_TRUE(search);
+    QTest::mouseClick(search, Qt::LeftButton);
+    QTest::keyClicks(search, QStringLiteral("other55"));
+    int shown = 0;
+    for (const QPushButton* button : recentButtons(w)) {
+        shown += button->isVisible() ? 1 : 0;
+    }
+    EXPECT_EQ(shown, 1);
+    forgetRecentCases();
+    EXPECT_EQ(recentCases().size(), 1) << "the pinned one";
+}
+
+TEST(WindowRecent, PicturesAreSwitchedOff)
+{
+    forgetRecentCases();
+    const QTemporaryDir folder;
+    {
+        OpenWindow w;
+        w.openSample();
+        save(w, folder.filePath(QStringLiteral("seen.angiopose")));
+        EXPECT_GT(picturesStored(), 0);
+    }
+    OpenWindow w;
+    for (QCheckBox* box : w.window.findChildren<QCheckBox*>()) {
+        if (box->text() == QStringLiteral("Small pictures")) {
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        }
+    }
+    EXPECT_TRUE(QTest::qWaitFor([] { return picturesStored() == 0; }, test::patienceMs));
+    w.openSample();
+    save(w, folder.filePath(QStringLiteral("unseen.angiopose")));
+    EXPECT_EQ(picturesStored(), 0);
+}
+
+/// A drive that does not answer: the look-up of its case waits until the test lets it go.
+TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
+{
+    forgetRecentCases();
+    rememberCase(QStringLiteral("/near/there.angiopose"));
+    rememberCase(QStringLiteral("/hanging/drive.angiopose"));
+    OpenWindow w;
+    std::promise<void> answer;
+    const std::shared_future<void> answered = answer.get_future().share();
+    const auto look = [answered](const std::string& path, const std::string&) {
+        if (path.starts_with("/hanging")) {
+            answered.wait();
+        }
+        return CaseLook{CasePresence::Missing, {}};
+    };
+    QElapsedTimer clock;
+    clock.start();
+    RecentController recent(w.controller.document(), {w.window.actions(), w.window.welcome()}, look);
+    EXPECT_LT(clock.elapsed(), 1000);
+
+    const auto isTold = [&w](const QString& label) {
+        return std::ranges::any_of(recentButtons(w), [&](QPushButton* button) { return button->text() == label; });
+    };
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isTold(QStringLiteral("there.angiopose (missing)")); }, test::patienceMs));
+    EXPECT_TRUE(isTold(QStringLiteral("drive.angiopose"))) << "not known yet: it can be tried";
+
+    answer.set_value();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return isTold(QStringLiteral("drive.angiopose (missing)")); }, test::patienceMs));
+    forgetRecentCases();
 }
 
 /// Grey values along a row of the picture's top, where names stand.

@@ -1,5 +1,6 @@
 #include "tests/app/open_window.h"
 #include "tests/io/series/ct_phantom.h"
+#include "tests/io/study/study_disc.h"
 #include "tests/support/forked_vessel.h"
 
 #include <QTreeWidget>
@@ -24,13 +25,16 @@ void writeStudy(const test::TemporaryFolder& folder)
     }
 }
 
-TEST(WindowSeries, AFolderWithSeveralAsksAndTheChosenOneIsTraced)
+/// A folder beside another file is not browsed: one of its series joins that file.
+TEST(WindowSeries, AFolderWithSeveralBesideAFileAsksAndTheChosenOneIsTraced)
 {
     const test::TemporaryFolder folder;
     writeStudy(folder);
+    const test::TemporaryFolder beside;
+    ASSERT_TRUE(io::writeAngiogram(test::spotRun(), beside.file("run.dcm")));
     OpenWindow w;
 
-    w.drop({QString::fromStdString(folder.file(""))});
+    w.drop({QString::fromStdString(folder.file("")), QString::fromStdString(beside.file("run.dcm"))});
 
     const QList<QDialog*> asked = w.dialogs("seriesChooser");
     ASSERT_EQ(asked.size(), 1);
@@ -54,8 +58,10 @@ TEST(WindowSeries, CancellingTheChoiceLeavesTheCaseAsItWas)
 {
     const test::TemporaryFolder folder;
     writeStudy(folder);
+    const test::TemporaryFolder beside;
+    ASSERT_TRUE(io::writeAngiogram(test::spotRun(), beside.file("run.dcm")));
     OpenWindow w;
-    w.drop({QString::fromStdString(folder.file(""))});
+    w.drop({QString::fromStdString(folder.file("")), QString::fromStdString(beside.file("run.dcm"))});
     ASSERT_EQ(w.dialogs("seriesChooser").size(), 1);
 
     OpenWindow::clickButton(w.dialogs("seriesChooser").front(), QStringLiteral("Cancel"));

@@ -43,6 +43,19 @@ QPainterPath pathOf(Glyph glyph)
             addHead(path, {6.0, 0.0}, {1.0, 0.0});
             addHead(path, {-6.0, 0.0}, {-1.0, 0.0});
             break;
+        case Glyph::Pin:
+            path.addRect(-2.5, -5.5, 5.0, 5.0);
+            path.moveTo(-4.5, -0.5);
+            path.lineTo(4.5, -0.5);
+            path.moveTo(0.0, -0.5);
+            path.lineTo(0.0, 5.5);
+            break;
+        case Glyph::Remove:
+            path.moveTo(-4.0, -4.0);
+            path.lineTo(4.0, 4.0);
+            path.moveTo(4.0, -4.0);
+            path.lineTo(-4.0, 4.0);
+            break;
     }
     return path;
 }
@@ -72,7 +85,11 @@ void GlyphButton::paintEvent(QPaintEvent* event)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(QRectF(rect()).center());
-    if (isFilled(glyph_)) {
+    const bool isPinned = glyph_ == Glyph::Pin && isChecked();
+    if (isPinned) {
+        painter.fillPath(pathOf(glyph_), toQColor(tones.accent));
+        painter.strokePath(pathOf(glyph_), QPen(toQColor(tones.accent), 1.5));
+    } else if (isFilled(glyph_)) {
         painter.fillPath(pathOf(glyph_), tone);
     } else {
         painter.strokePath(pathOf(glyph_), QPen(tone, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

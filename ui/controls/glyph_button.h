@@ -8,7 +8,7 @@ namespace angiopose::ui {
 class GlyphButton : public QToolButton {
     Q_OBJECT
 public:
-    enum class Glyph { Play, Pause, Loop, BackAndForth };
+    enum class Glyph { Play, Pause, Loop, BackAndForth, Pin, Remove };
 
     explicit GlyphButton(Glyph glyph, QWidget* parent = nullptr);
 

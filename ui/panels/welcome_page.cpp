@@ -2,52 +2,15 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/controls/section.h"
-#include "ui/theme/active_theme.h"
 #include "ui/words/spoken.h"
 
-#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QIcon>
-#include <QPainter>
-#include <QPixmap>
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
-#include <cmath>
-#include <span>
-
 namespace angiopose::ui {
-namespace {
 
-constexpr std::size_t shownRecent = 5;
-constexpr int welcomePictureSize = 44;
-constexpr int greatestWidth = 420;
-
-/// The middle of the picture as a square, sharp at any scale; the program's sign on a tile where there is none.
-QIcon tileOf(const QImage& picture, double ratio)
-{
-    const int side = static_cast<int>(std::lround(welcomePictureSize * ratio));
-    QPixmap tile(side, side);
-    tile.fill(toQColor(activePalette().field));
-    QPainter painter(&tile);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    if (picture.isNull()) {
-        QIcon(QStringLiteral(":/icons/angiopose.svg"))
-            .paint(&painter, tile.rect().adjusted(side / 5, side / 5, -side / 5, -side / 5));
-    } else {
-        const int cut = std::min(picture.width(), picture.height());
-        painter.drawImage(tile.rect(), picture,
-                          QRect((picture.width() - cut) / 2, (picture.height() - cut) / 2, cut, cut));
-    }
-    painter.end();
-    tile.setDevicePixelRatio(ratio);
-    return tile;
-}
-
-}   // namespace
-
-WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLayout)
+WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new RecentList)
 {
     setProperty("role", "welcome");
     setAttribute(Qt::WA_StyledBackground);
@@ -65,16 +28,19 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLa
     }
     auto* open = withText(new QPushButton, [] { return withKey(tr("Open …"), Command::Open); });
     open->setProperty("role", "primary");
+    auto* folder = withText(new QPushButton, [] { return withKey(tr("Open folder or disc …"), Command::OpenFolder); });
+    withTip(folder, [] { return tr("Lists the patients, studies and series of a folder, a CD or a DICOMDIR."); });
     auto* sample = withText(new QPushButton, [] { return tr("Open the sample case"); });
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(open);
+    buttons->addWidget(folder);
     buttons->addWidget(sample);
     buttons->addStretch(1);
     connect(open, &QPushButton::clicked, this, &WelcomePage::openRequested);
+    connect(folder, &QPushButton::clicked, this, &WelcomePage::folderRequested);
     connect(sample, &QPushButton::clicked, this, &WelcomePage::sampleRequested);
 
-    recent_->setSpacing(2);
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(12);
     layout->addStretch(2);
@@ -84,50 +50,8 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new QVBoxLa
     layout->addSpacing(8);
     layout->addLayout(buttons);
     layout->addSpacing(16);
-    layout->addLayout(recent_);
+    layout->addWidget(recent_, 0, Qt::AlignHCenter);
     layout->addStretch(3);
-}
-
-/// A button with the picture of the case beside its name; a case without picture has the program's sign.
-QPushButton* WelcomePage::makeRecent(const RecentCase& recent)
-{
-    const QFileInfo file(recent.path);
-    const bool missing = !file.exists();
-    auto* button = new QPushButton(missing ? tr("%1 (missing)").arg(file.fileName()) : file.fileName());
-    button->setProperty("role", "recent");
-    button->setIconSize({welcomePictureSize, welcomePictureSize});
-    button->setIcon(tileOf(missing ? QImage() : recent.picture, devicePixelRatioF()));
-    button->setToolTip(recent.path);
-    button->setEnabled(!missing);
-    connect(button, &QPushButton::clicked, this, [this, path = recent.path] { emit recentRequested(path); });
-    return button;
-}
-
-void WelcomePage::showRecent(const std::vector<RecentCase>& cases)
-{
-    while (QLayoutItem* item = recent_->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    if (cases.empty()) {
-        return;
-    }
-    int widest = 0;
-    QList<QPushButton*> buttons;
-    for (const RecentCase& recent : std::span(cases).first(std::min(cases.size(), shownRecent))) {
-        buttons << makeRecent(recent);
-        recent_->addWidget(buttons.back(), 0, Qt::AlignHCenter);
-        widest = std::max(widest, buttons.back()->sizeHint().width());
-    }
-    for (QPushButton* button : buttons) {   // names begin below each other
-        button->setMinimumWidth(std::min(widest, greatestWidth));
-        button->setMaximumWidth(greatestWidth);
-    }
-    auto* clear = new QPushButton(tr("Clear the list"));
-    clear->setProperty("role", "link");
-    clear->setToolTip(tr("Forgets these cases and removes their pictures; the case files stay."));
-    connect(clear, &QPushButton::clicked, this, &WelcomePage::clearRequested);
-    recent_->addWidget(clear, 0, Qt::AlignHCenter);
 }
 
 }   // namespace angiopose::ui

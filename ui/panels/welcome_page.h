@@ -1,19 +1,10 @@
 #pragma once
 
-#include <QImage>
+#include "ui/panels/recent_list.h"
+
 #include <QWidget>
 
-#include <vector>
-
-class QPushButton;
-class QVBoxLayout;
-
 namespace angiopose::ui {
-
-struct RecentCase {
-    QString path;
-    QImage picture;   ///< null: none was made
-};
 
 /// What the middle shows while no case is open: what can be dropped, the sample case, recent cases.
 class WelcomePage : public QWidget {
@@ -21,18 +12,15 @@ class WelcomePage : public QWidget {
 public:
     explicit WelcomePage(QWidget* parent = nullptr);
 
-    void showRecent(const std::vector<RecentCase>& cases);
+    RecentList& recent() { return *recent_; }
 
 signals:
     void openRequested();
+    void folderRequested();
     void sampleRequested();
-    void recentRequested(const QString& path);
-    void clearRequested();   ///< of the list of recent cases
 
 private:
-    QPushButton* makeRecent(const RecentCase& recent);
-
-    QVBoxLayout* recent_;
+    RecentList* recent_;
 };
 
 }   // namespace angiopose::ui

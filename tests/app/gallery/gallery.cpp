@@ -10,6 +10,7 @@
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/dialogs/series_chooser.h"
+#include "ui/dialogs/study_browser.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/language.h"
 
@@ -214,9 +215,48 @@ void Gallery::showRareDialogs(ui::MainWindow& window)
                                          &window);
     series->open();
     takeDialogs(window, QStringLiteral("series"));
+    showStudies(window);
     window.result().solutions().showSolutions(
         {{QStringLiteral("0.93"), {}}, {QStringLiteral("0.71"), {}}, {QStringLiteral("0.64"), {}}});
     showWindow(window.result().solutions(), QStringLiteral("solutions"));
+}
+
+void Gallery::showStudies(ui::MainWindow& window)
+{
+    using Use = ui::StudySeriesRow::Use;
+    const auto series = [](const char* key, Use use, int number, const char* modality, const char* description,
+                           int images, const char* pace, const QStringList& notes) {
+        return ui::StudySeriesRow{QString::fromLatin1(key),
+                                  use,
+                                  number,
+                                  QString::fromLatin1(modality),
+                                  QString::fromLatin1(description),
+                                  images,
+                                  QStringLiteral("512 × 512"),
+                                  QString::fromUtf8(pace),
+                                  1.0,
+                                  QStringLiteral("HEART"),
+                                  notes};
+    };
+    auto* browser = new ui::StudyBrowser(QStringLiteral("/media/cdrom"), &window);
+    browser->showRows({{QStringLiteral("p"),
+                        QStringLiteral("Doe Jane · 0815 · 1950-01-02"),
+                        {{QStringLiteral("ct"),
+                          QStringLiteral("2026-03-04 · Coronary CTA"),
+                          {series("a", Use::None, 1, "CT", "Topogram", 1, "", {QStringLiteral("–")}),
+                           series("b", Use::Vessels, 2, "CT", "Coronary CTA 0.75 B26f", 300, "0.50", {})}},
+                         {QStringLiteral("xa"),
+                          QStringLiteral("2026-03-05 · Coronary angiography"),
+                          {series("c", Use::View, 3, "XA", "LCA", 64, "15.0", {}),
+                           series("d", Use::View, 4, "XA", "RCA", 58, "15.0", {})}}}}});
+    browser->choose(QStringLiteral("b"));
+    browser->choose(QStringLiteral("c"));
+    browser->showProgress(1240, 3100);
+    browser->open();
+    QTest::qWait(100);
+    take(*browser, QStringLiteral("studies_under_way"));
+    browser->showEnd(QStringLiteral("3,100."), {QStringLiteral("/media/cdrom/IM12: –")}, QStringLiteral("5 + 3"));
+    takeDialogs(window, QStringLiteral("studies"));
 }
 
 void Gallery::showTrial(ui::MainWindow& window, app::CaseController& controller)

@@ -30,6 +30,7 @@ private:
     static void measure(app::CaseController& controller);
     void showDialogs(ui::MainWindow& window);
     void showRareDialogs(ui::MainWindow& window);
+    void showStudies(ui::MainWindow& window);
     void showTrial(ui::MainWindow& window, app::CaseController& controller);
     void showViews(ui::MainWindow& window, app::CaseController& controller);
     void showModes(ui::MainWindow& window);

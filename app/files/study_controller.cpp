@@ -1,0 +1,275 @@
+#include "app/files/study_controller.h"
+
+#include "app/files/study_rows.h"
+#include "io/messages/says.h"
+#include "ui/dialogs/study_browser.h"
+#include "ui/dialogs/study_list.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+constexpr int patienceMs = 700;   // a folder with one series is read within it and opens without a list
+constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // sharp at 200 %
+
+std::vector<const io::StudySeries*> usableOf(const io::StudyTree& tree)
+{
+    std::vector<const io::StudySeries*> usable;
+    for (const io::StudyPatient& patient : tree.patients) {
+        for (const io::Study& study : patient.studies) {
+            for (const io::StudySeries& series : study.series) {
+                if (series.use != io::SeriesUse::None) {
+                    usable.push_back(&series);
+                }
+            }
+        }
+    }
+    return usable;
+}
+
+QImage imageOf(const core::ImageF& picture)
+{
+    QImage image(picture.width, picture.height, QImage::Format_Grayscale8);
+    for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+            image.scanLine(y)[x] = static_cast<uchar>(std::clamp(255.0F * picture.at(x, y), 0.0F, 255.0F));
+        }
+    }
+    return image;
+}
+
+}   // namespace
+
+StudyController::StudyController(OpenController& open, Notices& notices, const Ui& ui, QObject* parent)
+    : QObject(parent), open_(open), notices_(notices), ui_(ui), pictures_(picturePx, this)
+{
+    patience_.setSingleShot(true);
+    patience_.setInterval(patienceMs);
+    connect(&patience_, &QTimer::timeout, this, &StudyController::showBrowser);
+    connect(&open_, &OpenController::studyOffered, this, &StudyController::look);
+    connect(&job_, &StudyJob::advanced, this, &StudyController::follow);
+    connect(&job_, &StudyJob::finished, this, &StudyController::take);
+    connect(&job_, &StudyJob::failed, this, [this](const core::Message& reason) {
+        ui_.strip.showIdle(tr("Ready"));
+        abandon();
+        notices_.showProblem(tr("Could not open the folder"), ui::messageText(reason), {place_});
+    });
+    connect(&ui_.hideIdentity, &QAction::toggled, this, [this] {
+        if (browser_ && tree_) {
+            showTree(tree_);
+        }
+    });
+    connect(&pictures_, &SeriesPictures::made, this, [this](const QString& key, const core::ImageF& picture) {
+        if (browser_) {
+            browser_->showPicture(key, imageOf(picture));
+        }
+    });
+    connect(&pictures_, &SeriesPictures::failed, this, [this](const QString& key) {
+        if (browser_) {
+            browser_->showPicture(key, {});
+        }
+    });
+}
+
+void StudyController::look(const QString& place)
+{
+    abandon();
+    place_ = place;
+    tree_.reset();
+    makeBrowser();
+    patience_.start();
+    start(io::StudyReach::Listed);
+}
+
+void StudyController::makeBrowser()
+{
+    browser_ = new ui::StudyBrowser(QDir::toNativeSeparators(place_), &ui_.dialogParent);
+    browser_->addAction(&ui_.hideIdentity);
+    connect(browser_, &ui::StudyBrowser::stopRequested, &job_, &StudyJob::requestStop);
+    connect(browser_, &ui::StudyBrowser::allFilesRequested, this, [this] { start(io::StudyReach::AllFiles); });
+    connect(browser_, &ui::StudyBrowser::picturesWanted, this, &StudyController::wantPictures);
+    connect(browser_, &ui::StudyBrowser::chosen, this, &StudyController::open);
+    connect(browser_, &QDialog::finished, this, &StudyController::leave);
+}
+
+void StudyController::start(io::StudyReach reach)
+{
+    browser_->showProgress(0, 0);
+    ui_.strip.showBusy(tr("Looking through %1 …").arg(QFileInfo(place_).fileName()));
+    job_.start(place_, reach);
+}
+
+/// Nothing is read for the list any more.
+void StudyController::leave()
+{
+    patience_.stop();
+    pictures_.want({});
+    if (job_.isRunning()) {
+        job_.abandon();
+        ui_.strip.showIdle(tr("Ready"));
+    }
+}
+
+void StudyController::abandon()
+{
+    leave();
+    if (browser_) {
+        browser_->disconnect(this);
+        browser_->hide();
+        browser_->deleteLater();
+        browser_ = nullptr;
+    }
+}
+
+void StudyController::follow(const io::StudyProgress& progress)
+{
+    if (!browser_) {
+        return;
+    }
+    browser_->showProgress(static_cast<qsizetype>(progress.read), static_cast<qsizetype>(progress.found));
+    if (progress.tree && progress.tree != tree_) {
+        showTree(progress.tree);
+        if (usableOf(*tree_).size() > 1) {
+            showBrowser();
+        }
+    }
+}
+
+void StudyController::take(const SharedStudies& tree)
+{
+    if (!browser_) {
+        return;
+    }
+    patience_.stop();
+    ui_.strip.showIdle(tr("Ready"));
+    showTree(tree);
+    const auto usable = usableOf(*tree);
+    const bool isAllRead = !tree->isStopped && (!tree->directory || tree->directory->unlistedFiles == 0);
+    if (tree->patients.empty() && !isBrowserShown()) {
+        abandon();
+        notices_.showProblem(tr("Could not open the folder"),
+                             ui::messageText(io::says::seriesNone().about(place_.toStdString())), {place_});
+        return;
+    }
+    if (usable.size() == 1 && isAllRead && !isBrowserShown()) {
+        const io::StudySeries only = *usable.front();
+        abandon();
+        const bool isRun = only.use == io::SeriesUse::View;
+        const bool isFolder = tree->directory == std::nullopt;
+        open_.openStudy({isRun      ? QString()
+                         : isFolder ? place_
+                                    : QString::fromStdString(only.place),
+                         QString::fromStdString(only.series.id),
+                         isRun ? QStringList{QString::fromStdString(only.place)} : QStringList()});
+        return;
+    }
+    showEnd();
+    if (usable.size() == 1) {
+        browser_->choose(keyOf(*usable.front()));
+    }
+    showBrowser();
+}
+
+void StudyController::showTree(const SharedStudies& tree)
+{
+    tree_ = tree;
+    browser_->showRows(studyRows(*tree, ui_.hideIdentity.isChecked() ? IdentityShown::No : IdentityShown::Yes));
+}
+
+/// How much was read, what is damaged, what lies beside a DICOMDIR.
+void StudyController::showEnd()
+{
+    const QLocale locale;
+    const auto read = locale.toString(static_cast<qulonglong>(tree_->readFiles));
+    const auto found = locale.toString(static_cast<qulonglong>(tree_->foundFiles));
+    QStringList words{tree_->isStopped ? tr("Stopped after %1 of %2 files.").arg(read, found)
+                                       : tr("%1 files read.").arg(read)};
+    if (tree_->isCutOff) {
+        words << tr("The folder holds more than could be listed: choose the folder of one study.");
+    }
+    QString offer;
+    if (const auto& directory = tree_->directory; directory && directory->damage) {
+        words << tr("The DICOMDIR is of no use (%1): the files themselves were read.")
+                     .arg(ui::messageText(directory->damage));
+    } else if (directory) {
+        if (directory->missingFiles > 0) {
+            words << tr("Files that the DICOMDIR lists and that are missing: %1.").arg(directory->missingFiles);
+        }
+        if (directory->unlistedFiles > 0) {
+            offer = directory->unlistedFiles == 1
+                        ? tr("The DICOMDIR lists %1 series; 1 more file lies beside it.").arg(directory->series)
+                        : tr("The DICOMDIR lists %1 series; %2 more files lie beside it.")
+                              .arg(directory->series)
+                              .arg(directory->unlistedFiles);
+        }
+    }
+    QStringList damaged;
+    for (const io::DamagedFile& file : tree_->damaged) {
+        damaged << QStringLiteral("%1: %2").arg(QString::fromStdString(file.path), ui::messageText(file.reason));
+    }
+    browser_->showEnd(words.join(u' '), damaged, offer);
+}
+
+void StudyController::showBrowser()
+{
+    patience_.stop();
+    if (browser_ && !browser_->isVisible()) {
+        browser_->open();
+    }
+}
+
+bool StudyController::isBrowserShown() const
+{
+    return browser_ && browser_->isVisible();
+}
+
+const io::StudySeries* StudyController::find(const QString& key) const
+{
+    for (const io::StudyPatient& patient : tree_->patients) {
+        for (const io::Study& study : patient.studies) {
+            const auto found = std::ranges::find(study.series, key, keyOf);
+            if (found != study.series.end()) {
+                return &*found;
+            }
+        }
+    }
+    return nullptr;
+}
+
+void StudyController::wantPictures(const QStringList& keys)
+{
+    std::deque<SeriesPictures::Wanted> wanted;
+    for (const QString& key : keys) {
+        if (const io::StudySeries* series = find(key)) {
+            wanted.push_back({key, {tree_, &series->series}});
+        }
+    }
+    pictures_.want(std::move(wanted));
+}
+
+void StudyController::open(const QString& vessels, const QStringList& views)
+{
+    StudyChoice choice;
+    if (const io::StudySeries* series = find(vessels)) {
+        choice.folder = QString::fromStdString(series->place);
+        choice.seriesId = QString::fromStdString(series->series.id);
+    }
+    for (const QString& key : views) {
+        if (const io::StudySeries* series = find(key)) {
+            choice.runs << QString::fromStdString(series->place);
+        }
+    }
+    leave();
+    open_.openStudy(choice);
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,156 @@
+#include "app/files/study_rows.h"
+
+#include "ui/words/message_text.h"
+#include "ui/words/number.h"
+
+#include <QCoreApplication>
+
+namespace angiopose::app {
+namespace {
+
+/// The words of this file.
+struct StudyWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::StudyRows)
+};
+
+QString joined(QStringList parts)
+{
+    parts.removeAll(QString());
+    return parts.join(QStringLiteral(" · "));
+}
+
+QString readable(const std::string& name)
+{
+    return QString::fromStdString(name).replace(u'^', u' ').simplified();
+}
+
+QString patientWords(const io::StudyPatient& patient, int place, IdentityShown shown)
+{
+    if (shown == IdentityShown::No) {
+        return StudyWords::tr("Patient %1 (identity hidden)").arg(place);
+    }
+    const core::StudyIdentity& who = patient.identity;
+    const QString name = readable(who.patientName);
+    QStringList parts{name.isEmpty() ? StudyWords::tr("Without name") : name};
+    if (!who.patientId.empty()) {
+        parts << StudyWords::tr("ID %1").arg(QString::fromStdString(who.patientId));
+    }
+    if (!who.birthDate.empty()) {
+        parts << StudyWords::tr("born %1").arg(QString::fromStdString(who.birthDate));
+    }
+    return joined(parts);
+}
+
+QString studyWords(const io::Study& study, IdentityShown shown)
+{
+    QStringList parts{QString::fromStdString(study.identity.studyDate), QString::fromStdString(study.description)};
+    if (shown == IdentityShown::Yes && !study.identity.accessionNumber.empty()) {
+        parts << StudyWords::tr("accession %1").arg(QString::fromStdString(study.identity.accessionNumber));
+    }
+    const QString words = joined(parts);
+    return words.isEmpty() ? StudyWords::tr("Study without date or description") : words;
+}
+
+QString descriptionOf(const io::DicomSeries& series)
+{
+    QString words =
+        QString::fromStdString(series.description.empty() ? series.identity.description : series.description);
+    if (words.isEmpty()) {
+        words = StudyWords::tr("Series %1").arg(series.number);
+    }
+    return series.part ? QStringLiteral("%1 (%2)").arg(words, ui::messageText(series.part)) : words;
+}
+
+QString sizeOf(const io::DicomSeries& series)
+{
+    if (series.slices.empty() || series.slices.front().size.x() <= 0) {
+        return {};
+    }
+    const Eigen::Vector2i& size = series.slices.front().size;
+    return QStringLiteral("%1 × %2").arg(size.x()).arg(size.y());
+}
+
+/// Distance of slices, or frames in a second.
+void addPace(const io::StudySeries& each, ui::StudySeriesRow& row)
+{
+    if (each.use == io::SeriesUse::Vessels) {
+        row.paceValue = each.series.stack.geometry.spacingMm.z();
+        row.pace = StudyWords::tr("%1 mm").arg(ui::numberText(row.paceValue, 2));
+    } else if (each.use == io::SeriesUse::View && each.frameTimeMs > 0.0 && each.imageCount > 1) {
+        row.paceValue = 1000.0 / each.frameTimeMs;
+        row.pace = StudyWords::tr("%1 frames/s").arg(ui::numberText(row.paceValue, 1));
+    }
+}
+
+QString missingWords(std::size_t files)
+{
+    return StudyWords::tr("Files that the DICOMDIR lists and that are missing: %1.").arg(files);
+}
+
+ui::StudySeriesRow::Use useOf(io::SeriesUse use)
+{
+    switch (use) {
+        case io::SeriesUse::Vessels:
+            return ui::StudySeriesRow::Use::Vessels;
+        case io::SeriesUse::View:
+            return ui::StudySeriesRow::Use::View;
+        case io::SeriesUse::None:
+            break;
+    }
+    return ui::StudySeriesRow::Use::None;
+}
+
+ui::StudySeriesRow rowOf(const io::StudySeries& each)
+{
+    ui::StudySeriesRow row;
+    row.key = keyOf(each);
+    row.use = useOf(each.use);
+    row.number = each.series.number;
+    row.modality = QString::fromStdString(each.series.identity.modality);
+    row.description = descriptionOf(each.series);
+    row.imageCount = each.imageCount;
+    row.size = sizeOf(each.series);
+    row.bodyPart = QString::fromStdString(each.bodyPart);
+    addPace(each, row);
+    if (each.reason) {
+        row.notes << ui::messageText(each.reason);
+    }
+    if (each.missingFiles > 0) {
+        row.notes << missingWords(each.missingFiles);
+    }
+    for (const core::Message& warning : each.series.warnings) {
+        row.notes << ui::messageText(warning);
+    }
+    return row;
+}
+
+}   // namespace
+
+QString keyOf(const io::StudySeries& each)
+{
+    return QString::fromStdString(each.series.id + "|" + each.series.identity.modality + "|" + each.place);
+}
+
+std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown shown)
+{
+    std::vector<ui::PatientRow> rows;
+    for (const io::StudyPatient& patient : tree.patients) {
+        const core::StudyIdentity& who = patient.identity;
+        ui::PatientRow& row = rows.emplace_back();
+        row.key = QString::fromStdString("patient|" + who.patientName + "|" + who.patientId + "|" + who.birthDate);
+        row.words = patientWords(patient, static_cast<int>(rows.size()), shown);
+        for (const io::Study& study : patient.studies) {
+            ui::StudyRow& added = row.studies.emplace_back();
+            added.key = row.key + u'|' +
+                        QString::fromStdString(study.identity.studyUid + study.identity.studyDate +
+                                               study.identity.accessionNumber);
+            added.words = studyWords(study, shown);
+            for (const io::StudySeries& series : study.series) {
+                added.series.push_back(rowOf(series));
+            }
+        }
+    }
+    return rows;
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "app/jobs/job.h"
+#include "io/study/read_studies.h"
+
+#include <QObject>
+#include <QString>
+
+namespace angiopose::app {
+
+using SharedStudies = std::shared_ptr<const io::StudyTree>;
+
+/// Looks through a folder, a disc or a DICOMDIR off the GUI thread. Stop is no failure: what was found comes.
+class StudyJob : public QObject {
+    Q_OBJECT
+public:
+    explicit StudyJob(QObject* parent = nullptr);
+
+    void start(const QString& place, io::StudyReach reach);
+    void requestStop() { job_.requestStop(); }
+    void abandon() { job_.drop(); }   ///< nothing comes any more
+    bool isRunning() const { return job_.isRunning(); }
+
+signals:
+    void advanced(const io::StudyProgress& progress);
+    void finished(const SharedStudies& tree);
+    void failed(const core::Message& reason);
+
+private:
+    Job<SharedStudies, io::StudyProgress> job_;
+};
+
+}   // namespace angiopose::app

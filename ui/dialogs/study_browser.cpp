@@ -1,0 +1,212 @@
+#include "ui/dialogs/study_browser.h"
+
+#include "ui/controls/section.h"
+#include "ui/dialogs/study_list.h"
+#include "ui/words/language.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr QSize browserSize(1080, 720);
+constexpr int damagedHeight = 90;
+
+}   // namespace
+
+StudyBrowser::StudyBrowser(const QString& place, QWidget* parent)
+    : QDialog(parent),
+      search_(new QLineEdit),
+      list_(new StudyList),
+      choice_(roleLabel("strong")),
+      notes_(roleLabel("body")),
+      progress_(new QProgressBar),
+      status_(roleLabel("label")),
+      stop_(new QPushButton(tr("Stop"))),
+      damaged_(new QPushButton),
+      offer_(roleLabel("label")),
+      allFiles_(new QPushButton(tr("Read them too"))),
+      damagedFiles_(new QPlainTextEdit),
+      open_(new QPushButton(tr("Open")))
+{
+    setObjectName(QStringLiteral("studyBrowser"));
+    setWindowTitle(tr("Studies in %1").arg(place));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resize(browserSize);
+    search_->setPlaceholderText(tr("Search by name, ID or description"));
+    search_->setAccessibleName(tr("Search"));
+    search_->setClearButtonEnabled(true);
+    notes_->setWordWrap(true);
+    notes_->setTextFormat(Qt::PlainText);
+    choice_->setTextFormat(Qt::PlainText);
+    choice_->setWordWrap(true);
+    damagedFiles_->setReadOnly(true);
+    damagedFiles_->setFixedHeight(damagedHeight);
+    damagedFiles_->setAccessibleName(tr("Damaged files"));
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(10);
+    layout->addWidget(search_);
+    layout->addWidget(list_, 1);
+    layout->addWidget(notes_);
+    layout->addLayout(makeStatus());
+    layout->addWidget(damagedFiles_);
+    layout->addLayout(makeButtons());
+
+    connect(search_, &QLineEdit::textChanged, list_, &StudyList::search);
+    connect(list_, &StudyList::picturesWanted, this, &StudyBrowser::picturesWanted);
+    connect(list_, &StudyList::choiceChanged, this, &StudyBrowser::showChoice);
+    connect(list_, &StudyList::currentItemChanged, this, &StudyBrowser::showChoice);
+    connect(list_, &StudyList::openRequested, this, &StudyBrowser::takeChoice);
+    for (QWidget* each : {static_cast<QWidget*>(damaged_), static_cast<QWidget*>(offer_),
+                          static_cast<QWidget*>(allFiles_), static_cast<QWidget*>(damagedFiles_)}) {
+        each->hide();
+    }
+    showChoice();
+    list_->setFocus();
+}
+
+QLayout* StudyBrowser::makeStatus()
+{
+    progress_->setTextVisible(false);
+    progress_->setFixedSize(140, 6);
+    damaged_->setProperty("role", "link");
+    damaged_->setCheckable(true);
+    allFiles_->setProperty("role", "link");
+    auto* line = new QHBoxLayout;
+    line->addWidget(progress_);
+    line->addWidget(status_);
+    line->addWidget(stop_);
+    line->addWidget(damaged_);
+    line->addStretch(1);
+    line->addWidget(offer_);
+    line->addWidget(allFiles_);
+    for (QPushButton* each : {stop_, damaged_, allFiles_}) {
+        each->setAutoDefault(false);
+    }
+    connect(stop_, &QPushButton::clicked, this, &StudyBrowser::stopRequested);
+    connect(allFiles_, &QPushButton::clicked, this, &StudyBrowser::allFilesRequested);
+    connect(damaged_, &QPushButton::toggled, damagedFiles_, &QWidget::setVisible);
+    return line;
+}
+
+QLayout* StudyBrowser::makeButtons()
+{
+    auto* cancel = new QPushButton(tr("Cancel"));
+    cancel->setAutoDefault(false);
+    open_->setProperty("role", "primary");
+    open_->setDefault(true);
+    auto* line = new QHBoxLayout;
+    line->addWidget(choice_, 1);
+    line->addWidget(cancel);
+    line->addWidget(open_);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(open_, &QPushButton::clicked, this, &StudyBrowser::takeChoice);
+    return line;
+}
+
+void StudyBrowser::showRows(const std::vector<PatientRow>& patients)
+{
+    list_->showRows(patients);
+}
+
+void StudyBrowser::showPicture(const QString& key, const QImage& picture)
+{
+    list_->showPicture(key, picture);
+}
+
+void StudyBrowser::showProgress(qsizetype read, qsizetype found)
+{
+    const QLocale locale;
+    progress_->show();
+    stop_->show();
+    offer_->hide();
+    allFiles_->hide();
+    damaged_->hide();
+    damagedFiles_->hide();
+    progress_->setRange(0, read > 0 ? static_cast<int>(found) : 0);   // no end while folders are looked through
+    progress_->setValue(static_cast<int>(read));
+    status_->setText(read > 0 ? tr("%1 of %2 files").arg(locale.toString(read), locale.toString(found))
+                              : tr("%1 files found").arg(locale.toString(found)));
+}
+
+void StudyBrowser::showEnd(const QString& words, const QStringList& damaged, const QString& offer)
+{
+    progress_->hide();
+    stop_->hide();
+    status_->setText(words);
+    damaged_->setVisible(!damaged.isEmpty());
+    damaged_->setText(tr("Damaged files: %1").arg(damaged.size()));
+    damaged_->setChecked(false);
+    damagedFiles_->setPlainText(damaged.join(u'\n'));
+    offer_->setText(offer);
+    offer_->setVisible(!offer.isEmpty());
+    allFiles_->setVisible(!offer.isEmpty());
+}
+
+void StudyBrowser::choose(const QString& key)
+{
+    list_->choose(key);
+}
+
+/// What is ticked, in words, and what there is to know about the row.
+void StudyBrowser::showChoice()
+{
+    const auto nameOf = [this](const QString& key) { return list_->rowOf(key)->description; };
+    QStringList views;
+    for (const QString& key : list_->chosenViews()) {
+        views << nameOf(key);
+    }
+    QStringList parts;
+    if (!list_->chosenVessels().isEmpty()) {
+        parts << tr("Vessels: %1").arg(nameOf(list_->chosenVessels()));
+    }
+    if (!views.isEmpty()) {
+        parts << tr("Views: %1").arg(views.join(QStringLiteral(", ")));
+    }
+    const bool hasChoice = !parts.isEmpty();
+    setRole(choice_, hasChoice ? "strong" : "hint");
+    choice_->setText(hasChoice ? parts.join(QStringLiteral("   "))
+                               : tr("Tick the scan with the vessels and the runs, or double-click one."));
+    const StudySeriesRow* current = list_->currentRow();
+    notes_->setText(current ? joinedSentences(current->notes) : QString());
+    open_->setEnabled(hasChoice || (current && current->use != StudySeriesRow::Use::None));
+}
+
+/// What is ticked; the row that is selected where nothing is.
+void StudyBrowser::takeChoice()
+{
+    if (list_->chosenVessels().isEmpty() && list_->chosenViews().isEmpty()) {
+        if (const StudySeriesRow* current = list_->currentRow()) {
+            list_->choose(current->key);
+        }
+    }
+    if (list_->chosenVessels().isEmpty() && list_->chosenViews().isEmpty()) {
+        return;
+    }
+    emit chosen(list_->chosenVessels(), list_->chosenViews());
+    accept();
+}
+
+void StudyBrowser::keyPressEvent(QKeyEvent* event)
+{
+    if (event->matches(QKeySequence::Find)) {
+        search_->setFocus();
+        search_->selectAll();
+    } else if (event->key() == Qt::Key_Down && search_->hasFocus()) {
+        list_->setFocus();
+    } else {
+        QDialog::keyPressEvent(event);
+    }
+}
+
+}   // namespace angiopose::ui

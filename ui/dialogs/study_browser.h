@@ -1,0 +1,64 @@
+#pragma once
+
+#include "ui/dialogs/study_rows.h"
+
+#include <QDialog>
+#include <QImage>
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace angiopose::ui {
+
+class StudyList;
+
+/// What lies in a folder or on a disc, to choose from: one series for the vessels, runs for the views. Shows what it is
+/// told while that is found; deletes itself when closed.
+class StudyBrowser : public QDialog {
+    Q_OBJECT
+public:
+    StudyBrowser(const QString& place, QWidget* parent);
+
+    void showRows(const std::vector<PatientRow>& patients);
+    void showPicture(const QString& key, const QImage& picture);
+    void showProgress(qsizetype read, qsizetype found);
+    /// Nothing is read any more. `words` say how much was; `damaged` names files; `offer` tells of files that were not
+    /// read, empty where there are none.
+    void showEnd(const QString& words, const QStringList& damaged, const QString& offer);
+    void choose(const QString& key);
+    StudyList& list() { return *list_; }
+
+signals:
+    void stopRequested();
+    void allFilesRequested();
+    void picturesWanted(const QStringList& keys);
+    /// Keys; `vessels` may be empty, or `views`.
+    void chosen(const QString& vessels, const QStringList& views);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    QLayout* makeStatus();
+    QLayout* makeButtons();
+    void showChoice();
+    void takeChoice();
+
+    QLineEdit* search_;
+    StudyList* list_;
+    QLabel* choice_;
+    QLabel* notes_;
+    QProgressBar* progress_;
+    QLabel* status_;
+    QPushButton* stop_;
+    QPushButton* damaged_;
+    QLabel* offer_;
+    QPushButton* allFiles_;
+    QPlainTextEdit* damagedFiles_;
+    QPushButton* open_;
+};
+
+}   // namespace angiopose::ui

@@ -1,0 +1,351 @@
+#include "ui/dialogs/study_list.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPixmap>
+
+#include <algorithm>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int keyRole = Qt::UserRole;
+constexpr int orderRole = Qt::UserRole + 1;
+constexpr int wordsRole = Qt::UserRole + 2;
+constexpr int glanceMs = 60;   // what is passed by needs no picture
+constexpr int headingHeight = 30;
+
+enum Column { Description, Number, Modality, Images, Size, Pace, BodyPart, ColumnCount };
+
+/// Sorted by numbers where they are numbers; patients and studies keep their order but by name.
+class Item : public QTreeWidgetItem {
+public:
+    using QTreeWidgetItem::QTreeWidgetItem;
+
+    bool operator<(const QTreeWidgetItem& other) const override
+    {
+        const int column = treeWidget() ? treeWidget()->sortColumn() : 0;
+        const QVariant mine = data(column, orderRole), its = other.data(column, orderRole);
+        if (mine.isValid() && its.isValid()) {
+            return mine.toDouble() < its.toDouble();
+        }
+        return QString::localeAwareCompare(text(column), other.text(column)) < 0;
+    }
+};
+
+/// The picture in the middle of a square tile; an empty tile where there is none yet.
+QPixmap tileOf(const QImage& picture, double ratio)
+{
+    const auto side = static_cast<int>(StudyList::pictureSize * ratio);
+    QPixmap tile(side, side);
+    tile.fill(toQColor(activePalette().canvas));
+    if (!picture.isNull()) {
+        QPainter painter(&tile);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        const QSize size = picture.size().scaled(tile.size(), Qt::KeepAspectRatio);
+        painter.drawImage(QRect(QPoint((side - size.width()) / 2, (side - size.height()) / 2), size), picture);
+    }
+    tile.setDevicePixelRatio(ratio);
+    return tile;
+}
+
+QString searchedText(const StudySeriesRow& row)
+{
+    return QStringList{row.modality, row.description, row.bodyPart}.join(u' ');
+}
+
+}   // namespace
+
+StudyList::StudyList(QWidget* parent) : QTreeWidget(parent)
+{
+    setAccessibleName(tr("Patients, studies and series"));
+    setHeaderLabels(
+        {tr("Series"), tr("No."), tr("Modality"), tr("Images"), tr("Size"), tr("Slices or rate"), tr("Body part")});
+    setIconSize({pictureSize, pictureSize});
+    setIndentation(18);
+    setVerticalScrollMode(ScrollPerPixel);
+    setSortingEnabled(true);
+    header()->setSectionResizeMode(Description, QHeaderView::Stretch);
+    header()->setStretchLastSection(false);
+    sortByColumn(Number, Qt::AscendingOrder);
+    looked_.setSingleShot(true);
+    looked_.setInterval(glanceMs);
+    connect(&looked_, &QTimer::timeout, this, &StudyList::wantPictures);
+    connect(this, &QTreeWidget::itemChanged, this, &StudyList::takeTick);
+    connect(this, &QTreeWidget::itemDoubleClicked, this, &StudyList::activate);
+    connect(this, &QTreeWidget::itemExpanded, this, [this] { looked_.start(); });
+    connect(this, &QTreeWidget::itemCollapsed, this, [this] { looked_.start(); });
+}
+
+/// The item of a key below `parent` (null: a patient), new where there is none.
+QTreeWidgetItem* StudyList::itemFor(const QString& key, QTreeWidgetItem* parent, int place)
+{
+    QTreeWidgetItem*& item = items_[key];
+    if (item && item->parent() != parent && parent) {
+        parent->addChild(item->parent()->takeChild(item->parent()->indexOfChild(item)));
+    }
+    if (!item) {
+        item = parent ? new Item(parent) : new Item(this);
+        item->setData(Description, keyRole, key);
+        item->setExpanded(true);
+    }
+    for (int column = 0; column < ColumnCount; ++column) {
+        item->setData(column, orderRole, place);
+    }
+    return item;
+}
+
+void StudyList::showRows(const std::vector<PatientRow>& patients)
+{
+    isFilling_ = true;
+    setSortingEnabled(false);
+    series_.clear();
+    std::set<QString> kept;
+    const auto addHeading = [this, &kept](const QString& key, const QString& words, QTreeWidgetItem* parent,
+                                          int place) {
+        QTreeWidgetItem* item = itemFor(key, parent, place);
+        item->setText(Description, words);
+        item->setToolTip(Description, words);
+        item->setFirstColumnSpanned(true);
+        item->setSizeHint(Description, {0, headingHeight});
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+        kept.insert(key);
+        return item;
+    };
+    int place = 0;
+    for (const PatientRow& patient : patients) {
+        QTreeWidgetItem* patientItem = addHeading(patient.key, patient.words, nullptr, place++);
+        QFont strong = font();
+        strong.setBold(true);
+        patientItem->setFont(Description, strong);
+        for (const StudyRow& study : patient.studies) {
+            QTreeWidgetItem* studyItem = addHeading(study.key, study.words, patientItem, place++);
+            for (const StudySeriesRow& row : study.series) {
+                QTreeWidgetItem* item = itemFor(row.key, studyItem, place++);
+                fillSeries(*item, row);
+                item->setData(Description, wordsRole, patient.words + u' ' + study.words + u' ' + searchedText(row));
+                series_.insert(row.key, row);
+                kept.insert(row.key);
+            }
+        }
+    }
+    removeOthers(kept);
+    setSortingEnabled(true);
+    isFilling_ = false;
+    for (int column = Number; column < ColumnCount; ++column) {
+        resizeColumnToContents(column);
+    }
+    if (!currentItem() && topLevelItemCount() > 0 && topLevelItem(0)->childCount() > 0) {
+        setCurrentItem(topLevelItem(0)->child(0)->child(0));
+    }
+    showMatches();
+    looked_.start();
+    emit choiceChanged();
+}
+
+void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
+{
+    const QStringList texts{row.description, row.number > 0 ? QString::number(row.number) : QString(),
+                            row.modality,    row.imageCount > 0 ? QString::number(row.imageCount) : QString(),
+                            row.size,        row.pace,
+                            row.bodyPart};
+    const bool isUsable = row.use != StudySeriesRow::Use::None;
+    const QBrush tone(toQColor(isUsable ? activePalette().text : activePalette().hint));
+    for (int column = 0; column < ColumnCount; ++column) {
+        item.setText(column, texts[column]);
+        item.setForeground(column, tone);
+        item.setToolTip(column, row.notes.join(u'\n'));
+        item.setData(column, orderRole, {});
+    }
+    item.setData(Number, orderRole, row.number);
+    item.setData(Images, orderRole, row.imageCount);
+    item.setData(Pace, orderRole, row.paceValue);
+    for (const Column column : {Number, Images, Pace}) {
+        item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    item.setIcon(Description, tileOf(pictures_.value(row.key), devicePixelRatioF()));
+    item.setSizeHint(Description, {0, pictureSize + 6});
+    item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isUsable ? Qt::ItemIsUserCheckable : Qt::NoItemFlags));
+    if (isUsable) {
+        const bool isTicked = row.key == vessels_ || views_.contains(row.key);
+        item.setCheckState(Description, isTicked ? Qt::Checked : Qt::Unchecked);
+    }
+}
+
+/// Series change their names while more of them is found.
+void StudyList::removeOthers(const std::set<QString>& kept)
+{
+    for (const QString& key : items_.keys()) {
+        QTreeWidgetItem* item = kept.contains(key) ? nullptr : items_.value(key);
+        if (item) {   // else it went with what it belonged to
+            forget(*item);
+            delete item;
+        }
+    }
+}
+
+/// The item and all below it are no longer known.
+void StudyList::forget(const QTreeWidgetItem& item)
+{
+    for (int i = 0; i < item.childCount(); ++i) {
+        forget(*item.child(i));
+    }
+    const QString key = item.data(Description, keyRole).toString();
+    items_.remove(key);
+    views_.erase(key);
+    if (vessels_ == key) {
+        vessels_.clear();
+    }
+}
+
+void StudyList::showPicture(const QString& key, const QImage& picture)
+{
+    pictures_.insert(key, picture);
+    if (QTreeWidgetItem* item = items_.value(key)) {
+        isFilling_ = true;
+        item->setIcon(Description, tileOf(picture, devicePixelRatioF()));
+        isFilling_ = false;
+    }
+}
+
+void StudyList::takeTick(QTreeWidgetItem* item, int column)
+{
+    const QString key = item->data(Description, keyRole).toString();
+    if (isFilling_ || column != Description || !series_.contains(key)) {
+        return;
+    }
+    const bool isTicked = item->checkState(Description) == Qt::Checked;
+    if (series_[key].use == StudySeriesRow::Use::View) {
+        if (isTicked) {
+            views_.insert(key);
+        } else {
+            views_.erase(key);
+        }
+    } else if (isTicked) {
+        QTreeWidgetItem* before = items_.value(vessels_);
+        vessels_ = key;
+        isFilling_ = true;
+        if (before && before != item) {
+            before->setCheckState(Description, Qt::Unchecked);
+        }
+        isFilling_ = false;
+    } else if (vessels_ == key) {
+        vessels_.clear();
+    }
+    emit choiceChanged();
+}
+
+void StudyList::choose(const QString& key)
+{
+    const StudySeriesRow* row = rowOf(key);
+    if (row && row->use != StudySeriesRow::Use::None) {
+        items_[key]->setCheckState(Description, Qt::Checked);
+    }
+}
+
+void StudyList::activate(QTreeWidgetItem* item)
+{
+    const StudySeriesRow* row = item ? rowOf(item->data(Description, keyRole).toString()) : nullptr;
+    if (row && row->use != StudySeriesRow::Use::None) {
+        choose(row->key);
+        emit openRequested();
+    }
+}
+
+void StudyList::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter) {
+        QTreeWidget::keyPressEvent(event);
+    } else if (currentRow()) {
+        activate(currentItem());
+    } else if (currentItem()) {
+        currentItem()->setExpanded(!currentItem()->isExpanded());
+    }
+}
+
+QStringList StudyList::chosenViews() const
+{
+    QStringList views;
+    for (QTreeWidgetItemIterator at(const_cast<StudyList*>(this)); *at; ++at) {
+        const QString key = (*at)->data(Description, keyRole).toString();
+        if (views_.contains(key)) {
+            views << key;
+        }
+    }
+    return views;
+}
+
+const StudySeriesRow* StudyList::rowOf(const QString& key) const
+{
+    const auto found = series_.constFind(key);
+    return found == series_.constEnd() ? nullptr : &found.value();
+}
+
+const StudySeriesRow* StudyList::currentRow() const
+{
+    return currentItem() ? rowOf(currentItem()->data(Description, keyRole).toString()) : nullptr;
+}
+
+void StudyList::search(const QString& words)
+{
+    words_ = words.split(u' ', Qt::SkipEmptyParts);
+    showMatches();
+    looked_.start();
+}
+
+/// Series without all the words are hidden, and what has no series left.
+void StudyList::showMatches()
+{
+    const auto matches = [this](const QTreeWidgetItem& item) {
+        const QString text = item.data(Description, wordsRole).toString();
+        return std::ranges::all_of(words_,
+                                   [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    };
+    for (int p = 0; p < topLevelItemCount(); ++p) {
+        bool isPatientSeen = false;
+        for (int s = 0; s < topLevelItem(p)->childCount(); ++s) {
+            QTreeWidgetItem* study = topLevelItem(p)->child(s);
+            bool isStudySeen = false;
+            for (int i = 0; i < study->childCount(); ++i) {
+                const bool isSeen = matches(*study->child(i));
+                study->child(i)->setHidden(!isSeen);
+                isStudySeen = isStudySeen || isSeen;
+            }
+            study->setHidden(!isStudySeen);
+            isPatientSeen = isPatientSeen || isStudySeen;
+        }
+        topLevelItem(p)->setHidden(!isPatientSeen);
+    }
+}
+
+void StudyList::wantPictures()
+{
+    QStringList wanted;
+    for (QTreeWidgetItem* item = itemAt(0, 0); item; item = itemBelow(item)) {
+        if (visualItemRect(item).top() > viewport()->height()) {
+            break;
+        }
+        const QString key = item->data(Description, keyRole).toString();
+        if (series_.contains(key) && !pictures_.contains(key)) {
+            wanted << key;
+        }
+    }
+    emit picturesWanted(wanted);
+}
+
+void StudyList::resizeEvent(QResizeEvent* event)
+{
+    QTreeWidget::resizeEvent(event);
+    looked_.start();
+}
+
+void StudyList::scrollContentsBy(int dx, int dy)
+{
+    QTreeWidget::scrollContentsBy(dx, dy);
+    looked_.start();
+}
+
+}   // namespace angiopose::ui

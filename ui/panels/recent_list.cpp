@@ -1,0 +1,191 @@
+#include "ui/panels/recent_list.h"
+
+#include "ui/controls/glyph_button.h"
+#include "ui/controls/section.h"
+#include "ui/theme/active_theme.h"
+#include "ui/words/spoken.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QIcon>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPixmap>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int tileSize = 44;
+constexpr int listWidth = 480;
+constexpr int rowHeight = 54;
+constexpr std::size_t seenRows = 5;   // more are scrolled to, or searched
+
+/// The middle of the picture as a square, sharp at any scale; the program's sign on a tile where there is none.
+QIcon tileOf(const QImage& picture, double ratio)
+{
+    const int side = static_cast<int>(std::lround(tileSize * ratio));
+    QPixmap tile(side, side);
+    tile.fill(toQColor(activePalette().field));
+    QPainter painter(&tile);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (picture.isNull()) {
+        QIcon(QStringLiteral(":/icons/angiopose.svg"))
+            .paint(&painter, tile.rect().adjusted(side / 5, side / 5, -side / 5, -side / 5));
+    } else {
+        const int cut = std::min(picture.width(), picture.height());
+        painter.drawImage(tile.rect(), picture,
+                          QRect((picture.width() - cut) / 2, (picture.height() - cut) / 2, cut, cut));
+    }
+    painter.end();
+    tile.setDevicePixelRatio(ratio);
+    return tile;
+}
+
+}   // namespace
+
+RecentList::RecentList(QWidget* parent)
+    : QWidget(parent),
+      search_(new QLineEdit),
+      rows_(new QWidget),
+      rowLayout_(new QVBoxLayout(rows_)),
+      area_(new QScrollArea),
+      nothing_(withText(roleLabel("hint"), [] { return tr("No recent case has this in its name or folder."); })),
+      pictures_(withText(new QCheckBox, [] { return tr("Small pictures"); })),
+      clear_(withText(new QPushButton, [] { return tr("Clear the list"); }))
+{
+    setFixedWidth(listWidth);
+    speak(search_, [search = search_] {
+        search->setPlaceholderText(tr("Search recent cases"));
+        search->setAccessibleName(tr("Search recent cases"));
+    });
+    search_->setClearButtonEnabled(true);
+    rowLayout_->setContentsMargins(0, 0, 0, 0);
+    rowLayout_->setSpacing(2);
+    area_->setWidget(rows_);
+    area_->setWidgetResizable(true);
+    area_->setFrameShape(QFrame::NoFrame);
+    area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    rows_->setAutoFillBackground(false);
+    area_->viewport()->setAutoFillBackground(false);
+    withTip(pictures_, [] { return tr("Keeps a small picture of each recent case in the program's cache folder."); });
+    clear_->setProperty("role", "link");
+    withTip(clear_,
+            [] { return tr("Forgets these cases and removes their pictures, pinned ones stay; so do the files."); });
+    auto* foot = new QHBoxLayout;
+    foot->addWidget(pictures_);
+    foot->addStretch(1);
+    foot->addWidget(clear_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(search_);
+    layout->addWidget(area_);
+    layout->addWidget(nothing_, 0, Qt::AlignHCenter);
+    layout->addLayout(foot);
+    connect(search_, &QLineEdit::textChanged, this, &RecentList::showMatches);
+    connect(pictures_, &QCheckBox::clicked, this, &RecentList::picturesToggled);
+    connect(clear_, &QPushButton::clicked, this, &RecentList::clearRequested);
+    hide();
+}
+
+QString RecentList::labelOf(const QString& path, RecentCase::State state)
+{
+    const QString name = path.section(u'/', -1);
+    switch (state) {
+        case RecentCase::State::Missing:
+            return tr("%1 (missing)").arg(name);
+        case RecentCase::State::InputsMissing:
+            return tr("%1 (inputs missing)").arg(name);
+        case RecentCase::State::Present:
+            break;
+    }
+    return name;
+}
+
+/// A button with the picture of the case beside its name, a pin and a cross.
+QWidget* RecentList::makeRow(const RecentCase& recent)
+{
+    const bool isGone = recent.state == RecentCase::State::Missing;
+    const QString name = labelOf(recent.path, recent.state);
+    auto* row = new QWidget;
+    row->setFixedHeight(rowHeight);
+    auto* open = new QPushButton(name);
+    open->setProperty("role", "recent");
+    open->setIconSize({tileSize, tileSize});
+    open->setIcon(tileOf(isGone ? QImage() : recent.picture, devicePixelRatioF()));
+    open->setToolTip(recent.path);
+    open->setEnabled(!isGone);
+    open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* pin = new GlyphButton(GlyphButton::Glyph::Pin);
+    pin->setCheckable(true);
+    pin->setChecked(recent.isPinned);
+    pin->setAutoRaise(true);
+    pin->setToolTip(recent.isPinned ? tr("Pinned: stays at the top of the list") : tr("Pin to the top of the list"));
+    pin->setAccessibleName(tr("Pin %1").arg(name));
+    auto* remove = new GlyphButton(GlyphButton::Glyph::Remove);
+    remove->setAutoRaise(true);
+    remove->setToolTip(tr("Remove from the list; the file stays"));
+    remove->setAccessibleName(tr("Remove %1 from the list").arg(name));
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(open, 1);
+    layout->addWidget(pin);
+    layout->addWidget(remove);
+    const QString path = recent.path;
+    connect(open, &QPushButton::clicked, this, [this, path] { emit openRequested(path); });
+    connect(pin, &QToolButton::clicked, this, [this, path](bool isPinned) { emit pinToggled(path, isPinned); });
+    connect(remove, &QToolButton::clicked, this, [this, path] { emit removeRequested(path); });
+    return row;
+}
+
+void RecentList::clearRows()
+{
+    while (QLayoutItem* item = rowLayout_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+void RecentList::showCases(const std::vector<RecentCase>& cases, bool hasPictures)
+{
+    cases_ = cases;
+    clearRows();
+    for (const RecentCase& recent : cases_) {
+        rowLayout_->addWidget(makeRow(recent));
+    }
+    rowLayout_->addStretch(1);
+    pictures_->setChecked(hasPictures);
+    search_->setVisible(cases_.size() > seenRows);
+    if (cases_.size() <= seenRows) {
+        search_->clear();
+    }
+    setVisible(!cases_.empty());
+    showMatches();
+}
+
+/// Cases with all words in their path.
+void RecentList::showMatches()
+{
+    const QStringList words = search_->text().split(u' ', Qt::SkipEmptyParts);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+        const QString& path = cases_[i].path;
+        const bool matches = std::ranges::all_of(
+            words, [&path](const QString& word) { return path.contains(word, Qt::CaseInsensitive); });
+        rowLayout_->itemAt(static_cast<int>(i))->widget()->setVisible(matches);
+        seen += matches ? 1 : 0;
+    }
+    nothing_->setVisible(seen == 0 && !cases_.empty());
+    area_->setVisible(seen > 0);
+    area_->setFixedHeight(static_cast<int>(std::min(std::max<std::size_t>(seen, 1), seenRows)) *
+                          (rowHeight + rowLayout_->spacing()));
+}
+
+}   // namespace angiopose::ui

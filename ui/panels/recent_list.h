@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+#include <vector>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace angiopose::ui {
+
+struct RecentCase {
+    enum class State { Present, Missing, InputsMissing };
+
+    QString path;
+    QImage picture;   ///< null: none was made
+    State state = State::Present;
+    bool isPinned = false;
+};
+
+/// Cases of late: pictures, a search where there are many, pins, and what is gone.
+class RecentList : public QWidget {
+    Q_OBJECT
+public:
+    explicit RecentList(QWidget* parent = nullptr);
+
+    void showCases(const std::vector<RecentCase>& cases, bool hasPictures);
+    /// The name of a case with what is missing.
+    static QString labelOf(const QString& path, RecentCase::State state);
+
+signals:
+    void openRequested(const QString& path);
+    void removeRequested(const QString& path);   ///< from the list
+    void pinToggled(const QString& path, bool pinned);
+    void picturesToggled(bool wanted);
+    void clearRequested();
+
+private:
+    QWidget* makeRow(const RecentCase& recent);
+    void clearRows();
+    void showMatches();
+
+    std::vector<RecentCase> cases_;
+    QLineEdit* search_;
+    QWidget* rows_;
+    QVBoxLayout* rowLayout_;
+    QScrollArea* area_;
+    QLabel* nothing_;
+    QCheckBox* pictures_;
+    QPushButton* clear_;
+};
+
+}   // namespace angiopose::ui
