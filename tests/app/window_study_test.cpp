@@ -24,6 +24,10 @@ ui::StudyBrowser* browserOf(OpenWindow& w)
             return browser != nullptr;
         },
         test::patienceMs));
+    if (browser) {
+        browser->activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(browser, test::patienceMs));
+    }
     return browser;
 }
 
@@ -222,7 +226,7 @@ TEST(WindowStudy, SearchAndHiddenIdentity)
 
     QTest::keyClick(browser, Qt::Key_F, Qt::ControlModifier);
     auto* search = browser->findChild<QLineEdit*>();
-    ASSERT_TRUE(search->hasFocus());
+    ASSERT_TRUE(QTest::qWaitFor([search] { return search->hasFocus(); }, test::patienceMs));
     QTest::keyClicks(search, QStringLiteral("4711"));
     EXPECT_TRUE(itemOf(list, QStringLiteral("Roe Richard")));
     EXPECT_FALSE(itemOf(list, QStringLiteral("Phantom CT")));
