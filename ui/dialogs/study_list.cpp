@@ -37,7 +37,7 @@ public:
 };
 
 /// The picture in the middle of a square tile; an empty tile where there is none yet.
-QPixmap tileOf(const QImage& picture, double ratio)
+QIcon tileOf(const QImage& picture, double ratio)
 {
     const auto side = static_cast<int>(StudyList::pictureSize * ratio);
     QPixmap tile(side, side);
@@ -49,7 +49,9 @@ QPixmap tileOf(const QImage& picture, double ratio)
         painter.drawImage(QRect(QPoint((side - size.width()) / 2, (side - size.height()) / 2), size), picture);
     }
     tile.setDevicePixelRatio(ratio);
-    return tile;
+    QIcon icon(tile);
+    icon.addPixmap(tile, QIcon::Selected);   // untinted in the row that is selected
+    return icon;
 }
 
 QString searchedText(const StudySeriesRow& row)
