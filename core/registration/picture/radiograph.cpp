@@ -1,5 +1,7 @@
 #include "core/registration/picture/radiograph.h"
 
+#include "core/imaging/mark_ball.h"
+#include "core/imaging/reduce_volume.h"
 #include "core/imaging/volume.h"
 #include "core/registration/picture/tube_picture.h"
 
@@ -11,6 +13,10 @@ namespace {
 
 constexpr double wideningShare = 1.5;   // of the radius: the mask reaches a little beyond the vessel
 constexpr double unknownTubeRadiusMm = 1.5;
+constexpr std::size_t mostBodyVoxels = 700'000;
+constexpr double airHu = -1000.0;
+constexpr double leastAirHu = -500.0;   // a scan that reaches below has air in it, so its values are HU
+constexpr double leastDenseHu = 300.0;   // above air: less is the lung's, and a scan of it has many such voxels
 constexpr double tissueHu = 150.0;   // what is denser holds contrast medium
 
 /// Adds to the four pixels around a place, by how near they are.
@@ -31,27 +37,6 @@ void splat(ImageF& image, const Eigen::Vector2d& place, float value)
     image.at(left + 1, top + 1) += fx * fy * value;
 }
 
-/// Marks the voxels within `radiusMm` of a point.
-void markBall(const Eigen::Vector3d& pointInPatient, double radiusMm, VoxelMask& mask)
-{
-    const VolumeGeometry& geometry = mask.geometry;
-    const Eigen::Affine3d voxelFromPatient = geometry.patientFromVoxel().inverse();
-    const Eigen::Vector3d centre = voxelFromPatient * pointInPatient;
-    const Eigen::Vector3d reach = geometry.spacingMm.cwiseInverse() * radiusMm;
-    const Eigen::Vector3i low = (centre - reach).array().ceil().cast<int>().max(0);
-    const Eigen::Vector3i high = (centre + reach).array().floor().cast<int>().min(geometry.size.array() - 1);
-    for (int k = low.z(); k <= high.z(); ++k) {
-        for (int j = low.y(); j <= high.y(); ++j) {
-            for (int i = low.x(); i <= high.x(); ++i) {
-                const Eigen::Vector3d offsetMm = geometry.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k) - centre);
-                if (offsetMm.squaredNorm() <= radiusMm * radiusMm) {
-                    mask.at(i, j, k) = 1;
-                }
-            }
-        }
-    }
-}
-
 }   // namespace
 
 Radiograph::Radiograph(const RegistrationProblem& problem) : tree_(problem.tree), camera_(halved(problem.camera))
@@ -68,7 +53,7 @@ void Radiograph::collectVoxels(const Volume& volume)
         const double radiusMm = tree_.radiusMm[i] > 0.0 ? tree_.radiusMm[i] : unknownTubeRadiusMm;
         markBall(tree_.points[i], wideningShare * radiusMm, mask);
     }
-    spacingMm_ = volume.geometry.spacingMm.maxCoeff();
+    vessels_.spacingMm = volume.geometry.spacingMm.maxCoeff();
     const Eigen::Affine3d patientFromVoxel = volume.geometry.patientFromVoxel();
     const Eigen::Vector3i& size = volume.geometry.size;
     for (int k = 0; k < size.z(); ++k) {
@@ -77,7 +62,8 @@ void Radiograph::collectVoxels(const Volume& volume)
                 const std::size_t index = volume.geometry.index(i, j, k);
                 const double contrast = mask.voxels[index] != 0 ? volume.value(index) - tissueHu : 0.0;
                 if (contrast > 0.0) {
-                    voxels_.push_back({patientFromVoxel * Eigen::Vector3d(i, j, k), static_cast<float>(contrast)});
+                    vessels_.voxels.push_back(
+                        {patientFromVoxel * Eigen::Vector3d(i, j, k), static_cast<float>(contrast)});
                 }
             }
         }
@@ -86,20 +72,20 @@ void Radiograph::collectVoxels(const Volume& volume)
 
 ImageF Radiograph::from(const RigidTransform& cameraFromPatient) const
 {
-    return voxels_.empty() ? pictureOf(tree_, camera_, cameraFromPatient) : ofVoxels(cameraFromPatient);
+    return vessels_.voxels.empty() ? pictureOf(tree_, camera_, cameraFromPatient)
+                                   : vessels_.from(camera_, cameraFromPatient);
 }
 
-/// Every voxel adds its contrast where it projects, spread over the pixels it covers.
-ImageF Radiograph::ofVoxels(const RigidTransform& cameraFromPatient) const
+ImageF XrayedVoxels::from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const
 {
-    ImageF image(camera_.width, camera_.height);
-    for (const Voxel& voxel : voxels_) {
+    ImageF image(camera.width, camera.height);
+    for (const Voxel& voxel : voxels) {
         const Eigen::Vector3d point = cameraFromPatient * voxel.place;
-        const auto pixel = project(camera_, point);
+        const auto pixel = project(camera, point);
         if (!pixel) {
             continue;
         }
-        const double sizePx = spacingMm_ / millimetresPerPixel(camera_, point.z());
+        const double sizePx = spacingMm / millimetresPerPixel(camera, point.z());
         const int parts = std::clamp(static_cast<int>(std::ceil(sizePx)), 1, 8);
         const auto share = voxel.brightness / static_cast<float>(parts * parts);
         for (int part = 0; part < parts * parts; ++part) {
@@ -110,6 +96,29 @@ ImageF Radiograph::ofVoxels(const RigidTransform& cameraFromPatient) const
         }
     }
     return image;
+}
+
+BodyRadiograph::BodyRadiograph(const Volume& scan, const ProjectionCamera& camera, int longestSidePx) : camera_(camera)
+{
+    while (std::max(camera_.width, camera_.height) > longestSidePx) {
+        camera_ = halved(camera_);
+    }
+    const auto body = reduced(scan, voxelsIn(scan.geometry, {}), mostBodyVoxels, [] { return true; });
+    if (!body) {
+        return;
+    }
+    const auto [darkest, brightest] = std::ranges::minmax(body->voxels);
+    const double low = body->slope * darkest + body->intercept;
+    const double air = low < leastAirHu ? airHu : low;
+    body_.spacingMm = body->geometry.spacingMm.maxCoeff();
+    const Eigen::Affine3d patientFromVoxel = body->geometry.patientFromVoxel();
+    for (std::size_t i = 0; i < body->voxels.size(); ++i) {
+        const double dense = body->value(i) - air;
+        if (dense > leastDenseHu) {
+            const Eigen::Vector3d voxel = body->geometry.voxelAt(i).cast<double>();
+            body_.voxels.push_back({patientFromVoxel * voxel, static_cast<float>(dense)});
+        }
+    }
 }
 
 }   // namespace angiopose::core

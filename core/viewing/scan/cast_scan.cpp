@@ -1,0 +1,268 @@
+#include "core/viewing/scan/cast_scan.h"
+
+#include "core/support/parallel_for.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+constexpr float hidden = 0.98F;   // what is behind adds nothing that could be seen
+constexpr float ambient = 0.30F;   // light that comes from everywhere
+constexpr float flatGradient = 1e-3F;
+
+/// Opacity and colour of every stored value, for one step of a ray.
+class Tones {
+public:
+    Tones(const SeenScan& scan, const ScanLook& look, double stepMm)
+        : kinds_(look.kinds.empty() ? std::vector<Rgb>{look.soft} : look.kinds)
+    {
+        const auto [low, high] = std::ranges::minmax(scan.volume.voxels);
+        low_ = low;
+        const auto count = static_cast<std::size_t>(high - low) + 1;
+        rest_.resize(count);
+        vessels_.resize(count);
+        bright_.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double value = scan.volume.slope * (static_cast<double>(i) + low) + scan.volume.intercept;
+            rest_[i] = static_cast<float>(1.0 - std::exp(-stepMm * look.rest.at(value)));
+            vessels_[i] = static_cast<float>(1.0 - std::exp(-stepMm * look.vessels.at(value)));
+            const double way = look.brightFrom - look.rest.from;
+            bright_[i] = static_cast<float>(std::clamp((value - look.rest.from) / std::max(way, 1e-9), 0.0, 1.0));
+        }
+        soft_ = look.soft;
+        bone_ = look.bone;
+    }
+
+    float opacity(float value, std::uint8_t kind) const
+    {
+        const auto at = static_cast<std::size_t>(value - low_ + 0.5F);
+        return kind == 0 ? rest_[at] : vessels_[at];
+    }
+    Rgb color(float value, std::uint8_t kind) const
+    {
+        if (kind != 0) {
+            return kinds_[std::min<std::size_t>(kind, kinds_.size()) - 1];
+        }
+        const float bright = bright_[static_cast<std::size_t>(value - low_ + 0.5F)];
+        Rgb mixed{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            mixed[c] = soft_[c] + bright * (bone_[c] - soft_[c]);
+        }
+        return mixed;
+    }
+    /// Opacities do not fall with the value: the greatest of a block decides, where the slope is positive.
+    bool isSeen(const SeenScan::Block& block) const
+    {
+        const auto at = [this](std::int16_t value) { return static_cast<std::size_t>(value - low_); };
+        const auto shows = [&](const std::vector<float>& opacity) {
+            return opacity[at(block.low)] > 0.0F || opacity[at(block.high)] > 0.0F;
+        };
+        return (block.hasRest && shows(rest_)) || (block.hasVessels && shows(vessels_));
+    }
+
+private:
+    std::int16_t low_ = 0;
+    std::vector<float> rest_, vessels_, bright_;
+    std::vector<Rgb> kinds_;
+    Rgb soft_{};
+    Rgb bone_{};
+};
+
+/// The voxels around a place.
+class Probe {
+public:
+    explicit Probe(const SeenScan& scan)
+        : values_(scan.volume.voxels.data()),
+          kinds_(scan.kinds.data()),
+          last_(scan.volume.geometry.size.array() - 1),
+          row_(scan.volume.geometry.size.x()),
+          slice_(static_cast<std::ptrdiff_t>(scan.volume.geometry.size.x()) * scan.volume.geometry.size.y()),
+          spacing_(scan.volume.geometry.spacingMm.cast<float>())
+    {
+    }
+
+    float value(const Eigen::Array3f& at) const
+    {
+        const Eigen::Array3i low = at.cast<int>().min(last_ - 1).max(0);
+        const Eigen::Array3f share = at - low.cast<float>();
+        const std::int16_t* v = values_ + low.x() + low.y() * row_ + low.z() * slice_;
+        const std::ptrdiff_t dx = last_.x() > 0 ? 1 : 0;
+        const std::ptrdiff_t dy = last_.y() > 0 ? row_ : 0;
+        const std::ptrdiff_t dz = last_.z() > 0 ? slice_ : 0;
+        const auto along = [&](const std::int16_t* p) {
+            return static_cast<float>(p[0]) + share.x() * static_cast<float>(p[dx] - p[0]);
+        };
+        const float near = along(v) + share.y() * (along(v + dy) - along(v));
+        const float far = along(v + dz) + share.y() * (along(v + dz + dy) - along(v + dz));
+        return near + share.z() * (far - near);
+    }
+
+    std::uint8_t kind(const Eigen::Array3f& at) const
+    {
+        const Eigen::Array3i nearest = (at + 0.5F).cast<int>().min(last_);
+        return kinds_[nearest.x() + nearest.y() * row_ + nearest.z() * slice_];
+    }
+
+    /// Per mm, along the axes of the scan.
+    Eigen::Vector3f gradient(const Eigen::Array3f& at) const
+    {
+        Eigen::Vector3f slope;
+        for (int axis = 0; axis < 3; ++axis) {
+            Eigen::Array3f before = at;
+            Eigen::Array3f after = at;
+            before[axis] = std::max(0.0F, at[axis] - 1.0F);
+            after[axis] = std::min(static_cast<float>(last_[axis]), at[axis] + 1.0F);
+            slope[axis] = (value(after) - value(before)) / (2.0F * spacing_[axis]);
+        }
+        return slope;
+    }
+
+private:
+    const std::int16_t* values_;
+    const std::uint8_t* kinds_;
+    Eigen::Array3i last_;
+    std::ptrdiff_t row_, slice_;
+    Eigen::Array3f spacing_;
+};
+
+/// The part of a line within the scan, and in its blocks; lengths in mm along the line.
+struct Stretch {
+    float from = 0.0F;
+    float to = 0.0F;
+};
+
+Stretch within(const Eigen::Array3f& start, const Eigen::Array3f& perMm, const Eigen::Array3f& low,
+               const Eigen::Array3f& high)
+{
+    Stretch inside{-std::numeric_limits<float>::max(), std::numeric_limits<float>::max()};
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(perMm[axis]) < 1e-7F) {
+            if (start[axis] < low[axis] || start[axis] > high[axis]) {
+                return {1.0F, 0.0F};
+            }
+            continue;
+        }
+        const float a = (low[axis] - start[axis]) / perMm[axis];
+        const float b = (high[axis] - start[axis]) / perMm[axis];
+        inside.from = std::max(inside.from, std::min(a, b));
+        inside.to = std::min(inside.to, std::max(a, b));
+    }
+    return inside;
+}
+
+class Caster {
+public:
+    Caster(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight, double stepShare)
+        : scan_(scan),
+          sight_(sight),
+          stepMm_(static_cast<float>(stepShare * scan.volume.geometry.spacingMm.minCoeff())),
+          tones_(scan, look, stepMm_),
+          probe_(scan)
+    {
+        const Eigen::Affine3d voxelFromPatient = scan.volume.geometry.patientFromVoxel().inverse();
+        toVoxel_ = voxelFromPatient;
+        perMm_ = (voxelFromPatient.linear() * -sight.toViewer()).cast<float>().array();
+        light_ = (scan.volume.geometry.direction.transpose() * sight.toViewer()).cast<float>();
+        rim_ = (scan.volume.geometry.size.array() - 1).cast<float>();
+        for (const SeenScan::Block& block : scan.blocks) {
+            isSeen_.push_back(tones_.isSeen(block) ? 1 : 0);
+        }
+    }
+
+    void castRow(int y, Image2d<Rgba>& picture) const
+    {
+        for (int x = 0; x < sight_.width; ++x) {
+            const Eigen::Vector3d place =
+                sight_.centreInPatient + sight_.mmPerPx * ((x + 0.5 - 0.5 * sight_.width) * sight_.right +
+                                                           (y + 0.5 - 0.5 * sight_.height) * sight_.up);
+            picture.at(x, y) = cast((toVoxel_ * place).cast<float>().array());
+        }
+    }
+
+private:
+    Rgba cast(const Eigen::Array3f& start) const
+    {
+        const Stretch inside = within(start, perMm_, Eigen::Array3f::Zero(), rim_);
+        Rgb color{};
+        float opacity = 0.0F;
+        // Whole steps from one plane for all lines: neighbours sample alike, and surfaces stay smooth.
+        for (float t = std::ceil(inside.from / stepMm_) * stepMm_; t <= inside.to && opacity < hidden;) {
+            const Eigen::Array3f at = (start + t * perMm_).max(0.0F).min(rim_);
+            const float leap = beyondEmptyBlock(at);
+            if (leap > 0.0F) {
+                t += std::max(1.0F, std::ceil(leap / stepMm_)) * stepMm_;
+                continue;
+            }
+            add(at, color, opacity);
+            t += stepMm_;
+        }
+        const auto byte = [](float share) {
+            return static_cast<std::uint8_t>(std::min(255.0F, 255.0F * share + 0.5F));
+        };
+        return {byte(color[0]), byte(color[1]), byte(color[2]), byte(opacity)};
+    }
+
+    void add(const Eigen::Array3f& at, Rgb& color, float& opacity) const
+    {
+        const float value = probe_.value(at);
+        const std::uint8_t kind = probe_.kind(at);
+        const float here = (1.0F - opacity) * tones_.opacity(value, kind);
+        if (here <= 0.0F) {
+            return;
+        }
+        const Eigen::Vector3f slope = probe_.gradient(at);
+        const float steepness = slope.norm();
+        const float facing = steepness > flatGradient ? std::abs(slope.dot(light_)) / steepness : 1.0F;
+        const float light = ambient + (1.0F - ambient) * facing;
+        const Rgb tone = tones_.color(value, kind);
+        for (std::size_t c = 0; c < 3; ++c) {
+            color[c] += here * light * tone[c];
+        }
+        opacity += here;
+    }
+
+    /// How far to go until the block is left, where nothing in it is seen; else 0.
+    float beyondEmptyBlock(const Eigen::Array3f& at) const
+    {
+        const Eigen::Array3i block =
+            (at / static_cast<float>(seenBlockSide)).cast<int>().min(scan_.blockCount.array() - 1);
+        const int index = (block.z() * scan_.blockCount.y() + block.y()) * scan_.blockCount.x() + block.x();
+        if (isSeen_[static_cast<std::size_t>(index)] != 0) {
+            return 0.0F;
+        }
+        const Eigen::Array3f low = static_cast<float>(seenBlockSide) * block.cast<float>();
+        return std::max(1e-3F, within(at, perMm_, low, low + static_cast<float>(seenBlockSide)).to);
+    }
+
+    const SeenScan& scan_;
+    ParallelSight sight_;
+    float stepMm_;
+    Tones tones_;
+    Probe probe_;
+    Eigen::Affine3d toVoxel_;
+    Eigen::Array3f perMm_;   // voxels along the line of sight
+    Eigen::Vector3f light_;   // towards the viewer, along the axes of the scan
+    Eigen::Array3f rim_;
+    std::vector<std::uint8_t> isSeen_;
+};
+
+}   // namespace
+
+std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight,
+                                      double stepShare, const std::function<bool()>& goesOn)
+{
+    if (!goesOn()) {
+        return std::nullopt;
+    }
+    const Caster caster(scan, look, sight, stepShare);
+    Image2d<Rgba> picture(sight.width, sight.height);
+    const bool isWhole = parallelFor(
+        static_cast<std::size_t>(sight.height), threadCount(0),
+        [&](std::size_t y) { caster.castRow(static_cast<int>(y), picture); }, [&](double) { return goesOn(); });
+    return isWhole ? std::optional(std::move(picture)) : std::nullopt;
+}
+
+}   // namespace angiopose::core

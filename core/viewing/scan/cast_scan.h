@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/viewing/scan/scan_look.h"
+#include "core/viewing/scan/seen_scan.h"
+
+#include <functional>
+#include <optional>
+
+namespace angiopose::core {
+
+/// A picture taken from far away: all lines of sight are parallel.
+struct ParallelSight {
+    Eigen::Vector3d centreInPatient = Eigen::Vector3d::Zero();   ///< seen in the middle of the picture
+    Eigen::Vector3d right = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+    double mmPerPx = 1.0;
+    int width = 0;
+    int height = 0;
+
+    Eigen::Vector3d toViewer() const { return right.cross(up); }
+    bool operator==(const ParallelSight&) const = default;
+};
+
+using Rgba = std::array<std::uint8_t, 4>;
+
+/// The scan as seen: the lowest row first, colours multiplied by their opacity. Light comes from the viewer, so that
+/// surfaces show their form. `stepShare`: of the narrowest side of a voxel, from sample to sample. Nothing once
+/// `goesOn` says no.
+std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight,
+                                      double stepShare, const std::function<bool()>& goesOn);
+
+}   // namespace angiopose::core

@@ -1,0 +1,161 @@
+#include "core/viewing/scan/seen_scan.h"
+
+#include "core/imaging/mark_ball.h"
+#include "core/imaging/reduce_volume.h"
+#include "core/support/parallel_for.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double wallShare = 1.3;   // of the radius: what belongs to a vessel reaches a little beyond it
+constexpr double wallMm = 1.5;
+constexpr double unknownRadiusMm = 1.5;
+
+/// The mask as values to look at.
+Volume valuesOf(const VoxelMask& mask)
+{
+    Volume values(mask.geometry);
+    std::ranges::transform(mask.voxels, values.voxels.begin(),
+                           [](std::uint8_t kind) { return kind != 0 ? maskValue : std::int16_t{0}; });
+    return values;
+}
+
+/// The mean with the neighbours along each axis in turn: steps of a mask become slopes, whose direction can be seen.
+void smooth(Volume& values)
+{
+    const Eigen::Vector3i& size = values.geometry.size;
+    const std::array<std::size_t, 3> strides{1, values.geometry.index(0, 1, 0), values.geometry.index(0, 0, 1)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::vector<std::int16_t> before = values.voxels;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const int at = values.geometry.voxelAt(i)[static_cast<int>(axis)];
+            const std::size_t low = at > 0 ? i - strides[axis] : i;
+            const std::size_t high = at + 1 < size[static_cast<int>(axis)] ? i + strides[axis] : i;
+            values.voxels[i] = static_cast<std::int16_t>((before[low] + 2 * before[i] + before[high]) / 4);
+        }
+    }
+}
+
+/// The mask's values at the nearest voxels of the reduced scan, whatever the two grids are.
+void markMask(const VoxelMask& mask, const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
+{
+    const Eigen::Affine3d gridFromMask = grid.patientFromVoxel().inverse() * mask.geometry.patientFromVoxel();
+    const Eigen::Vector3d step = gridFromMask.linear().col(0);
+    const Eigen::Vector3i& size = mask.geometry.size;
+    for (int k = 0; k < size.z(); ++k) {
+        for (int j = 0; j < size.y(); ++j) {
+            const Eigen::Vector3d first = gridFromMask * Eigen::Vector3d(0.0, j, k);
+            const std::uint8_t* row = &mask.at(0, j, k);
+            for (int i = 0; i < size.x(); ++i) {
+                if (row[i] == 0) {
+                    continue;
+                }
+                const Eigen::Vector3i at = (first + i * step).array().round().cast<int>();
+                if (grid.contains(at)) {
+                    kinds[grid.index(at.x(), at.y(), at.z())] = row[i];
+                }
+            }
+        }
+    }
+}
+
+void markTree(const VesselTree& tree, const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
+{
+    VoxelMask mask(grid);
+    for (const VesselBranch& branch : tree.branches) {
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            const double radiusMm = branch.radiusMm.empty() ? unknownRadiusMm : branch.radiusMm[i];
+            markBall(branch.pointsInPatient[i], wallShare * radiusMm + wallMm, mask);
+        }
+    }
+    kinds = std::move(mask.voxels);
+}
+
+/// Vessels take the voxels beside them: their blurred walls belong to them.
+void widen(const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
+{
+    const std::array<std::size_t, 3> strides{1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::vector<std::uint8_t> before = kinds;
+        const std::size_t stride = strides[axis];
+        for (std::size_t i = stride; i + stride < before.size(); ++i) {
+            if (before[i] == 0) {
+                kinds[i] = std::max(before[i - stride], before[i + stride]);
+            }
+        }
+    }
+}
+
+SeenScan::Block blockAt(const SeenScan& scan, const Eigen::Vector3i& first)
+{
+    const VolumeGeometry& grid = scan.volume.geometry;
+    const Eigen::Vector3i last =
+        (first.array() + seenBlockSide).min(grid.size.array() - 1);   // one more: between voxels
+    SeenScan::Block block;
+    block.low = block.high = scan.volume.at(first.x(), first.y(), first.z());
+    for (int k = first.z(); k <= last.z(); ++k) {
+        for (int j = first.y(); j <= last.y(); ++j) {
+            const std::size_t row = grid.index(first.x(), j, k);
+            for (std::size_t i = row; i <= row + static_cast<std::size_t>(last.x() - first.x()); ++i) {
+                block.low = std::min(block.low, scan.volume.voxels[i]);
+                block.high = std::max(block.high, scan.volume.voxels[i]);
+                (scan.kinds[i] != 0 ? block.hasVessels : block.hasRest) = true;
+            }
+        }
+    }
+    return block;
+}
+
+void addBlocks(SeenScan& scan)
+{
+    scan.blockCount = (scan.volume.geometry.size.array() + seenBlockSide - 1) / seenBlockSide;
+    scan.blocks.resize(static_cast<std::size_t>(scan.blockCount.prod()));
+    parallelFor(
+        static_cast<std::size_t>(scan.blockCount.z()), threadCount(0),
+        [&scan](std::size_t k) {
+            auto at = k * static_cast<std::size_t>(scan.blockCount.x() * scan.blockCount.y());
+            for (int j = 0; j < scan.blockCount.y(); ++j) {
+                for (int i = 0; i < scan.blockCount.x(); ++i) {
+                    scan.blocks[at++] = blockAt(scan, seenBlockSide * Eigen::Vector3i(i, j, static_cast<int>(k)));
+                }
+            }
+        },
+        [](double) { return true; });
+}
+
+}   // namespace
+
+std::optional<SeenScan> seenScan(const ScanToSee& wish, const std::function<bool()>& goesOn)
+{
+    if (!wish.scan && !wish.mask) {
+        return std::nullopt;
+    }
+    const Volume alone = wish.scan ? Volume() : valuesOf(*wish.mask);
+    const Volume& values = wish.scan ? *wish.scan : alone;
+    auto volume = reduced(values, voxelsIn(values.geometry, wish.boxInPatient), wish.mostVoxels, goesOn);
+    if (!volume) {
+        return std::nullopt;
+    }
+    SeenScan scan;
+    scan.volume = std::move(*volume);
+    const VolumeGeometry& grid = scan.volume.geometry;
+    scan.kinds.assign(grid.voxelCount(), 0);
+    scan.hasKinds = wish.mask || (wish.tree && !wish.tree->branches.empty());
+    if (wish.mask) {
+        markMask(*wish.mask, grid, scan.kinds);
+        widen(grid, scan.kinds);
+    } else if (scan.hasKinds) {
+        markTree(*wish.tree, grid, scan.kinds);
+    }
+    if (!wish.scan) {
+        smooth(scan.volume);
+    }
+    addBlocks(scan);
+    return goesOn() ? std::optional(std::move(scan)) : std::nullopt;
+}
+
+}   // namespace angiopose::core
