@@ -58,6 +58,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
               window.actions(), window.angiogramView(), window.result(), window.snapshots(), window.landmarks(),
               window.trialBar(), window.strip(), window}),
       places_(window),
+      layout_(registration_, window),
       views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
       sideBySide_({document_, preview_, branches_, look_, views_},
                   {window.actions(), window.views(), window.sideBySide()}),
@@ -69,6 +70,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       movie_({document_, target_, session_.exporting(), follow_, cine_, notices_, window.actions(), window.strip(),
               window}),
       radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
+      scan_(document_, {window.actions(), window.treeView(), window.corner(), window.slices(), window.strip()}),
+      detectorRadiograph_(document_, sync_, {window.actions(), window.treeView()}),
       habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window)
 {
@@ -80,6 +83,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
     connect(&session_, &SessionController::noticeAccepted, &help_, &HelpController::offerTour);
     restoreWindowLayout(window_);
+    layout_.begin();
     ui::speak(this, [this] { followDocument(); });
 }
 
@@ -95,6 +99,7 @@ void CaseController::connectWindow()
     connect(&window_, &ui::MainWindow::filesDropped, &session_, &SessionController::open);
     connect(&window_, &ui::MainWindow::closeRequested, &session_, &SessionController::closeWindow);
     connect(&session_, &SessionController::windowMayClose, this, [this] {
+        layout_.remember();
         storeWindowLayout(window_);
         window_.closeNow();
     });
@@ -107,6 +112,7 @@ void CaseController::connectWindow()
     connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
     connect(&window_, &ui::MainWindow::escapePressed, &poses_.snapshots(), &SnapshotController::showItself);
     connect(&window_, &ui::MainWindow::hideKeyHeld, &look_, &LookController::holdHidden);
+    connect(&steps_, &StepController::wentTo, &layout_, &StepLayoutController::goTo);
     connect(&slices_, &SliceController::largeShown, &window_, &ui::MainWindow::setSlicesLarge);
 }
 

@@ -20,6 +20,7 @@
 #include "app/help/help_controller.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
+#include "app/review/detector_radiograph_controller.h"
 #include "app/review/follow_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
@@ -29,7 +30,9 @@
 #include "app/review/profile_controller.h"
 #include "app/review/radiograph_controller.h"
 #include "app/review/replay_controller.h"
+#include "app/review/scan_controller.h"
 #include "app/review/slice_controller.h"
+#include "app/review/step_layout_controller.h"
 #include "app/review/view_places_controller.h"
 #include "app/run_controller.h"
 #include "app/showing/cine_controller.h"
@@ -74,6 +77,7 @@ public:
     FollowController& following() { return follow_; }
     const MovieController& movies() const { return movie_; }
     Habits& habits() { return habits_; }
+    const ScanController& scan() const { return scan_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
 private:
@@ -120,6 +124,7 @@ private:
     StepController steps_;
     PoseTools poses_;
     ViewPlacesController places_;
+    StepLayoutController layout_;
     ViewController views_;
     SideBySideController sideBySide_;
     LinkedCrosshair crosshair_;
@@ -127,6 +132,8 @@ private:
     FollowController follow_;
     MovieController movie_;
     RadiographController radiograph_;
+    ScanController scan_;
+    DetectorRadiographController detectorRadiograph_;
     Habits habits_;
     HelpController help_;
 };

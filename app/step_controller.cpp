@@ -41,6 +41,7 @@ void StepController::goTo(ui::Step step)
     if (asks && !on_.session.isLoading()) {
         on_.window.actions()[ui::Command::Open]->trigger();
     } else {
+        emit wentTo(step);
         on_.window.focusStep(step);
     }
 }

@@ -35,6 +35,9 @@ public:
 
     void show();
 
+signals:
+    void wentTo(ui::Step step);   ///< by the user, before its part of the window is shown
+
 private:
     void goTo(ui::Step step);
 

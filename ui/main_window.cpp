@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/controls/wheel_guard.h"
+#include "ui/places/folding_column.h"
 #include "ui/places/side_by_side.h"
 #include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
@@ -23,11 +24,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int leftWidth = 300;
-constexpr int rightWidth = 320;
 constexpr int rightMinimumWidth = 270;
 
-QWidget* column(QWidget* content)
+QWidget* asColumn(QWidget* content)
 {
     content->setProperty("role", "column");
     content->setAttribute(Qt::WA_StyledBackground);
@@ -67,20 +66,25 @@ MainWindow::MainWindow(QWidget* parent)
       result_(new ResultPanel),
       snapshots_(new SnapshotPanel),
       trialBar_(new TrialBar),
-      rightColumn_(new QScrollArea),
+      rightPanels_(new QScrollArea),
       strip_(new BottomStrip),
       columns_(new QSplitter(Qt::Horizontal)),
-      leftSplitter_(new QSplitter(Qt::Vertical))
+      leftSplitter_(new QSplitter(Qt::Vertical)),
+      leftColumn_(
+          new FoldingColumn(ColumnSide::Left, *makeLeftColumn(), [] { return tr("Branches, 3-D and slices"); })),
+      rightColumn_(
+          new FoldingColumn(ColumnSide::Right, *makeRightColumn(), [] { return tr("Pose, registration, result"); }))
 {
     setAcceptDrops(true);
     actions_->fillMenus(header_->menuBar());
     layOut();
     connectSlices();
     connectFrames();
+    connectColumns();
     const auto showWith = [this](Command mode, QWidget* panel) {
         connect(actions()[mode], &QAction::toggled, this, [this, panel](bool on) {
             if (on) {   // once its list has unfolded
-                QTimer::singleShot(0, this, [this, panel] { rightColumn_->ensureWidgetVisible(panel); });
+                QTimer::singleShot(0, this, [this, panel] { showInRightColumn(panel); });
             }
         });
     };
@@ -94,7 +98,7 @@ MainWindow::MainWindow(QWidget* parent)
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
         if (!folded) {   // also when something is missing: what has to be filled in is in sight
-            QTimer::singleShot(0, this, [this] { rightColumn_->ensureWidgetVisible(geometry_); });
+            QTimer::singleShot(0, this, [this] { rightPanels_->ensureWidgetVisible(geometry_); });
         }
     });
     angiogramView_->setFocus();
@@ -105,13 +109,15 @@ MainWindow::MainWindow(QWidget* parent)
 /// Header and steps above, three columns, the strip below.
 void MainWindow::layOut()
 {
-    columns_->addWidget(makeLeftColumn());
+    columns_->setProperty("role", "columns");
+    columns_->addWidget(leftColumn_);
     columns_->addWidget(makeCentre());
-    columns_->addWidget(makeRightColumn());
+    columns_->addWidget(rightColumn_);
     columns_->setStretchFactor(1, 1);
-    columns_->setSizes({leftWidth, 10000, rightWidth});
-    columns_->setCollapsible(1, false);
-    columns_->setHandleWidth(1);
+    columns_->setChildrenCollapsible(false);
+    columns_->setHandleWidth(columnBorderWidth);
+    leftColumn_->placeButton(*columns_->handle(1));
+    rightColumn_->placeButton(*columns_->handle(2));
 
     auto* central = new QWidget;
     auto* layout = new QVBoxLayout(central);
@@ -126,16 +132,16 @@ void MainWindow::layOut()
     setCentralWidget(central);
     setMinimumSize(900, 560);
     resize(1440, 900);
+    setColumns({});
 }
 
 QWidget* MainWindow::makeLeftColumn()
 {
     cornerFrame_->setMinimumHeight(120);
-    leftSplitter_->addWidget(column(branches_));
-    leftSplitter_->addWidget(column(cornerFrame_));
+    leftSplitter_->addWidget(asColumn(branches_));
+    leftSplitter_->addWidget(asColumn(cornerFrame_));
     leftSplitter_->setStretchFactor(0, 3);
     leftSplitter_->setStretchFactor(1, 2);
-    leftSplitter_->setSizes({420, 300});
     leftSplitter_->setHandleWidth(1);
     leftSplitter_->setChildrenCollapsible(false);
     leftSplitter_->setMinimumWidth(230);
@@ -169,7 +175,7 @@ QWidget* MainWindow::makeCentre()
 
 QWidget* MainWindow::makeRightColumn()
 {
-    auto* content = column(new QWidget);
+    auto* content = asColumn(new QWidget);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(0, 0, 0, 8);
     layout->setSpacing(2);
@@ -185,20 +191,55 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(angiogramPanel_);
     layout->addWidget(geometry_);
     layout->addStretch(1);
-    rightColumn_->setProperty("role", "column");
-    rightColumn_->setWidget(content);
-    rightColumn_->setWidgetResizable(true);
-    rightColumn_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    rightColumn_->setMinimumWidth(rightMinimumWidth);
-    return rightColumn_;
+    rightPanels_->setProperty("role", "column");
+    rightPanels_->setWidget(content);
+    rightPanels_->setWidgetResizable(true);
+    rightPanels_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    rightPanels_->setMinimumWidth(rightMinimumWidth);
+    return rightPanels_;
 }
 
 /// A part that unfolds may need more width than the column has; nobody could scroll to what is cut off.
 void MainWindow::giveRightColumnRoom()
 {
-    const int scrollBar = rightColumn_->verticalScrollBar()->sizeHint().width();
-    rightColumn_->setMinimumWidth(
-        std::max(rightMinimumWidth, rightColumn_->widget()->minimumSizeHint().width() + scrollBar));
+    const int scrollBar = rightPanels_->verticalScrollBar()->sizeHint().width();
+    rightPanels_->setMinimumWidth(
+        std::max(rightMinimumWidth, rightPanels_->widget()->minimumSizeHint().width() + scrollBar));
+}
+
+void MainWindow::connectColumns()
+{
+    for (const ColumnSide side : {ColumnSide::Left, ColumnSide::Right}) {
+        connect(&column(side), &FoldingColumn::foldedChanged, this, [this, side] { keepWidthOf(side); });
+    }
+    for (const Command command : {Command::FindBranch, Command::RenameBranch, Command::NextCornerView,
+                                  Command::ResetTreeView, Command::ScanIn3d, Command::NextScanLook}) {
+        connect(actions()[command], &QAction::triggered, leftColumn_, [this] { leftColumn_->setFolded(false); });
+    }
+}
+
+/// A folded column is as wide as its rail, an unfolded one as it was; the centre gives or takes.
+void MainWindow::keepWidthOf(ColumnSide side)
+{
+    QList<int> widths = columns_->sizes();
+    const FoldingColumn& folding = column(side);
+    const qsizetype place = side == ColumnSide::Left ? 0 : 2;
+    const int width = folding.isFolded() ? folding.minimumWidth() : folding.openWidth();
+    widths[1] = std::max(1, widths[1] + widths[place] - width);
+    widths[place] = width;
+    if (!alone_) {
+        columns_->setSizes(widths);
+    }
+}
+
+void MainWindow::showInRightColumn(QWidget* panel)
+{
+    if (rightColumn_->isFolded()) {
+        rightColumn_->setFolded(false);
+        QTimer::singleShot(0, this, [this, panel] { rightPanels_->ensureWidgetVisible(panel); });   // once laid out
+    } else {
+        rightPanels_->ensureWidgetVisible(panel);
+    }
 }
 
 void MainWindow::showImagePage()
@@ -251,6 +292,7 @@ ViewFrame& MainWindow::frameOf(MovableView view)
 void MainWindow::showAlone(std::optional<MovableView> view)
 {
     if (!alone_ && view) {
+        layoutBefore_ = columns();
         columnsBefore_ = columns_->saveState();
         leftBefore_ = leftSplitter_->saveState();
     }
@@ -268,7 +310,8 @@ void MainWindow::placeViews()
     const bool cornerAlone = alone_ == MovableView::Corner;
     branches_->setVisible(!alone_);
     cornerFrame_->setVisible(!cornerFrame_->isOut());
-    leftSplitter_->setVisible(!alone_ || cornerAlone);
+    leftColumn_->holdOpen(cornerAlone);
+    leftColumn_->setVisible(!alone_ || cornerAlone);
     centre_->setVisible(!cornerAlone);
     rightColumn_->setVisible(!alone_);
 }
@@ -283,27 +326,28 @@ void MainWindow::focusStep(Step step)
 {
     switch (step) {
         case Step::Vessels:
+            leftColumn_->setFolded(false);
             branches_->list()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Angiogram:
             angiogramPanel_->setFolded(false);
-            rightColumn_->ensureWidgetVisible(angiogramPanel_);
+            showInRightColumn(angiogramPanel_);
             angiogramView_->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Geometry:
             geometry_->focusFirstMissing();
-            rightColumn_->ensureWidgetVisible(geometry_);
+            showInRightColumn(geometry_);
             break;
         case Step::StartPose:
-            rightColumn_->ensureWidgetVisible(pose_);
+            showInRightColumn(pose_);
             pose_->findChild<NumberField*>()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Register:
-            rightColumn_->ensureWidgetVisible(registration_);
+            showInRightColumn(registration_);
             registration_->registerButton()->setFocus(Qt::OtherFocusReason);
             break;
         case Step::Review:
-            rightColumn_->ensureWidgetVisible(result_);
+            showInRightColumn(result_);
             break;
         case Step::Export:
             actions()[Command::ExportOverlay]->trigger();

@@ -19,6 +19,7 @@
 #include "ui/panels/trial_bar.h"
 #include "ui/panels/view_strip.h"
 #include "ui/panels/welcome_page.h"
+#include "ui/places/column_layout.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/tracing_panel.h"
 
@@ -26,6 +27,7 @@
 
 #include <optional>
 
+class QDataStream;
 class QScrollArea;
 class QSplitter;
 class QStackedWidget;
@@ -34,6 +36,7 @@ namespace angiopose::ui {
 
 class AngiogramView;
 class CornerViews;
+class FoldingColumn;
 class SideBySide;
 class SlicesPage;
 class TreeView;
@@ -84,6 +87,11 @@ public:
     /// One view has the window to itself, between header and strip; none: everything in its place. The slices share the
     /// image's place.
     void showAlone(std::optional<MovableView> view);
+    bool isOneAlone() const { return alone_.has_value(); }
+
+    FoldingColumn& column(ColumnSide side) { return side == ColumnSide::Left ? *leftColumn_ : *rightColumn_; }
+    ColumnLayout columns() const;   ///< as they are, or were before a view had the window to itself
+    void setColumns(const ColumnLayout& layout);
 
     QByteArray layoutState() const;   ///< place, widths, folded parts, views in windows of their own
     void restoreLayout(const QByteArray& state);
@@ -113,6 +121,10 @@ private:
     void connectFrames();
     void placeViews();
     QWidget* makeRightColumn();
+    void connectColumns();
+    void keepWidthOf(ColumnSide side);
+    void restoreFolding(QDataStream& stream);
+    void showInRightColumn(QWidget* panel);
     void giveRightColumnRoom();
     bool takesKey(QObject* watched) const;
     bool filterKey(QEvent* event);
@@ -146,10 +158,13 @@ private:
     ResultPanel* result_;
     SnapshotPanel* snapshots_;
     TrialBar* trialBar_;
-    QScrollArea* rightColumn_;
+    QScrollArea* rightPanels_;
     BottomStrip* strip_;
     QSplitter* columns_;
     QSplitter* leftSplitter_;
+    FoldingColumn* leftColumn_;
+    FoldingColumn* rightColumn_;
+    ColumnLayout layoutBefore_;   ///< of the columns, from before a view had the window to itself
     QByteArray columnsBefore_;   ///< widths from before a view had the window to itself
     QByteArray leftBefore_;
     std::optional<MovableView> alone_;

@@ -82,7 +82,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
             }
             break;
         case QEvent::LayoutRequest:
-            if (watched == rightColumn_->widget()) {
+            if (watched == rightPanels_->widget()) {
                 giveRightColumnRoom();
             }
             break;

@@ -1,5 +1,6 @@
 // How MainWindow remembers its layout: place, widths, folded parts, views in windows of their own.
 #include "ui/main_window.h"
+#include "ui/places/folding_column.h"
 #include "ui/places/view_frame.h"
 
 #include <QDataStream>
@@ -8,6 +9,7 @@
 #include <QSplitter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace angiopose::ui {
 namespace {
@@ -39,7 +41,37 @@ void fitInto(const QRect& room, QWidget& window)
     window.setGeometry(place);
 }
 
+/// Shares of the height, as a splitter wants them.
+QList<int> heightsOf(double lowerShare, int height)
+{
+    const int lower = static_cast<int>(std::lround(std::clamp(lowerShare, 0.05, 0.95) * height));
+    return {height - lower, lower};
+}
+
 }   // namespace
+
+ColumnLayout MainWindow::columns() const
+{
+    if (alone_) {
+        return layoutBefore_;
+    }
+    const QList<int> heights = leftSplitter_->sizes();
+    const int height = heights[0] + heights[1];
+    return {leftColumn_->openWidth(), rightColumn_->openWidth(), leftColumn_->isFolded(), rightColumn_->isFolded(),
+            height > 0 ? static_cast<double>(heights[1]) / height : ColumnLayout{}.cornerShare};
+}
+
+void MainWindow::setColumns(const ColumnLayout& layout)
+{
+    leftColumn_->setFolded(layout.isLeftFolded);
+    rightColumn_->setFolded(layout.isRightFolded);
+    leftColumn_->setOpenWidth(layout.leftWidth);
+    rightColumn_->setOpenWidth(layout.rightWidth);
+    const int left = layout.isLeftFolded ? leftColumn_->minimumWidth() : layout.leftWidth;
+    const int right = layout.isRightFolded ? rightColumn_->minimumWidth() : layout.rightWidth;
+    columns_->setSizes({left, std::max(1, width() - left - right - 2 * columnBorderWidth), right});
+    leftSplitter_->setSizes(heightsOf(layout.cornerShare, std::max(leftSplitter_->height(), 720)));
+}
 
 QByteArray MainWindow::layoutState() const
 {
@@ -50,6 +82,8 @@ QByteArray MainWindow::layoutState() const
     for (const ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
         stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices come with a scan
     }
+    const ColumnLayout now = columns();
+    stream << now.isLeftFolded << now.isRightFolded << now.leftWidth << now.rightWidth;
     return state;
 }
 
@@ -64,6 +98,8 @@ void MainWindow::restoreLayout(const QByteArray& state)
     restoreGeometry(windowGeometry);
     fitInto(screen()->availableGeometry(), *this);
     columns_->restoreState(columnState);
+    columns_->setHandleWidth(columnBorderWidth);   // not those of an older version
+    columns_->setChildrenCollapsible(false);
     leftSplitter_->restoreState(leftState);
     if (stream.status() != QDataStream::Ok) {
         return;   // written by a version that did not remember it
@@ -79,6 +115,17 @@ void MainWindow::restoreLayout(const QByteArray& state)
         stream >> place >> isOut;   // a version that did not know them leaves both as they are
         frame->setWindowPlace(place);
         frame->setOut(isOut);
+    }
+    restoreFolding(stream);
+}
+
+/// A version that did not know folded columns leaves them open.
+void MainWindow::restoreFolding(QDataStream& stream)
+{
+    ColumnLayout stored = columns();
+    stream >> stored.isLeftFolded >> stored.isRightFolded >> stored.leftWidth >> stored.rightWidth;
+    if (stream.status() == QDataStream::Ok) {
+        setColumns(stored);
     }
 }
 

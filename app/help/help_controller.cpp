@@ -7,6 +7,7 @@
 #include "ui/help/help_page.h"
 #include "ui/help/tour.h"
 #include "ui/main_window.h"
+#include "ui/places/folding_column.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/gl_driver.h"
 #include "ui/words/message_text.h"
@@ -51,6 +52,9 @@ void HelpController::startTour()
         return;
     }
     settings::tourSeen.write(true);
+    for (const ui::ColumnSide side : {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // it points at what is there
+        window_.column(side).setFolded(false);
+    }
     ui::TourStop start{
         &window_.angiogramView(), tr("Start here"),
         tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own "

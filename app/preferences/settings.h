@@ -35,6 +35,10 @@ inline const Setting<QStringList> recentCases{"files/recentCases", {}};
 inline const Setting<QStringList> pinnedCases{"files/pinnedCases", {}};   ///< of the recent ones
 inline const Setting<bool> recentPictures{"files/recentPictures", true};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
+inline const Setting<bool> layoutFollowsStep{"window/layoutFollowsStep", true};
+inline const Setting<QByteArray> tracingLayout{"window/steps/tracing", {}};   ///< see ui::WorkLayout
+inline const Setting<QByteArray> registrationLayout{"window/steps/registration", {}};
+inline const Setting<QByteArray> reviewLayout{"window/steps/review", {}};
 inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system
 inline const Setting<QString> colors{"window/colors", QStringLiteral("blue-amber")};   ///< see ColorController
 inline const Setting<QString> language{"window/language", QStringLiteral("system")};   ///< system, en, de or zh_CN
@@ -54,6 +58,11 @@ inline const Setting<double> gantryCaudal{"angles/caudal", -40.0};
 inline const Setting<double> gantryCranial{"angles/cranial", 40.0};
 inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between views side by side
 inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
+inline const Setting<bool> scanIn3d{"view/scanIn3d", false};
+inline const Setting<int> scanLook{"view/scanLook", 0};   ///< see core::ScanPreset
+inline const Setting<bool> scanAtVessels{"view/scanAtVessels", false};
+inline const Setting<double> scanStrength{"view/scanStrength", 0.5};
+inline const Setting<bool> scanOnDetector{"view/scanOnDetector", false};
 inline const Setting<QString> observer{"user/observer", {}};   ///< of the last blind trial
 inline const Setting<QString> trialLog{"user/trialLog", {}};
 inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};

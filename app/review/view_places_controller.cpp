@@ -1,5 +1,6 @@
 #include "app/review/view_places_controller.h"
 
+#include "ui/places/folding_column.h"
 #include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slices_page.h"
@@ -18,6 +19,8 @@ ViewPlacesController::ViewPlacesController(ui::MainWindow& window, QObject* pare
     connectWindow(Command::CornerWindow, MovableView::Corner);
     connectWindow(Command::SlicesWindow, MovableView::Slices);
     connectSlices();
+    connectFolding(Command::FoldLeft, ui::ColumnSide::Left);
+    connectFolding(Command::FoldRight, ui::ColumnSide::Right);
     connect(window.actions()[Command::FullScreen], &QAction::toggled, this,
             [this](bool on) { window_.setWindowState(window_.windowState().setFlag(Qt::WindowFullScreen, on)); });
     ui::WindowActions& actions = window.actions();
@@ -53,6 +56,14 @@ void ViewPlacesController::connectSlices()
     const auto follow = [large, out] { out->setEnabled(large->isEnabled()); };
     connect(large, &QAction::changed, out, follow);
     follow();
+}
+
+void ViewPlacesController::connectFolding(Command command, ui::ColumnSide side)
+{
+    QAction* fold = window_.actions()[command];
+    ui::FoldingColumn& column = window_.column(side);
+    connect(fold, &QAction::toggled, &column, &ui::FoldingColumn::setFolded);
+    connect(&column, &ui::FoldingColumn::foldedChanged, fold, &QAction::setChecked);
 }
 
 /// A view that has a window of its own takes the whole screen instead.

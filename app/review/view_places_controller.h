@@ -6,7 +6,8 @@
 
 namespace angiopose::app {
 
-/// Views that take the whole window, or leave it for a window of their own, on another screen where there is one.
+/// Views that take the whole window, or leave it for a window of their own, on another screen where there is one;
+/// columns that fold.
 class ViewPlacesController : public QObject {
     Q_OBJECT
 public:
@@ -16,6 +17,7 @@ private:
     void connectAlone(ui::Command command, ui::MovableView view);
     void connectWindow(ui::Command command, ui::MovableView view);
     void connectSlices();
+    void connectFolding(ui::Command command, ui::ColumnSide side);
     void setAlone(ui::MovableView view, bool on);
 
     ui::MainWindow& window_;

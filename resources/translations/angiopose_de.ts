@@ -2920,6 +2920,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt noch nichts zu zeigen.</translation>
     </message>
     <message>
+        <source>The scan does not reach to the vessels. Show all of it, or open the scan that the vessels lie in.</source>
+        <comment>scan.beside-vessels</comment>
+        <translation>Der Scan reicht nicht bis zu den Gefäßen. Den ganzen Scan zeigen oder den öffnen, in dem die Gefäße liegen.</translation>
+    </message>
+    <message>
         <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.overlay-incomplete</comment>
         <translation>Eine Überlagerung braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
@@ -7285,6 +7290,38 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Prüfpunkte exportieren …</translation>
     </message>
     <message>
+        <source>Scan in the 3-D view</source>
+        <translation>Scan in der 3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Scan in 3-D: vessels, vessels and bone</source>
+        <translation>Scan in 3-D: Gefäße, Gefäße und Knochen</translation>
+    </message>
+    <message>
+        <source>Scan in 3-D: only around the vessels</source>
+        <translation>Scan in 3-D: nur um die Gefäße</translation>
+    </message>
+    <message>
+        <source>Radiograph of the scan on the detector</source>
+        <translation>Röntgenbild des Scans auf dem Detektor</translation>
+    </message>
+    <message>
+        <source>Fold the left column</source>
+        <translation>Linke Spalte einklappen</translation>
+    </message>
+    <message>
+        <source>Fold the right column</source>
+        <translation>Rechte Spalte einklappen</translation>
+    </message>
+    <message>
+        <source>The layout follows the step</source>
+        <translation>Die Anordnung folgt dem Schritt</translation>
+    </message>
+    <message>
+        <source>Layout of this step as it came</source>
+        <translation>Anordnung dieses Schritts wie ausgeliefert</translation>
+    </message>
+    <message>
         <source>Export movie …</source>
         <translation>Film exportieren …</translation>
     </message>
@@ -8495,6 +8532,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>AngioPose: slices</source>
         <translation>AngioPose: Schichten</translation>
+    </message>
+    <message>
+        <source>Branches, 3-D and slices</source>
+        <translation>Äste, 3-D und Schichten</translation>
+    </message>
+    <message>
+        <source>Pose, registration, result</source>
+        <translation>Lage, Registrierung, Ergebnis</translation>
     </message>
 </context>
 <context>
@@ -10216,6 +10261,66 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Check point %1</source>
         <translation>Prüfpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ScanController</name>
+    <message>
+        <source>labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>vessels and bone</source>
+        <translation>Gefäße und Knochen</translation>
+    </message>
+    <message>
+        <source>vessels and tissue</source>
+        <translation>Gefäße und Gewebe</translation>
+    </message>
+    <message>
+        <source>Scan: %1</source>
+        <translation>Scan: %1</translation>
+    </message>
+    <message>
+        <source>Scan: off</source>
+        <translation>Scan: aus</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ColumnRail</name>
+    <message>
+        <source>Unfold the column: %1</source>
+        <translation>Spalte aufklappen: %1</translation>
+    </message>
+    <message>
+        <source>Unfold: %1</source>
+        <translation>Aufklappen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::FoldButton</name>
+    <message>
+        <source>Fold the column: %1</source>
+        <translation>Spalte einklappen: %1</translation>
+    </message>
+    <message>
+        <source>Fold: %1</source>
+        <translation>Einklappen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ScanBar</name>
+    <message>
+        <source>How the scan is shown behind the vessels</source>
+        <translation>Wie der Scan hinter den Gefäßen gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Opacity of the scan</source>
+        <translation>Deckkraft des Scans</translation>
     </message>
 </context>
 <context>

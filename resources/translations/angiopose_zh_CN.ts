@@ -2920,6 +2920,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>还没有可显示的内容。</translation>
     </message>
     <message>
+        <source>The scan does not reach to the vessels. Show all of it, or open the scan that the vessels lie in.</source>
+        <comment>scan.beside-vessels</comment>
+        <translation>扫描未覆盖血管。请显示整个扫描，或打开血管所在的扫描。</translation>
+    </message>
+    <message>
         <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.overlay-incomplete</comment>
         <translation>叠加图需要血管树和造影图像。请先打开两者。</translation>
@@ -7285,6 +7290,38 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>导出检查点…</translation>
     </message>
     <message>
+        <source>Scan in the 3-D view</source>
+        <translation>三维视图中显示扫描</translation>
+    </message>
+    <message>
+        <source>Scan in 3-D: vessels, vessels and bone</source>
+        <translation>三维扫描：血管、血管和骨骼</translation>
+    </message>
+    <message>
+        <source>Scan in 3-D: only around the vessels</source>
+        <translation>三维扫描：仅血管周围</translation>
+    </message>
+    <message>
+        <source>Radiograph of the scan on the detector</source>
+        <translation>探测器上显示扫描的 X 光片</translation>
+    </message>
+    <message>
+        <source>Fold the left column</source>
+        <translation>折叠左栏</translation>
+    </message>
+    <message>
+        <source>Fold the right column</source>
+        <translation>折叠右栏</translation>
+    </message>
+    <message>
+        <source>The layout follows the step</source>
+        <translation>布局随步骤变化</translation>
+    </message>
+    <message>
+        <source>Layout of this step as it came</source>
+        <translation>恢复本步骤的默认布局</translation>
+    </message>
+    <message>
         <source>Export movie …</source>
         <translation>导出影片 …</translation>
     </message>
@@ -8495,6 +8532,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>AngioPose: slices</source>
         <translation>AngioPose：切片</translation>
+    </message>
+    <message>
+        <source>Branches, 3-D and slices</source>
+        <translation>分支、三维和切片</translation>
+    </message>
+    <message>
+        <source>Pose, registration, result</source>
+        <translation>位姿、配准、结果</translation>
     </message>
 </context>
 <context>
@@ -10215,6 +10260,66 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Check point %1</source>
         <translation>检查点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ScanController</name>
+    <message>
+        <source>labels</source>
+        <translation>标签</translation>
+    </message>
+    <message>
+        <source>vessels</source>
+        <translation>血管</translation>
+    </message>
+    <message>
+        <source>vessels and bone</source>
+        <translation>血管和骨骼</translation>
+    </message>
+    <message>
+        <source>vessels and tissue</source>
+        <translation>血管和组织</translation>
+    </message>
+    <message>
+        <source>Scan: %1</source>
+        <translation>扫描：%1</translation>
+    </message>
+    <message>
+        <source>Scan: off</source>
+        <translation>扫描：关</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ColumnRail</name>
+    <message>
+        <source>Unfold the column: %1</source>
+        <translation>展开栏：%1</translation>
+    </message>
+    <message>
+        <source>Unfold: %1</source>
+        <translation>展开：%1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::FoldButton</name>
+    <message>
+        <source>Fold the column: %1</source>
+        <translation>折叠栏：%1</translation>
+    </message>
+    <message>
+        <source>Fold: %1</source>
+        <translation>折叠：%1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ScanBar</name>
+    <message>
+        <source>How the scan is shown behind the vessels</source>
+        <translation>血管后方扫描的显示方式</translation>
+    </message>
+    <message>
+        <source>Opacity of the scan</source>
+        <translation>扫描不透明度</translation>
     </message>
 </context>
 <context>

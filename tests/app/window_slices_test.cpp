@@ -2,6 +2,7 @@
 #include "app/files/sample_case.h"
 #include "tests/app/scan_window.h"
 #include "ui/slices/corner_views.h"
+#include "ui/views/scan_bar.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -18,6 +19,41 @@ namespace {
 
 using core::BodyPlane;
 using WindowSlices = test::ScanWindow;
+
+/// The 3-D view of a traced scan.
+class WindowScanIn3d : public test::ScanWindow {
+protected:
+    WindowScanIn3d() { forget(); }
+    ~WindowScanIn3d() override { forget(); }
+    static void forget()
+    {
+        settings::scanIn3d.write(false);
+        settings::scanLook.write(0);
+        settings::scanAtVessels.write(false);
+    }
+
+    ui::TreeView& tree() { return w.window.treeView(); }
+    ui::ScanBar& bar() { return w.window.corner().scanBar(); }
+    /// Until nothing is drawn any more.
+    QImage settled()
+    {
+        for (int seen = -1; seen != tree().renderCount();) {
+            seen = tree().renderCount();
+            QTest::qWait(900);
+        }
+        return tree().grab().toImage();
+    }
+    static int differentPixels(const QImage& a, const QImage& b)
+    {
+        int count = 0;
+        for (int y = 0; y < a.height(); ++y) {
+            for (int x = 0; x < a.width(); ++x) {
+                count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 12;
+            }
+        }
+        return count;
+    }
+};
 
 TEST_F(WindowSlices, StandWhereThereIsNoAngiogramYet)
 {
@@ -165,6 +201,55 @@ TEST_F(WindowSlices, ShowTheLandmarksWhileTheseAreClicked)
     EXPECT_EQ(shown().front().label, QStringLiteral("1"));
     w.window.actions()[ui::Command::Landmarks]->setChecked(false);
     EXPECT_TRUE(shown().empty());
+}
+
+TEST_F(WindowScanIn3d, ShowsTheScanBehindTheVesselsAndLetsGoOfIt)
+{
+    w.window.corner().showPlane(std::nullopt);
+    w.press(Qt::Key_A, Qt::ControlModifier);
+    w.press(Qt::Key_H, Qt::ShiftModifier);   // the branches lie before the vessels that they were traced from
+    const QImage without = settled();
+    EXPECT_TRUE(bar().isVisible());
+    EXPECT_FALSE(bar().findChild<QSlider*>()->isVisible());
+    w.press(Qt::Key_3, Qt::ControlModifier);
+    ASSERT_TRUE(w.window.actions()[ui::Command::ScanIn3d]->isChecked());
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.scan().isShown(); }, test::patienceMs));
+    const QImage vessels = settled();
+    EXPECT_GT(differentPixels(without, vessels), 100);
+    EXPECT_TRUE(bar().findChild<QSlider*>()->isVisible());
+
+    w.press(Qt::Key_4, Qt::ControlModifier);   // with all else that is as bright
+    settled();
+    bar().findChild<QSlider*>()->setValue(100);
+    const QImage strong = settled();
+    bar().findChild<QSlider*>()->setValue(0);
+    EXPECT_GT(differentPixels(strong, settled()), 100);
+
+    w.press(Qt::Key_3, Qt::ControlModifier);
+    EXPECT_LT(differentPixels(without, settled()), 20);
+    w.press(Qt::Key_3, Qt::ControlModifier);
+    settled();
+    w.controller.document().replace({}, {});   // the case is closed
+    QTest::qWait(200);
+    EXPECT_FALSE(w.window.actions()[ui::Command::ScanIn3d]->isEnabled());
+    EXPECT_FALSE(bar().isVisible());
+}
+
+TEST_F(WindowScanIn3d, TurnsWithTheViewAndIsRememberedForTheNextWindow)
+{
+    w.window.corner().showPlane(std::nullopt);
+    w.press(Qt::Key_3, Qt::ControlModifier);
+    w.press(Qt::Key_5, Qt::ControlModifier);
+    const QImage before = settled();
+    const QPoint middle = tree().rect().center();
+    QTest::mousePress(&tree(), Qt::LeftButton, {}, middle);
+    QTest::mouseMove(&tree(), middle + QPoint(30, 0));
+    QTest::mouseMove(&tree(), middle + QPoint(140, 0));
+    QTest::mouseRelease(&tree(), Qt::LeftButton, {}, middle + QPoint(140, 0));
+    EXPECT_GT(differentPixels(before, settled()), 100);
+    test::OpenWindow later;
+    EXPECT_TRUE(later.window.actions()[ui::Command::ScanIn3d]->isChecked());
+    EXPECT_TRUE(later.window.actions()[ui::Command::ScanAtVessels]->isChecked());
 }
 
 }   // namespace

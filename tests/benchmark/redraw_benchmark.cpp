@@ -1,9 +1,12 @@
 // How long a pose edit takes until both views show it, a drag in nudge mode until the whole window does, with one view
-// and with two side by side, and the tree's lines alone by our rasteriser and by QPainter.
-// Run it on a screen or under xvfb-run -a -s "-screen 0 1920x1200x24".
+// and with two side by side, the tree's lines alone by our rasteriser and by QPainter, and a turn of the 3-D view with
+// a scan behind the vessels. With --scan only the last. Run it on a screen or under xvfb-run -a -s "-screen 0
+// 1920x1200x24".
 #include "app/case_controller.h"
 #include "core/geometry/pose_offset.h"
+#include "core/simulation/simulate_cta.h"
 #include "core/simulation/simulated_case.h"
+#include "tests/benchmark/timed_application.h"
 #include "tests/support/simulated_views.h"
 #include "ui/main_window.h"
 #include "ui/places/side_by_side.h"
@@ -202,6 +205,69 @@ bool measureDrag(std::size_t viewCount)
     return true;
 }
 
+/// A turn of the 3-D view by mouse, until it has drawn itself again.
+std::vector<double> turnMs(ui::TreeView& tree)
+{
+    const QPoint from = tree.rect().center();
+    QTest::mousePress(&tree, Qt::LeftButton, {}, from);
+    std::vector<double> wallMs;
+    for (int i = 0; i < editCount; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        const int before = tree.renderCount();
+        QTest::mouseMove(&tree, from + QPoint(10 + i % 60, 10 + i % 31));
+        while (tree.renderCount() == before) {
+            QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        }
+        wallMs.push_back(1e-6 * static_cast<double>(timer.nsecsElapsed()));
+    }
+    QTest::mouseRelease(&tree, Qt::LeftButton, {}, from);
+    std::ranges::sort(wallMs);
+    return wallMs;
+}
+
+/// Prints what a scan behind the vessels costs: until it is there, and while the view turns.
+bool measureScan(benchmarks::TimedApplication& application, const core::SimulatedCta& cta)
+{
+    ui::MainWindow window;
+    app::CaseController controller(window);
+    window.resize(1920, 1080);
+    window.show();
+    core::Case scan;
+    scan.vessels.tree = std::make_shared<const core::VesselTree>(cta.tree);
+    scan.vessels.scan = std::make_shared<const core::Volume>(cta.volume);
+    controller.document().replace(std::move(scan), {});
+    window.actions()[ui::Command::CornerOnly]->setChecked(true);
+    if (!QTest::qWaitForWindowExposed(&window)) {
+        return false;
+    }
+    QTest::qWait(2000);
+    ui::TreeView& tree = window.treeView();
+    for (const bool isShown : {false, true}) {
+        application.isWatching = isShown;
+        window.actions()[ui::Command::ScanIn3d]->setChecked(isShown);
+        QElapsedTimer timer;
+        timer.start();
+        if (isShown && !QTest::qWaitFor([&] { return controller.scan().isShown(); }, 60000)) {
+            return false;
+        }
+        const double readyMs = 1e-6 * static_cast<double>(timer.nsecsElapsed());
+        QTest::qWait(3000);
+        const std::vector<double> wallMs = turnMs(tree);
+        std::printf("turn of the 3-D view, %dx%d, %s: median %.1f ms, p95 %.1f ms\n", tree.width(), tree.height(),
+                    isShown ? "scan behind the vessels" : "vessels alone", wallMs[editCount / 2],
+                    wallMs[editCount * 95 / 100]);
+        if (isShown) {
+            std::printf("scan of %d x %d x %d: first picture after %.0f ms\n", cta.volume.geometry.size.x(),
+                        cta.volume.geometry.size.y(), cta.volume.geometry.size.z(), readyMs);
+        }
+        QTest::qWait(3000);
+    }
+    application.isWatching = false;
+    application.printSlow();
+    return true;
+}
+
 /// Milliseconds of one call, the median of many.
 template <class Draw>
 double medianMsOf(const Draw& draw)
@@ -281,11 +347,14 @@ int main(int argc, char** argv)
     const QTemporaryDir home;   // nobody's settings count, and none are changed
     qputenv("XDG_DATA_HOME", home.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
-    QApplication application(argc, argv);
+    benchmarks::TimedApplication application(argc, argv);
     ui::applyTheme(application, ui::ThemeMode::Dark);
     QApplication::setQuitOnLastWindowClosed(false);
     const core::SimulatedCase simulated = core::simulateCase(1, {.pointSpacingMm = 0.5});
-    bool isMeasured = true;
+    bool isMeasured = measureScan(application, core::simulateCta(1, {}, {.size = {320, 320, 280}}));
+    if (QApplication::arguments().contains(QStringLiteral("--scan"))) {
+        return isMeasured ? 0 : 1;
+    }
     for (const QSize& size : {QSize(1400, 900), QSize(1920, 1080)}) {
         for (const ui::OverlayMode mode : {ui::OverlayMode::Centerline, ui::OverlayMode::Tube}) {
             isMeasured = isMeasured && measure(simulated, size, mode);

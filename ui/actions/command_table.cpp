@@ -164,6 +164,10 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::GantryAngles, QT_TR_NOOP("C-arm angles for the branch …"), "Shift+U"},
         {Command::HideIdentity, QT_TR_NOOP("Hide patient identity"), "Shift+P", Switch | StartsGroup},
         {Command::ResetTreeView, QT_TR_NOOP("3-D view: everything, the vessels alone"), "3", StartsGroup},
+        {Command::ScanIn3d, QT_TR_NOOP("Scan in the 3-D view"), "Ctrl+3", Switch},
+        {Command::NextScanLook, QT_TR_NOOP("Scan in 3-D: vessels, vessels and bone"), "Ctrl+4"},
+        {Command::ScanAtVessels, QT_TR_NOOP("Scan in 3-D: only around the vessels"), "Ctrl+5", Switch},
+        {Command::ScanOnDetector, QT_TR_NOOP("Radiograph of the scan on the detector"), "Ctrl+6", Switch},
         {Command::NextCornerView, QT_TR_NOOP("3-D, axial, coronal, sagittal below the branches"), "2"},
         {Command::SlicesLarge, QT_TR_NOOP("Slices instead of the angiogram"), "M", Switch},
         {Command::FullScreen, QT_TR_NOOP("Full screen"), "F11", Switch},
@@ -204,6 +208,10 @@ std::span<const CommandRow> CommandTable::placesCommands()
         {Command::ImageWindow, QT_TR_NOOP("Angiogram in a window of its own"), "F7", Switch | StartsGroup},
         {Command::CornerWindow, QT_TR_NOOP("3-D and slices in a window of their own"), "F8", Switch},
         {Command::SlicesWindow, QT_TR_NOOP("All slices in a window of their own"), "F9", Switch},
+        {Command::FoldLeft, QT_TR_NOOP("Fold the left column"), "F5", Switch | StartsGroup},
+        {Command::FoldRight, QT_TR_NOOP("Fold the right column"), "F6", Switch},
+        {Command::LayoutFollowsStep, QT_TR_NOOP("The layout follows the step"), "", Switch | StartsGroup},
+        {Command::ResetLayout, QT_TR_NOOP("Layout of this step as it came"), "Shift+F5"},
     };
     return rows;
 }

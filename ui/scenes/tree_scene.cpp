@@ -4,6 +4,7 @@
 #include "ui/scenes/beam.h"
 #include "ui/scenes/frame_quad.h"
 #include "ui/scenes/orbit.h"
+#include "ui/scenes/scan_quad.h"
 #include "ui/scenes/stroke_actor.h"
 #include "ui/scenes/tree_tubes.h"
 
@@ -17,6 +18,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -48,6 +50,16 @@ Eigen::AlignedBox3d boxOf(const core::VesselTree& tree)
     return box;
 }
 
+core::VesselTree cornersOf(const Eigen::AlignedBox3d& box)
+{
+    core::VesselTree corners;
+    corners.branches.emplace_back();
+    for (int i = 0; i < 8; ++i) {
+        corners.branches.front().pointsInPatient.push_back(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
+    }
+    return corners;
+}
+
 /// Whether a view of one tree shows the other one too: an edited tree does not jump.
 bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
 {
@@ -60,11 +72,16 @@ bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
 
 struct TreeScene::Parts {
     vtkNew<vtkRenderer> ground;   // detector, beam, source: behind the tree however it is turned
+    vtkNew<vtkRenderer> middle;   // the scan, as a picture
     vtkNew<vtkRenderer> front;   // the tree
     FrameQuad detector;
     StrokeActor strokes;
     TreeTubes tubes;
     GreyFrame frame;
+    GreyFrame detectorPicture;   // in place of the frame
+    ScanQuad scan;
+    std::optional<Eigen::AlignedBox3d> scanBox;
+    core::VesselTree boxCorners;   // as points of a branch
     core::VesselTree tree;
     Beam beam;
     BranchMarks marks;
@@ -85,6 +102,9 @@ struct TreeScene::Parts {
     }
     vtkCamera& camera() { return *ground->GetActiveCamera(); }
     ScreenFromPatient screen() const;
+    bool isEmpty() const { return tree.branches.empty() && !scanBox; }
+    const core::VesselTree& subject() const;   // what must be in view
+    void showDetector();
     void update();
     StrokeMesh groundStrokes(const ScreenFromPatient& toScreen) const;
     Eigen::Vector2d signCentre() const;
@@ -110,7 +130,7 @@ double TreeScene::Parts::detectorScale() const
 StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) const
 {
     StrokeMesh mesh;
-    if (tree.branches.empty()) {
+    if (isEmpty()) {
         return mesh;   // where a beam goes is seen by its vessels
     }
     addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centrePx, pixelScale});
@@ -126,6 +146,31 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
     return mesh;
 }
 
+const core::VesselTree& TreeScene::Parts::subject() const
+{
+    return tree.branches.empty() && scanBox ? boxCorners : tree;
+}
+
+/// A picture of another resolution than the frame's covers the same part of the detector.
+void TreeScene::Parts::showDetector()
+{
+    const GreyFrame& shown = detectorPicture.width() > 0 ? detectorPicture : frame;
+    const bool isThere = beam.hasDetector() && shown.width() > 0;
+    const double pxPerPx = !isThere || &shown == &frame ? 1.0 : beam.camera.width / (1.0 * shown.width());
+    detector.show(shown, pxPerPx * detectorScale());
+    detector.actor()->SetVisibility(isThere && !isEmpty());
+    if (!isThere) {
+        return;
+    }
+    Eigen::Affine3d larger = Eigen::Affine3d::Identity();
+    larger.linear().diagonal() << pxPerPx, pxPerPx, 1.0;
+    larger.translation() << 0.5 * (pxPerPx - 1.0), 0.5 * (pxPerPx - 1.0), 0.0;
+    vtkNew<vtkMatrix4x4> patientFromImage;
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = beam.patientFromImagePlane() * larger.matrix();
+    patientFromImage->DeepCopy(matrix.data());
+    detector.actor()->SetUserMatrix(patientFromImage);
+}
+
 void TreeScene::Parts::update()
 {
     if (std::exchange(isTreeStale, false)) {
@@ -136,24 +181,25 @@ void TreeScene::Parts::update()
     }
     const auto back = tones.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
-    detector.show(frame, detectorScale());
-    detector.actor()->SetVisibility(beam.hasDetector() && frame.width() > 0 && !tree.branches.empty());
-    if (beam.hasDetector()) {
-        vtkNew<vtkMatrix4x4> patientFromImage;
-        const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = beam.patientFromImagePlane();
-        patientFromImage->DeepCopy(matrix.data());
-        detector.actor()->SetUserMatrix(patientFromImage);
-    }
+    showDetector();
     const int* size = ground->GetSize();
     const double aspect = static_cast<double>(size[0]) / std::max(1, size[1]);
     const bool isReshaped = !isTouched && aspect != framedAspect;
-    if ((isViewStale || isReshaped) && !tree.branches.empty()) {
-        frameBeam(camera(), beam, tree, aspect, extent);
+    if ((isViewStale || isReshaped) && !isEmpty()) {
+        frameBeam(camera(), beam, subject(), aspect, extent);
         framedAspect = aspect;
         isViewStale = false;
         isTouched = false;
     }
-    ground->ResetCameraClippingRange(sceneBounds(beam, tree).data());
+    std::array<double, 6> bounds = sceneBounds(beam, subject());
+    if (scan.actor()->GetVisibility() != 0) {
+        const double* pane = scan.actor()->GetBounds();
+        for (std::size_t i = 0; i < 6; i += 2) {
+            bounds[i] = std::min(bounds[i], pane[i]);
+            bounds[i + 1] = std::max(bounds[i + 1], pane[i + 1]);
+        }
+    }
+    ground->ResetCameraClippingRange(bounds.data());
     strokes.show(groundStrokes(screen()));
 }
 
@@ -164,7 +210,11 @@ TreeScene::TreeScene() : parts_(std::make_unique<Parts>())
     p.ground->AddActor(p.detector.actor());
     p.ground->AddActor2D(p.strokes.actor());
     p.detector.actor()->GetProperty()->SetColor(0.55, 0.55, 0.55);   // faint: the tree in front is what matters
-    p.front->SetLayer(1);
+    p.middle->SetLayer(1);
+    p.middle->InteractiveOff();
+    p.middle->AddActor(p.scan.actor());
+    p.middle->SetActiveCamera(p.ground->GetActiveCamera());
+    p.front->SetLayer(2);
     p.front->AddActor(p.tubes.actor());
     p.front->SetActiveCamera(p.ground->GetActiveCamera());
     vtkNew<vtkCallbackCommand> refresh;
@@ -178,6 +228,7 @@ TreeScene::~TreeScene()
     parts_->ground->RemoveObserver(parts_->watch);
     if (vtkRenderWindow* window = parts_->ground->GetRenderWindow()) {
         window->RemoveRenderer(parts_->front);
+        window->RemoveRenderer(parts_->middle);
         window->RemoveRenderer(parts_->ground);
     }
 }
@@ -212,6 +263,49 @@ void TreeScene::setFrame(const core::ImageF& frame)
     parts_->isGreyStale = true;
 }
 
+void TreeScene::setDetectorPicture(const core::ImageF& picture)
+{
+    parts_->detectorPicture.setPixels(picture);
+    if (!picture.isEmpty()) {
+        parts_->detectorPicture.setRange(core::displayRange(picture));
+    }
+}
+
+void TreeScene::setScanBox(const std::optional<Eigen::AlignedBox3d>& boxInPatient)
+{
+    const bool isFirst = boxInPatient && parts_->isEmpty();
+    parts_->scanBox = boxInPatient;
+    parts_->boxCorners = boxInPatient ? cornersOf(*boxInPatient) : core::VesselTree();
+    if (isFirst) {
+        parts_->showNext(ViewExtent::Everything);
+    }
+}
+
+void TreeScene::setScanPicture(const ScanPicture& picture)
+{
+    parts_->scan.show(picture);
+}
+
+core::ParallelSight TreeScene::sight(int mostPx) const
+{
+    const ScreenFromPatient toScreen = parts_->screen();
+    const int* size = parts_->ground->GetSize();
+    const double wholePx = std::max(1.0, 1.0 * size[0] * size[1]);
+    const double share = std::min(1.0, std::sqrt(mostPx / wholePx));
+    const auto sideOf = [share](int px) {   // never a power of two, for which OpenGL would make another program
+        const int side = std::max(3, static_cast<int>(std::lround(share * px)));
+        return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
+    };
+    core::ParallelSight sight;
+    sight.centreInPatient = toScreen.focalPoint;
+    sight.right = toScreen.rotation.row(0);
+    sight.up = toScreen.rotation.row(1);
+    sight.mmPerPx = 1.0 / (share * toScreen.pxPerMm);
+    sight.width = sideOf(size[0]);
+    sight.height = sideOf(size[1]);
+    return sight;
+}
+
 void TreeScene::setMarks(const BranchMarks& marks)
 {
     parts_->isTreeStale = parts_->isTreeStale || !(marks == parts_->marks);
@@ -231,8 +325,9 @@ void TreeScene::setPixelScale(double devicePxPerPx)
 
 void TreeScene::attachTo(vtkRenderWindow* window)
 {
-    window->SetNumberOfLayers(2);
+    window->SetNumberOfLayers(3);
     window->AddRenderer(parts_->ground);
+    window->AddRenderer(parts_->middle);
     window->AddRenderer(parts_->front);
 }
 
@@ -295,7 +390,7 @@ std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom
 std::vector<OrientationLetter> TreeScene::orientationLetters() const
 {
     std::vector<OrientationLetter> letters;
-    if (parts_->tree.branches.empty()) {
+    if (parts_->isEmpty()) {
         return letters;
     }
     const ScreenFromPatient toScreen = parts_->screen();

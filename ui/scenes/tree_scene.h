@@ -5,8 +5,10 @@
 #include "core/imaging/image2d.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/scenes/scan_picture.h"
 #include "ui/theme/theme.h"
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,8 +30,8 @@ struct TreePick {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
 };
 
-/// Tree, source, detector plane with the image, and beam, in patient space. VTK without Qt; shows in one window, while
-/// it lives.
+/// Tree, source, detector plane with the image, beam, and the scan behind the tree, in patient space. VTK without Qt;
+/// shows in one window, while it lives.
 class TreeScene {
 public:
     TreeScene();
@@ -41,6 +43,13 @@ public:
     void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0: the detector stays hidden
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setFrame(const core::ImageF& frame);
+    /// In place of the frame, covering it whole at any resolution; empty: the frame again.
+    void setDetectorPicture(const core::ImageF& picture);
+    /// Where the scan lies: what there is to see where no tree is; nothing: no scan is shown.
+    void setScanBox(const std::optional<Eigen::AlignedBox3d>& boxInPatient);
+    void setScanPicture(const ScanPicture& picture);   ///< of `sight()`; empty: none
+    /// How the scene is seen now, in a picture of `mostPx` pixels at most.
+    core::ParallelSight sight(int mostPx) const;
     void setMarks(const BranchMarks& marks);
     void setTones(const Palette& tones);
     void setPixelScale(double devicePxPerPx);   ///< line widths and the orientation sign grow with it

@@ -1,6 +1,7 @@
 #include "ui/slices/corner_views.h"
 
 #include "ui/actions/key_hint.h"
+#include "ui/views/scan_bar.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/spoken.h"
 
@@ -22,7 +23,8 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
           QStringLiteral("⊞"), [] { return tr("All slices, large"); }, Command::SlicesLarge)),
       stack_(new QStackedWidget),
       treeView_(treeView),
-      slice_(new SliceView(model, core::BodyPlane::Axial))
+      slice_(new SliceView(model, core::BodyPlane::Axial)),
+      scanBar_(new ScanBar)
 {
     stack_->addWidget(treeView_);
     stack_->addWidget(slice_);
@@ -57,6 +59,7 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(bar_);
+    layout->addWidget(scanBar_);
     layout->addWidget(stack_, 1);
     connect(&model, &SliceModel::scanChanged, this, &CornerViews::followScan);
     followScan();
@@ -108,6 +111,7 @@ void CornerViews::showPlane(std::optional<core::BodyPlane> plane)
         slice_->setPlane(*shown);
     }
     stack_->setCurrentWidget(shown ? static_cast<QWidget*>(slice_) : treeView_);
+    scanBar_->setVisible(model_.hasScan() && !shown);
     setFocusProxy(stack_->currentWidget());
     for (std::size_t i = 0; i < tabs_.size(); ++i) {
         tabs_[i]->setChecked(i == 0 ? !shown : shown == core::bodyPlanes[i - 1]);

@@ -14,6 +14,7 @@ class QToolButton;
 
 namespace angiopose::ui {
 
+class ScanBar;
 class TreeView;
 
 /// The place below the branches: the 3-D view, or one plane of the scan. The planes appear with a scan.
@@ -26,6 +27,7 @@ public:
     void showPlane(std::optional<core::BodyPlane> plane);   ///< none: the 3-D view; waits for a scan
     void showNext();
     SliceView& slice() { return *slice_; }
+    ScanBar& scanBar() { return *scanBar_; }   ///< with the 3-D view, where there is a scan
 
 signals:
     void planeChanged(std::optional<core::BodyPlane> plane);
@@ -47,6 +49,7 @@ private:
     QStackedWidget* stack_;
     TreeView* treeView_;
     SliceView* slice_;
+    ScanBar* scanBar_;
     std::array<QToolButton*, 4> tabs_{};   ///< 3-D, then `core::bodyPlanes`
     std::optional<core::BodyPlane> wanted_;
 };

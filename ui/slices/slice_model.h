@@ -56,6 +56,7 @@ public:
     const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
     const core::VoxelMask* mask() const { return labels_.rows ? labels_.rows.get() : lumen_.get(); }   ///< to be tinted
+    const std::shared_ptr<const core::VoxelMask>& sharedMask() const { return labels_.rows ? labels_.rows : lumen_; }
     const std::vector<MaskTint>& labelTints() const { return labels_.tints; }   ///< empty: the mask is the lumen
     QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty where none is
     const core::VesselTree* tree() const { return tree_.get(); }

@@ -24,6 +24,7 @@ QListView { background: transparent; border: none; }
 QProgressBar, QProgressBar::chunk { border-radius: 2px; }
 QSplitter::handle:horizontal { width: 1px; }
 QSplitter::handle:vertical { height: 1px; }
+QSplitter[role="columns"]::handle { background: @panel@; }
 QDialog { background: @panel@; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QWidget[role="header"] { background: @title@; }

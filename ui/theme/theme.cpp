@@ -133,6 +133,11 @@ Color labelColor(std::size_t place)
     }
 }
 
+ScanColors scanColors()
+{
+    return {{0xd8, 0x86, 0x72}, {0xd9, 0xd2, 0xc4}, {0xb0, 0xa2, 0x98}};
+}
+
 Color residualColorAboveScale()
 {
     return activeRamp().above;

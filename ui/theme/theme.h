@@ -47,6 +47,12 @@ struct BranchColors {
     Color plain, auxiliary, selected;
 };
 
+/// Of a scan that is looked through: contrast-filled vessels as they are known from atlases, bone, all that is softer.
+struct ScanColors {
+    Color vessels, bone, soft;
+};
+ScanColors scanColors();
+
 /// `tones` are those of the ground the branches lie on.
 BranchColors branchColors(const Palette& tones);
 

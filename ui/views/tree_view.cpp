@@ -51,6 +51,9 @@ void TreeView::warmUp()
     cameraFromPatient.translation.z() = 750.0;
     rehearsal.setPose(cameraFromPatient);
     rehearsal.setFrame(core::ImageF(size, size, 1.0F));
+    core::ParallelSight sight;
+    sight.width = sight.height = size;
+    rehearsal.setScanPicture({sight, core::Image2d<core::Rgba>(size, size)});
     rehearse();
 }
 
@@ -141,8 +144,20 @@ void TreeView::prepareFrame()
     scene_.setPixelScale(devicePixelRatio());
 }
 
+/// Once it is drawn: framing is part of drawing.
+void TreeView::tellSight()
+{
+    constexpr int anyPx = 1'000'000'000;
+    const core::ParallelSight sight = scene_.sight(anyPx);
+    if (sight != seen_) {
+        seen_ = sight;
+        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // not while painting
+    }
+}
+
 void TreeView::paintAnnotations(QPainter& painter)
 {
+    tellSight();
     const Palette& tones = ui::palette(theme_);
     const double ratio = devicePixelRatio();
     for (const auto& place : {crosshair_, pointed_}) {
@@ -275,6 +290,12 @@ void TreeView::wheelEvent(QWheelEvent* event)
     scene_.zoomBy(std::pow(zoomPerStep, event->angleDelta().y() / 120.0));
     event->accept();
     requestRender();
+}
+
+void TreeView::showEvent(QShowEvent* event)
+{
+    VtkView::showEvent(event);
+    seen_ = {};   // nobody asked for pictures while it was hidden
 }
 
 void TreeView::leaveEvent(QEvent*)

@@ -38,6 +38,8 @@ public:
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what the vessels turn about
 
 signals:
+    void
+    sightChanged();   ///< turned, moved, zoomed, resized or shown: what the scan looks like from there is asked for
     void roomRequested();   ///< large, or back
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
@@ -57,13 +59,16 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
     void paintPlaces(QPainter& painter) const;
+    void tellSight();
 
     TreeScene scene_;
+    core::ParallelSight seen_;   ///< in the last picture
     ThemeMode theme_ = ThemeMode::Dark;
     QPointF pressedAt_;
     QPointF lastAt_;

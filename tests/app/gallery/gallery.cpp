@@ -94,6 +94,7 @@ void Gallery::run()
     showWindow(window, QStringLiteral("start"));
     runRegistration(controller);
     showWindow(window, QStringLiteral("registered"));
+    showSteps(window);
     measure(controller);
     showWindow(window, QStringLiteral("measured"));
     window.resize(1024, 720);

@@ -11,7 +11,8 @@ class CaseController;
 
 namespace angiopose::ui {
 class MainWindow;
-}
+enum class Step;
+}   // namespace angiopose::ui
 
 namespace angiopose::test {
 
@@ -23,6 +24,7 @@ public:
     Gallery(QString folder, QString language, QString theme);
 
     void run();
+    void runScan(const QString& path);   ///< of one scan, in the slices and in 3-D
     const QStringList& problems() const { return problems_; }
     int pictureCount() const { return pictureCount_; }
 
@@ -35,6 +37,10 @@ private:
     void showViews(ui::MainWindow& window, app::CaseController& controller);
     void showModes(ui::MainWindow& window);
     void showQuestions(ui::MainWindow& window, app::CaseController& controller);
+    static void goToStep(ui::MainWindow& window, ui::Step step);
+    void showSteps(ui::MainWindow& window);
+    void showScanIn3d(ui::MainWindow& window);
+    static void openScan(app::CaseController& controller, const QString& path);
     void showScan(ui::MainWindow& window, app::CaseController& controller);
     void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
     void showWindow(QWidget& window, const QString& name);

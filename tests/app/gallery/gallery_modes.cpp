@@ -5,6 +5,7 @@
 #include "tests/support/forked_vessel.h"
 #include "tests/support/patience.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QTemporaryDir>
 #include <QTest>
@@ -57,28 +58,84 @@ void Gallery::showQuestions(ui::MainWindow& window, app::CaseController& control
     takeDialogs(window, QStringLiteral("messages"));
 }
 
+void Gallery::runScan(const QString& path)
+{
+    ui::MainWindow window;
+    app::CaseController controller(window);
+    window.resize(1440, 900);
+    window.show();
+    openScan(controller, path);
+    showWindow(window, QStringLiteral("scan"));
+    showScanIn3d(window);
+}
+
+void Gallery::openScan(app::CaseController& controller, const QString& path)
+{
+    const auto isAtRest = [&controller] { return !controller.isLoading() && !controller.tracing().isRunning(); };
+    controller.document().replace({}, {});
+    controller.open({path});
+    const auto isThere = [&] {
+        const core::Vessels& vessels = controller.document().current().vessels;
+        return isAtRest() && (vessels.scan || vessels.lumen);
+    };
+    if (!QTest::qWaitFor(isThere, 10 * patienceMs)) {
+        qFatal("The scan did not open.");
+    }
+    QTest::qWait(500);
+}
+
 /// A scan being traced: slices in the middle, then in the corner.
 void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("scan.nrrd"));
-    const auto isAtRest = [&controller] { return !controller.isLoading() && !controller.tracing().isRunning(); };
-    controller.document().replace({}, {});
     if (!io::writeVolume(forkScan(), path.toStdString())) {
         qFatal("The scan was not written.");
     }
-    controller.open({path});
-    if (!QTest::qWaitFor([&] { return isAtRest() && controller.document().current().vessels.scan; }, patienceMs)) {
-        qFatal("The scan did not open.");
-    }
-    QTest::qWait(500);
+    openScan(controller, path);
     showWindow(window, QStringLiteral("scan"));
+    showScanIn3d(window);
     window.actions()[ui::Command::SlicesLarge]->setChecked(true);
     QTest::qWait(500);
     showWindow(window, QStringLiteral("slices"));
     window.resize(1024, 720);
     showWindow(window, QStringLiteral("slices_small"));
     window.resize(1440, 900);
+}
+
+/// The scan behind its vessels, in the layout of the step that traces, then by itself.
+void Gallery::showScanIn3d(ui::MainWindow& window)
+{
+    using enum ui::Command;
+    window.actions()[ScanIn3d]->setChecked(true);
+    goToStep(window, ui::Step::Vessels);
+    QTest::qWait(2500);   // made ready, cast and refined by workers
+    showWindow(window, QStringLiteral("step_tracing"));
+    window.actions()[NextScanLook]->trigger();
+    window.actions()[CornerOnly]->setChecked(true);
+    QTest::qWait(2500);
+    showWindow(window, QStringLiteral("scan_in_3d"));
+    window.actions()[CornerOnly]->setChecked(false);
+    window.actions()[NextScanLook]->trigger();
+    window.actions()[ScanIn3d]->setChecked(false);
+    goToStep(window, ui::Step::Register);
+}
+
+void Gallery::goToStep(ui::MainWindow& window, ui::Step step)
+{
+    QTest::mouseClick(window.steps().findChildren<QAbstractButton*>().at(static_cast<int>(step)), Qt::LeftButton);
+    QTest::qWait(100);
+}
+
+/// The window as it stands in each step of a registered case, and with both columns folded.
+void Gallery::showSteps(ui::MainWindow& window)
+{
+    goToStep(window, ui::Step::Review);
+    showWindow(window, QStringLiteral("step_review"));
+    window.actions()[ui::Command::FoldRight]->setChecked(true);
+    showWindow(window, QStringLiteral("folded"));
+    window.actions()[ui::Command::FoldRight]->setChecked(false);
+    goToStep(window, ui::Step::Register);
 }
 
 }   // namespace angiopose::test

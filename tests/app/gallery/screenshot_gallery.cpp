@@ -51,6 +51,8 @@ int main(int argc, char** argv)
         {QStringLiteral("language"), QStringLiteral("en, de or zh_CN; all when not given"), QStringLiteral("code")});
     parser.addOption(
         {QStringLiteral("theme"), QStringLiteral("dark or light; both when not given"), QStringLiteral("name")});
+    parser.addOption({QStringLiteral("scan"), QStringLiteral("pictures of this scan, and nothing else"),
+                      QStringLiteral("file or folder")});
     parser.addPositionalArgument(QStringLiteral("folder"), QStringLiteral("for the pictures; none: only looks"));
     parser.process(application);
     const QString folder = parser.positionalArguments().value(0);
@@ -69,7 +71,11 @@ int main(int argc, char** argv)
     for (const QString& language : chosen("language", ui::languages())) {
         for (const QString& theme : chosen("theme", {QStringLiteral("dark"), QStringLiteral("light")})) {
             test::Gallery gallery(folder, language, theme);
-            gallery.run();
+            if (parser.isSet(QStringLiteral("scan"))) {
+                gallery.runScan(parser.value(QStringLiteral("scan")));
+            } else {
+                gallery.run();
+            }
             problems << gallery.problems();
             pictures += gallery.pictureCount();
         }

@@ -1,0 +1,132 @@
+#include "app/jobs/scan_job.h"
+
+#include "app/jobs/freed_elsewhere.h"
+#include "app/messages/says.h"
+
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+constexpr std::size_t roughVoxels = 400'000;
+constexpr double fineStepShare = 0.6;   // of a voxel, from sample to sample
+constexpr double roughStepShare = 1.0;
+
+}   // namespace
+
+struct ScanJob::Ready {
+    core::SeenScan fine;
+    core::SeenScan rough;
+    core::SeenLevels levels;
+    bool isMask = false;
+};
+
+ScanJob::ScanJob(QObject* parent)
+    : QObject(parent),
+      preparation_({[this](const std::shared_ptr<const Ready>& ready) { take(ready); },
+                    [this](const core::Error& error) { emit failed(error.message); }}),
+      pictures_([this](const CastPicture& picture) {
+          isFineUnderWay_ = false;
+          emit made(picture);
+      })
+{
+}
+
+void ScanJob::prepare(core::ScanToSee what, std::optional<double> threshold)
+{
+    clear();
+    preparation_.start([what = std::move(what), threshold](JobLink<double>& link) {
+        return madeReady(what, threshold, [&link] { return link.verdict() == core::Verdict::Continue; });
+    });
+}
+
+void ScanJob::clear()
+{
+    preparation_.drop();
+    pictures_.clear();
+    isFineUnderWay_ = false;
+    ready_.reset();
+}
+
+core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const core::ScanToSee& what,
+                                                                       std::optional<double> threshold,
+                                                                       const std::function<bool()>& goesOn)
+{
+    auto fine = core::seenScan(what, goesOn);
+    if (!fine) {
+        return core::Error(says::scanBesideVessels());
+    }
+    core::ScanToSee again;   // from what is reduced already
+    again.scan = std::make_shared<const core::Volume>(fine->volume);
+    if (fine->hasKinds) {
+        auto kinds = std::make_shared<core::VoxelMask>();
+        kinds->geometry = fine->volume.geometry;
+        kinds->voxels = fine->kinds;
+        again.mask = std::move(kinds);
+    }
+    again.mostVoxels = roughVoxels;
+    auto rough = core::seenScan(again, goesOn);
+    if (!rough) {
+        return core::Error(says::notShown());
+    }
+    auto ready = std::make_shared<Ready>();
+    ready->isMask = what.scan == nullptr;
+    ready->levels = ready->isMask ? core::SeenLevels() : core::seenLevels(*again.scan, threshold);
+    ready->fine = std::move(*fine);
+    ready->rough = std::move(*rough);
+    return std::shared_ptr<const Ready>(std::move(ready));
+}
+
+core::Result<CastPicture> ScanJob::cast(const Ready& ready, const ScanPictureWish& wish,
+                                        const std::function<bool()>& goesOn)
+{
+    const bool isFine = wish.detail == ScanDetail::Fine;
+    const core::SeenScan& scan = isFine ? ready.fine : ready.rough;
+    const core::ScanLook look =
+        ready.isMask ? core::lookOfMask(wish.look) : core::lookOf(ready.levels, wish.look, scan.hasKinds);
+    auto pixels = core::castScan(scan, look, wish.sight, isFine ? fineStepShare : roughStepShare, goesOn);
+    if (!pixels) {
+        return core::Error(says::notShown());   // stopped: a newer wish is there
+    }
+    return CastPicture{wish.sight, std::move(*pixels), wish.detail};
+}
+
+void ScanJob::take(const std::shared_ptr<const Ready>& ready)
+{
+    ready_ = freedElsewhere(ready);
+    pictures_.setWork([ready = ready_](const ScanPictureWish& wish, JobLink<double>& link) {
+        return cast(*ready, wish, [&link] { return link.verdict() == core::Verdict::Continue; });
+    });
+    emit prepared();
+}
+
+bool ScanJob::isHu() const
+{
+    return ready_ && ready_->levels.isHu;
+}
+
+Eigen::AlignedBox3d ScanJob::boxInPatient() const
+{
+    Eigen::AlignedBox3d box;
+    const core::VolumeGeometry& geometry = ready_->fine.volume.geometry;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d voxel((corner & 1) * (geometry.size.x() - 1), (corner >> 1 & 1) * (geometry.size.y() - 1),
+                                    (corner >> 2) * (geometry.size.z() - 1));
+        box.extend(geometry.patientFromVoxel() * voxel);
+    }
+    return box;
+}
+
+void ScanJob::request(const ScanPictureWish& wish)
+{
+    if (!ready_) {
+        return;
+    }
+    if (std::exchange(isFineUnderWay_, wish.detail == ScanDetail::Fine)) {
+        pictures_.requestInstead(wish);
+    } else {
+        pictures_.request(wish);
+    }
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,94 @@
+#include "app/review/detector_radiograph_controller.h"
+
+#include "app/preferences/settings.h"
+#include "core/registration/picture/radiograph.h"
+#include "ui/actions/window_actions.h"
+#include "ui/views/tree_view.h"
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+using ui::Command;
+
+constexpr int longestSidePx = 256;   // the detector is a small part of the view
+
+/// The body in X-rays, made ready with the first radiograph. Used by one worker at a time.
+class Source {
+public:
+    Source(std::shared_ptr<const core::Volume> scan, const core::ProjectionCamera& camera)
+        : scan_(std::move(scan)), camera_(camera)
+    {
+    }
+
+    /// As on the screen of a C-arm: what is dense is dark.
+    core::ImageF from(const core::RigidTransform& cameraFromPatient)
+    {
+        if (!body_) {
+            body_.emplace(*scan_, camera_, longestSidePx);
+            scan_.reset();
+        }
+        core::ImageF picture = body_->from(cameraFromPatient);
+        std::ranges::transform(picture.pixels, picture.pixels.begin(), [](float dense) { return -dense; });
+        return picture;
+    }
+
+private:
+    std::shared_ptr<const core::Volume> scan_;
+    core::ProjectionCamera camera_;
+    std::optional<core::BodyRadiograph> body_;
+};
+
+}   // namespace
+
+DetectorRadiographController::DetectorRadiographController(const CaseDocument& document, const ViewSync& sync,
+                                                           const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), ui_(ui), job_([this](const core::ImageF& picture) { show(picture); })
+{
+    QAction* wanted = ui.actions[Command::ScanOnDetector];
+    wanted->setChecked(settings::scanOnDetector.read());
+    connect(wanted, &QAction::toggled, this, [this](bool on) {
+        settings::scanOnDetector.write(on);
+        follow();
+    });
+    connect(&document, &CaseDocument::changed, this, &DetectorRadiographController::follow);
+    connect(&sync, &ViewSync::poseShown, this,
+            [this](const core::RigidTransform& cameraFromPatient) { job_.request(cameraFromPatient); });
+    follow();
+}
+
+void DetectorRadiographController::follow()
+{
+    const core::Case& current = document_.current();
+    const auto known = core::cameraOf(current.shown());
+    const bool isPossible = current.vessels.scan && known;
+    QAction* wanted = ui_.actions[Command::ScanOnDetector];
+    wanted->setEnabled(isPossible);
+    const bool isOn = isPossible && wanted->isChecked();
+    const auto scan = isOn ? current.vessels.scan : nullptr;
+    const auto camera = isOn ? std::optional(known.value()) : std::nullopt;
+    if (scan == scan_ && camera == camera_) {
+        return;
+    }
+    scan_ = scan;
+    camera_ = camera;
+    if (!isOn) {
+        job_.clear();
+        show({});
+        return;
+    }
+    job_.setWork([source = std::make_shared<Source>(scan, *camera)](const core::RigidTransform& cameraFromPatient,
+                                                                    JobLink<double>&) -> core::Result<core::ImageF> {
+        return source->from(cameraFromPatient);
+    });
+    job_.request(current.shown().cameraFromPatient);
+}
+
+void DetectorRadiographController::show(const core::ImageF& radiograph)
+{
+    ui_.treeView.scene().setDetectorPicture(radiograph);
+    ui_.treeView.requestRender();
+}
+
+}   // namespace angiopose::app

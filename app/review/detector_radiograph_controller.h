@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/newest_job.h"
+#include "app/showing/view_sync.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/imaging/image2d.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace angiopose::ui {
+class TreeView;
+class WindowActions;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// The scan as X-rays from the shown view's source would show it, on the detector in the 3-D view: made anew wherever
+/// the pose moves.
+class DetectorRadiographController : public QObject {
+    Q_OBJECT
+public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::TreeView& treeView;
+    };
+    DetectorRadiographController(const CaseDocument& document, const ViewSync& sync, const Ui& ui,
+                                 QObject* parent = nullptr);
+
+private:
+    void follow();
+    void show(const core::ImageF& radiograph);
+
+    const CaseDocument& document_;
+    Ui ui_;
+    std::shared_ptr<const core::Volume> scan_;   ///< that the job has
+    std::optional<core::ProjectionCamera> camera_;
+    NewestJob<core::RigidTransform, core::ImageF> job_;
+};
+
+}   // namespace angiopose::app

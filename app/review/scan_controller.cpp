@@ -1,0 +1,212 @@
+#include "app/review/scan_controller.h"
+
+#include "app/preferences/settings.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/slices/corner_views.h"
+#include "ui/slices/slice_model.h"
+#include "ui/views/scan_bar.h"
+#include "ui/views/tree_view.h"
+#include "ui/words/message_text.h"
+#include "ui/words/spoken.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace angiopose::app {
+namespace {
+
+using namespace std::chrono_literals;
+using core::ScanPreset;
+using ui::Command;
+
+constexpr double aroundVesselsMm = 12.0;
+constexpr int roughPx = 40'000;
+constexpr int finePx = 1'500'000;   // more than a view of 200 % has beside an image
+
+core::Rgb shareOf(const ui::Color& color)
+{
+    const auto unit = color.unit();
+    return {static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
+}
+
+bool isSame(const core::ScanToSee& a, const core::ScanToSee& b)
+{
+    const bool isSameBox = a.boxInPatient.has_value() == b.boxInPatient.has_value() &&
+                           (!a.boxInPatient || a.boxInPatient->isApprox(*b.boxInPatient));
+    return a.scan == b.scan && a.mask == b.mask && a.tree == b.tree && isSameBox;
+}
+
+}   // namespace
+
+ScanController::ScanController(const CaseDocument& document, const Ui& ui, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      ui_(ui),
+      preset_(static_cast<ScanPreset>(std::clamp(settings::scanLook.read(), 0, 1))),
+      strength_(std::clamp(settings::scanStrength.read(), 0.0, 1.0))
+{
+    connectCommands();
+    ui_.corner.scanBar().showStrength(strength_);
+    connect(&ui_.corner.scanBar(), &ui::ScanBar::strengthChanged, this, &ScanController::setStrength);
+    connect(&ui_.slices, &ui::SliceModel::scanChanged, this, &ScanController::follow);
+    connect(&ui_.slices, &ui::SliceModel::maskChanged, this, &ScanController::follow);
+    connect(&ui_.slices, &ui::SliceModel::lookChanged, this, [this] {   // colours of labels
+        if (look() != asked_) {
+            askRough();
+        }
+    });
+    connect(&document, &CaseDocument::changed, this, &ScanController::follow);
+    connect(&ui_.treeView, &ui::TreeView::sightChanged, this, &ScanController::askRough);
+    connect(&job_, &ScanJob::prepared, this, [this] {
+        ui_.treeView.scene().setScanBox(job_.boxInPatient());
+        ui_.treeView.requestRender();
+        askRough();
+        showState();
+    });
+    connect(&job_, &ScanJob::failed, this, [this](const core::Message& reason) {
+        ui_.strip.showStatus(ui::messageText(reason));
+        showState();
+    });
+    connect(&job_, &ScanJob::made, this, &ScanController::show);
+    rest_.setSingleShot(true);
+    rest_.setInterval(180ms);
+    connect(&rest_, &QTimer::timeout, this, &ScanController::askFine);
+    ui::speak(this, [this] { showState(); });
+    follow();
+}
+
+void ScanController::connectCommands()
+{
+    ui::WindowActions& actions = ui_.actions;
+    ui_.corner.scanBar().fillMenu({actions[Command::ScanIn3d], actions[Command::NextScanLook],
+                                   actions[Command::ScanAtVessels], actions[Command::ScanOnDetector]});
+    actions[Command::ScanIn3d]->setChecked(settings::scanIn3d.read());
+    actions[Command::ScanAtVessels]->setChecked(settings::scanAtVessels.read());
+    connect(actions[Command::ScanIn3d], &QAction::toggled, this, [this](bool on) {
+        settings::scanIn3d.write(on);
+        if (on) {
+            ui_.corner.showPlane(std::nullopt);   // there it is
+        }
+        follow();
+    });
+    connect(actions[Command::ScanAtVessels], &QAction::toggled, this, [this](bool on) {
+        settings::scanAtVessels.write(on);
+        follow();
+    });
+    connect(actions[Command::NextScanLook], &QAction::triggered, this, [this] {
+        preset_ = preset_ == ScanPreset::Vessels ? ScanPreset::VesselsAndBone : ScanPreset::Vessels;
+        settings::scanLook.write(static_cast<int>(preset_));
+        ui_.actions[Command::ScanIn3d]->setChecked(true);   // who chooses how wants to see it
+        showState();
+        askRough();
+    });
+}
+
+bool ScanController::isWanted() const
+{
+    return ui_.slices.hasScan() && ui_.actions[Command::ScanIn3d]->isChecked();
+}
+
+core::ScanToSee ScanController::toSee() const
+{
+    core::ScanToSee what{ui_.slices.volume(), ui_.slices.sharedMask(), nullptr};
+    const auto& tree = document_.current().vessels.tree;
+    const bool hasTree = tree && !tree->branches.empty();
+    if (!what.mask) {
+        what.tree = tree;
+    }
+    if (hasTree && ui_.actions[Command::ScanAtVessels]->isChecked()) {
+        Eigen::AlignedBox3d box;
+        for (const core::VesselBranch& branch : tree->branches) {
+            for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+                box.extend(point);
+            }
+        }
+        const Eigen::Vector3d margin = Eigen::Vector3d::Constant(aroundVesselsMm);
+        what.boxInPatient = Eigen::AlignedBox3d(box.min() - margin, box.max() + margin);
+    }
+    return what;
+}
+
+void ScanController::follow()
+{
+    for (const Command command : {Command::ScanIn3d, Command::NextScanLook, Command::ScanAtVessels}) {
+        ui_.actions[command]->setEnabled(ui_.slices.hasScan());
+    }
+    if (!isWanted()) {
+        release();
+    } else if (core::ScanToSee what = toSee(); !isSame(what, seen_)) {
+        seen_ = what;
+        job_.prepare(std::move(what), document_.current().vessels.input.tracing.threshold);
+    }
+    showState();
+}
+
+/// Nothing is kept of a scan that is not to be seen.
+void ScanController::release()
+{
+    job_.clear();
+    rest_.stop();
+    seen_ = {};
+    isShown_ = false;
+    ui_.treeView.scene().setScanBox({});
+    ui_.treeView.scene().setScanPicture({});
+    ui_.treeView.requestRender();
+}
+
+core::ScanWish ScanController::look() const
+{
+    const ui::ScanColors colors = ui::scanColors();
+    core::ScanWish wish{preset_, strength_, shareOf(colors.soft), shareOf(colors.bone), {}};
+    for (const ui::MaskTint& tint : ui_.slices.labelTints()) {
+        wish.kinds.push_back(shareOf(tint.color));
+    }
+    if (wish.kinds.empty()) {
+        wish.kinds = {shareOf(colors.vessels)};
+    }
+    return wish;
+}
+
+void ScanController::askRough()
+{
+    if (job_.isReady() && ui_.treeView.isVisible()) {
+        asked_ = look();
+        job_.request({asked_, ui_.treeView.scene().sight(roughPx), ScanDetail::Rough});
+        rest_.start();
+    }
+}
+
+void ScanController::askFine()
+{
+    if (job_.isReady() && ui_.treeView.isVisible()) {
+        job_.request({asked_, ui_.treeView.scene().sight(finePx), ScanDetail::Fine});
+    }
+}
+
+void ScanController::show(const CastPicture& picture)
+{
+    isShown_ = true;
+    ui_.treeView.scene().setScanPicture({picture.sight, picture.pixels});
+    ui_.treeView.requestRender();
+}
+
+void ScanController::showState()
+{
+    const bool isOn = isWanted();
+    const bool isMask = ui_.slices.volume() == nullptr;
+    const QString look = isMask                           ? tr("labels")
+                         : preset_ == ScanPreset::Vessels ? tr("vessels")
+                         : !job_.isReady() || job_.isHu() ? tr("vessels and bone")
+                                                          : tr("vessels and tissue");
+    ui_.corner.scanBar().showState(isOn ? tr("Scan: %1").arg(look) : tr("Scan: off"), isOn);
+}
+
+void ScanController::setStrength(double strength)
+{
+    strength_ = strength;
+    settings::scanStrength.write(strength);
+    askRough();
+}
+
+}   // namespace angiopose::app

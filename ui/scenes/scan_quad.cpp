@@ -1,0 +1,66 @@
+#include "ui/scenes/scan_quad.h"
+
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <array>
+
+namespace angiopose::ui {
+
+ScanQuad::ScanQuad()
+{
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType corners[] = {0, 1, 2, 3};
+    cells->InsertNextCell(4, corners);
+    rectangle_->SetPolys(cells);
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetNumberOfComponents(2);
+    for (const auto& [s, t] : std::array<std::array<double, 2>, 4>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}) {
+        coordinates->InsertNextTuple2(s, t);
+    }
+    rectangle_->GetPointData()->SetTCoords(coordinates);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(rectangle_);
+    actor_->SetMapper(mapper);
+    actor_->GetProperty()->LightingOff();
+    actor_->ForceTranslucentOn();
+    actor_->PickableOff();
+    actor_->VisibilityOff();
+    texture_->RepeatOff();
+    texture_->EdgeClampOn();
+    texture_->SetColorModeToDirectScalars();
+    texture_->SetPremultipliedAlpha(true);
+    texture_->InterpolateOn();
+    texture_->SetInputData(picture_);
+}
+
+void ScanQuad::show(const ScanPicture& picture)
+{
+    const core::ParallelSight& sight = picture.sight;
+    if (picture.pixels.isEmpty()) {
+        actor_->VisibilityOff();
+        return;
+    }
+    picture_->SetDimensions(picture.pixels.width, picture.pixels.height, 1);
+    picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    std::copy_n(picture.pixels.pixels.data()->data(), 4 * picture.pixels.pixels.size(),
+                static_cast<std::uint8_t*>(picture_->GetScalarPointer()));
+    picture_->Modified();
+    const Eigen::Vector3d right = 0.5 * sight.width * sight.mmPerPx * sight.right;
+    const Eigen::Vector3d up = 0.5 * sight.height * sight.mmPerPx * sight.up;
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const Eigen::Vector3d& way : {Eigen::Vector3d(-right - up), Eigen::Vector3d(right - up),
+                                       Eigen::Vector3d(right + up), Eigen::Vector3d(up - right)}) {
+        points->InsertNextPoint((sight.centreInPatient + way).eval().data());
+    }
+    rectangle_->SetPoints(points);
+    actor_->SetTexture(texture_);
+    actor_->VisibilityOn();
+}
+
+}   // namespace angiopose::ui
