@@ -1,6 +1,7 @@
 #include "io/measurement_table.h"
 
 #include "core/measuring/measure_image.h"
+#include "core/measuring/measure_slice.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
 #include "io/support/measurement_words.h"
@@ -81,6 +82,28 @@ void addMeasurementRow(std::string& table, std::size_t place, const core::Measur
     table += "," + pointsOf(measurement) + "\n";
 }
 
+std::string pointsOf(const core::SliceMeasurement& measurement)
+{
+    std::string points;
+    for (const Eigen::Vector3d& point : measurement.pointsInPatient) {
+        points += (points.empty() ? "" : ";") + toText(point.x()) + " " + toText(point.y()) + " " + toText(point.z());
+    }
+    return points;
+}
+
+/// Of no view and frame; millimetres of the patient need no scale.
+void addSliceRow(std::string& table, const core::SliceMeasurement& measurement, const core::VolumeGeometry* scan)
+{
+    const std::string plane = bodyPlaneWords[static_cast<std::size_t>(measurement.plane)];
+    table += std::string(",,") + measurementKinds[static_cast<std::size_t>(measurement.kind)] + "," +
+             csvCell(measurement.name) + ",";
+    const auto value = core::valueOf(measurement);
+    table += value ? toText(value.value().value) + "," + std::string(unitInTable(value.value().unit)) : ",";
+    table += "," + plane + ",,,," + (value ? "scan" : "") + "," +
+             csvCell(value ? notesOf(core::basisOf(measurement, scan)) : value.error().message.text()) + "," +
+             pointsOf(measurement) + "\n";
+}
+
 }   // namespace
 
 std::string measurementTable(const core::Case& theCase)
@@ -90,6 +113,10 @@ std::string measurementTable(const core::Case& theCase)
         for (const core::ImageMeasurement& measurement : theCase.views[place].measurements) {
             addMeasurementRow(table, place, {theCase.views[place], theCase.vessels.tree.get()}, measurement);
         }
+    }
+    const core::VolumeGeometry* scan = theCase.vessels.scan ? &theCase.vessels.scan->geometry : nullptr;
+    for (const core::SliceMeasurement& measurement : theCase.vessels.measurements) {
+        addSliceRow(table, measurement, scan);
     }
     return table;
 }

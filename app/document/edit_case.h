@@ -43,7 +43,7 @@ using ChangeViews = SetFields<&Case::views>;
 using ShowView = SetFields<&Case::views, &Case::shownView>;
 
 using ChangeLandmarks = SetFields<&View::landmarks>;
-using ChangeMeasurements = SetFields<&View::measurements>;
+using ChangeMeasurements = SetFields<&View::measurements, &Vessels::measurements>;   // in the image and in slices
 using TypeScale = SetFields<&View::typedMmPerPx>;
 using ChangeMarks = SetFields<&Vessels::marks>;
 using RemoveMarks = SetFields<&Vessels::marks, &Case::views>;   // with where they were seen, in all views

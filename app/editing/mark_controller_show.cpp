@@ -64,7 +64,9 @@ void MarkController::showPlaces()
     ui_.treeView.showPlaces(std::move(signs));
     std::vector<ui::SliceMark> places;
     for (const VesselMark& mark : marks()) {
-        places.push_back({mark.pointInPatient, QString::fromStdString(mark.name)});
+        const bool isRing = mark.kind == VesselMarkKind::OstiumRing;
+        places.push_back({mark.pointInPatient, QString::fromStdString(mark.name),
+                          isRing ? core::ringPoints(mark, ringSteps3d) : std::vector<Eigen::Vector3d>{}});
     }
     ui_.slices.setPoints(ui::SliceMarkKind::Place, std::move(places));
 }

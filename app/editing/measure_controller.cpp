@@ -15,15 +15,28 @@ namespace angiopose::app {
 using core::ImageMeasurement;
 using core::MeasurementKind;
 using core::MeasurementPlane;
+using core::SliceMeasurement;
+
+namespace {
+
+QString editText(MeasurementKind kind)
+{
+    return kind == MeasurementKind::Length  ? MeasureController::tr("Measure length")
+           : kind == MeasurementKind::Angle ? MeasureController::tr("Measure angle")
+                                            : MeasureController::tr("Measure area");
+}
+
+}   // namespace
 
 MeasureController::MeasureController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview,
                                      const Ui& ui, QObject* parent)
-    : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
+    : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui), slices_(document, ui.slices)
 {
     connectTool(MeasurementKind::Length, *ui_.actions[ui::Command::MeasureLength]);
     connectTool(MeasurementKind::Angle, *ui_.actions[ui::Command::MeasureAngle]);
     connectTool(MeasurementKind::Area, *ui_.actions[ui::Command::MeasureArea]);
     connectPanel();
+    connectSlices();
     connect(&document_, &CaseDocument::changed, this, &MeasureController::show);
     connect(&preview_, &PosePreview::changed, this, &MeasureController::show);
     connect(&sync_, &ViewSync::frameShown, this, &MeasureController::show);
@@ -38,11 +51,12 @@ void MeasureController::connectTool(MeasurementKind kind, QAction& action)
         return measureLabel({kind, planeOfNext(), pixels, sync_.shownFrame(), {}}, seen());
     });
     ui::bindTool(action, ui_.view, *tool);
+    slices_.bind(kind, action);
     ui_.panel.bindMode(kind, action);
     connect(&action, &QAction::toggled, this, [this, &action](bool on) {
-        if (on && !document_.current().shown().angiogram) {
+        if (on && !document_.current().shown().angiogram && !slices_.hasScan()) {
             action.setChecked(false);
-            emit refused(tr("Open an angiogram first."));
+            emit refused(tr("Open an angiogram or a scan first."));
         }
     });
     connect(tool, &ui::MeasureTool::drawn, this,
@@ -58,12 +72,69 @@ void MeasureController::connectPanel()
     const ui::MeasurePanel& panel = ui_.panel;
     connect(&panel, &ui::MeasurePanel::planePicked, this, &MeasureController::pickPlane);
     connect(&panel, &ui::MeasurePanel::scaleTyped, this, &MeasureController::typeScale);
-    connect(&panel, &ui::MeasurePanel::choiceChanged, this, &MeasureController::show);
+    connect(&panel, &ui::MeasurePanel::choiceChanged, this, [this] {
+        show();
+        goToChosen();
+    });
     connect(&panel, &ui::MeasurePanel::renamed, this,
             [this](int place, const QString& name) { rename(static_cast<std::size_t>(place), name); });
     connect(&panel, &ui::MeasurePanel::removeRequested, this, &MeasureController::remove);
     connect(&panel, &ui::MeasurePanel::exportRequested, ui_.actions[ui::Command::ExportMeasurements],
             &QAction::trigger);
+}
+
+void MeasureController::connectSlices()
+{
+    connect(&slices_, &SliceMeasureController::drawn, this, [this](const SliceMeasurement& drawn) {
+        std::vector<SliceMeasurement> all = inSlices();
+        all.push_back(drawn);
+        changeInSlices(std::move(all), [kind = drawn.kind] { return editText(kind); });
+    });
+    connect(&slices_, &SliceMeasureController::pointMoved, this,
+            [this](int measurement, int point, const Eigen::Vector3d& pointInPatient) {
+                std::vector<SliceMeasurement> all = inSlices();
+                all.at(static_cast<std::size_t>(measurement)).pointsInPatient.at(static_cast<std::size_t>(point)) =
+                    pointInPatient;
+                changeInSlices(std::move(all), [] { return tr("Move point of measurement"); });
+            });
+    connect(&slices_, &SliceMeasureController::removeRequested, this, &MeasureController::removeChosenOrLast);
+}
+
+const std::vector<SliceMeasurement>& MeasureController::inSlices() const
+{
+    return document_.current().vessels.measurements;
+}
+
+std::set<int> MeasureController::chosenImages() const
+{
+    const auto count = static_cast<int>(measurements().size());
+    std::set<int> places;
+    for (const int place : ui_.panel.chosen()) {
+        if (place < count) {
+            places.insert(place);
+        }
+    }
+    return places;
+}
+
+std::set<int> MeasureController::chosenSlices() const
+{
+    const auto count = static_cast<int>(measurements().size());
+    std::set<int> places;
+    for (const int place : ui_.panel.chosen()) {
+        if (place >= count) {
+            places.insert(place - count);
+        }
+    }
+    return places;
+}
+
+/// One that was drawn in a slice is looked at there.
+void MeasureController::goToChosen()
+{
+    if (const std::set<int> places = chosenSlices(); places.size() == 1) {
+        slices_.goTo(*places.begin());
+    }
 }
 
 const std::vector<ImageMeasurement>& MeasureController::measurements() const
@@ -87,11 +158,7 @@ void MeasureController::add(MeasurementKind kind, const std::vector<Eigen::Vecto
 {
     std::vector<ImageMeasurement> all = measurements();
     all.push_back({kind, planeOfNext(), pixels, sync_.shownFrame(), {}});
-    change(std::move(all), [kind] {
-        return kind == MeasurementKind::Length  ? tr("Measure length")
-               : kind == MeasurementKind::Angle ? tr("Measure angle")
-                                                : tr("Measure area");
-    });
+    change(std::move(all), [kind] { return editText(kind); });
 }
 
 void MeasureController::movePoint(std::size_t measurement, std::size_t point, const Eigen::Vector2d& pixel)
@@ -104,39 +171,48 @@ void MeasureController::movePoint(std::size_t measurement, std::size_t point, co
 void MeasureController::rename(std::size_t place, const QString& name)
 {
     std::vector<ImageMeasurement> all = measurements();
+    std::vector<SliceMeasurement> slices = inSlices();
     const QString trimmed = name.trimmed();
-    if (place >= all.size() || trimmed == measureRow(all[place], seen()).name) {
+    const ui::Words edit = [] { return tr("Rename measurement"); };
+    const std::size_t slice = place - all.size();   // where it is none of the image
+    if (place < all.size() && trimmed != measureRow(all[place], seen()).name) {
+        all[place].name = trimmed.toStdString();
+        change(std::move(all), edit);
+    } else if (place >= all.size() && slice < slices.size() && trimmed != slices_.rows()[slice].name) {
+        slices[slice].name = trimmed.toStdString();
+        changeInSlices(std::move(slices), edit);
+    } else {
         show();   // what was typed may be blank around the name
-        return;
     }
-    all[place].name = trimmed.toStdString();
-    change(std::move(all), [] { return tr("Rename measurement"); });
 }
 
 void MeasureController::remove(const std::set<int>& places)
 {
-    std::vector<ImageMeasurement> kept;
-    for (std::size_t i = 0; i < measurements().size(); ++i) {
-        if (!places.contains(static_cast<int>(i))) {
-            kept.push_back(measurements()[i]);
-        }
+    std::vector<ImageMeasurement> images = measurements();
+    std::vector<SliceMeasurement> slices = inSlices();
+    int place = 0;
+    const auto isGone = [&](const auto&) { return places.contains(place++); };
+    const std::size_t gone = std::erase_if(images, isGone) + std::erase_if(slices, isGone);
+    if (gone > 0) {
+        document_.push(std::make_unique<ChangeMeasurements>(
+            document_, ChangeMeasurements::Values{std::move(images), std::move(slices)},
+            [] { return tr("Remove measurement"); }));
     }
-    if (kept.size() != measurements().size()) {
-        change(std::move(kept), [] { return tr("Remove measurement"); });
-    }
+    show();
 }
 
 void MeasureController::removeChosenOrLast()
 {
     const std::set<int> chosen = ui_.panel.chosen();
-    remove(chosen.empty() ? std::set<int>{static_cast<int>(measurements().size()) - 1} : chosen);
+    const std::size_t count = measurements().size() + inSlices().size();
+    remove(chosen.empty() ? std::set<int>{static_cast<int>(count) - 1} : chosen);
 }
 
 void MeasureController::pickPlane(MeasurementPlane plane)
 {
     plane_ = plane;
     std::vector<ImageMeasurement> all = measurements();
-    for (const int place : ui_.panel.chosen()) {
+    for (const int place : chosenImages()) {
         all[static_cast<std::size_t>(place)].plane = plane;
     }
     if (all != measurements()) {
@@ -157,9 +233,16 @@ void MeasureController::typeScale(double mmPerPx)
 
 void MeasureController::change(std::vector<ImageMeasurement> measurements, const ui::Words& name)
 {
-    document_.push(
-        std::make_unique<ChangeMeasurements>(document_, ChangeMeasurements::Values{std::move(measurements)}, name));
+    document_.push(std::make_unique<ChangeMeasurements>(
+        document_, ChangeMeasurements::Values{std::move(measurements), inSlices()}, name));
     show();   // also what was refused
+}
+
+void MeasureController::changeInSlices(std::vector<SliceMeasurement> slices, const ui::Words& name)
+{
+    document_.push(std::make_unique<ChangeMeasurements>(
+        document_, ChangeMeasurements::Values{measurements(), std::move(slices)}, name));
+    show();
 }
 
 void MeasureController::show()
@@ -168,13 +251,16 @@ void MeasureController::show()
     for (const ImageMeasurement& measurement : measurements()) {
         state.rows.push_back(measureRow(measurement, seen()));
     }
-    const std::set<int> chosen = ui_.panel.chosen();
-    const bool isOne = !chosen.empty() && *chosen.begin() < static_cast<int>(measurements().size());
+    const std::vector<ui::MeasureRow> sliceRows = slices_.rows();
+    state.rows.insert(state.rows.end(), sliceRows.begin(), sliceRows.end());
+    const std::set<int> chosen = chosenImages();
+    const bool isOne = !chosen.empty();
     state.plane = isOne ? measurements()[static_cast<std::size_t>(*chosen.begin())].plane : planeOfNext();
     state.basis = document_.current().shown().angiogram ? planeBasis(state.plane, seen()) : QString();
     state.typedMmPerPx = document_.current().shown().typedMmPerPx;
     ui_.panel.showMeasurements(state);
     showMarks();
+    slices_.show(chosenSlices());
 }
 
 void MeasureController::showMarks()
@@ -182,7 +268,7 @@ void MeasureController::showMarks()
     const int frame = sync_.shownFrame();
     std::vector<ui::ImageMark> marks = windowMarks(seen(), frame);
     std::vector<ImageMeasurement> there = measurements();
-    const std::set<int> chosen = ui_.panel.chosen();
+    const std::set<int> chosen = chosenImages();
     std::size_t mark = 0;
     for (std::size_t i = 0; i < there.size(); ++i) {
         if (there[i].frame != frame) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/editing/slice_measure_controller.h"
 #include "app/showing/pose_preview.h"
 #include "app/showing/view_sync.h"
 #include "core/measuring/image_scale.h"
@@ -18,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Measurements in the shown image: drawn by the mouse, listed with their basis, renamed, moved and removed, each a
-/// step of undo. Values follow the pose that is shown.
+/// Measurements in the shown image and in slices of the scan: drawn by the mouse, listed with their basis, renamed,
+/// moved and removed, each a step of undo. Values in the image follow the pose that is shown.
 class MeasureController : public QObject {
     Q_OBJECT
 public:
@@ -28,6 +29,7 @@ public:
         ui::WindowActions& actions;
         ui::MeasurePanel& panel;
         ui::AngiogramView& view;
+        SliceMeasureController::Ui slices;
     };
     MeasureController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview, const Ui& ui,
                       QObject* parent = nullptr);
@@ -38,6 +40,7 @@ signals:
 private:
     void connectTool(core::MeasurementKind kind, QAction& action);
     void connectPanel();
+    void connectSlices();
     void add(core::MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels);
     void movePoint(std::size_t measurement, std::size_t point, const Eigen::Vector2d& pixel);
     void rename(std::size_t place, const QString& name);
@@ -46,16 +49,22 @@ private:
     void typeScale(double mmPerPx);
     void removeChosenOrLast();
     void change(std::vector<core::ImageMeasurement> measurements, const ui::Words& name);
+    void changeInSlices(std::vector<core::SliceMeasurement> measurements, const ui::Words& name);
+    void goToChosen();
+    std::set<int> chosenImages() const;   ///< places in `measurements`
+    std::set<int> chosenSlices() const;   ///< places in `inSlices`
     void show();
     void showMarks();
     core::MeasurementPlane planeOfNext() const;
     core::MeasuredView seen() const;
     const std::vector<core::ImageMeasurement>& measurements() const;
+    const std::vector<core::SliceMeasurement>& inSlices() const;
 
     CaseDocument& document_;
     const ViewSync& sync_;
     const PosePreview& preview_;
     Ui ui_;
+    SliceMeasureController slices_;
     std::array<ui::MeasureTool*, 3> tools_{};   ///< by core::MeasurementKind
     std::optional<core::MeasurementPlane> plane_;   ///< picked by the user; else the best there is
 };

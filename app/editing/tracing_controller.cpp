@@ -100,6 +100,11 @@ TracingController::TracingController(CaseDocument& document, const Ui& ui, QObje
         ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         start();
     });
+    connect(&ui_.slices, &ui::SliceModel::toolChanged, this, [this] {
+        if (ui_.slices.tool()) {
+            dropPick();
+        }
+    });
     connect(&labels_, &LabelController::edited, this, &TracingController::showWhyNot);
     ui::speak(this, [this] { followDocument(); });
 }
@@ -173,6 +178,9 @@ void TracingController::setDraft(const core::VesselTracingOptions& draft)
 void TracingController::setPick(ui::TracingPick pick)
 {
     pick_ = pick;
+    if (pick != ui::TracingPick::Nothing) {
+        ui_.slices.setTool(nullptr);   // the click is for points
+    }
     ui_.panel.showPick(pick);
 }
 

@@ -265,8 +265,9 @@ void ExportController::askTrace()
 void ExportController::askMeasurements()
 {
     const auto isMeasured = [](const core::View& view) { return !view.measurements.empty(); };
-    if (std::ranges::none_of(document_.current().views, isMeasured)) {
-        emit failed(tr("Nothing has been measured in the images yet."));
+    const core::Case& current = document_.current();
+    if (current.vessels.measurements.empty() && std::ranges::none_of(current.views, isMeasured)) {
+        emit failed(tr("Nothing has been measured yet."));
         return;
     }
     askFile({tr("Export measurements"), tr("Tables (*.csv)"), QStringLiteral("measurements.csv")},

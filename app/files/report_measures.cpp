@@ -25,6 +25,11 @@ ReportRows measuredRows(const core::Case& theCase)
         const ui::MeasureRow row = measureRow(measurement, {view, theCase.vessels.tree.get()});
         rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
     }
+    const auto& scan = theCase.vessels.scan;
+    for (const core::SliceMeasurement& measurement : theCase.vessels.measurements) {
+        const ui::MeasureRow row = sliceRow(measurement, scan ? &scan->geometry : nullptr);
+        rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
+    }
     return rows;
 }
 

@@ -2,9 +2,15 @@
 
 #include "app/texts/image_marks.h"
 #include "core/measuring/measure_image.h"
+#include "core/measuring/measure_slice.h"
+#include "core/messages/says.h"
+#include "ui/slices/slice_model.h"
 #include "ui/words/message_text.h"
+#include "ui/words/number.h"
 
 #include <QCoreApplication>
+
+#include <array>
 
 namespace angiopose::app {
 namespace {
@@ -14,7 +20,8 @@ struct MeasureWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::MeasureWords)
 };
 
-QString nameOf(const core::ImageMeasurement& measurement)
+template <class Measurement>
+QString nameOf(const Measurement& measurement)
 {
     if (!measurement.name.empty()) {
         return QString::fromStdString(measurement.name);
@@ -28,6 +35,20 @@ QString nameOf(const core::ImageMeasurement& measurement)
             break;
     }
     return MeasureWords::tr("Area");
+}
+
+QString inScan(const QString& value)
+{
+    return MeasureWords::tr("%1 in the scan").arg(value);
+}
+
+QString sliceWords(const core::SliceMeasurement& measurement)
+{
+    constexpr std::array axes{"z", "y", "x"};   // along the normals of core::bodyPlanes
+    return MeasureWords::tr("%1, %2 %3 mm.")
+               .arg(ui::nameOf(measurement.plane), QLatin1String(axes[static_cast<std::size_t>(measurement.plane)]),
+                    ui::numberText(core::sliceAtMm(measurement), 1)) +
+           QLatin1Char(' ');
 }
 
 QString frameWords(const core::ImageMeasurement& measurement)
@@ -48,6 +69,23 @@ ui::MeasureRow measureRow(const core::ImageMeasurement& measurement, const core:
     return {nameOf(measurement), ui::messageText(core::labelOf(measured.value(), measurement.kind)),
             frame + ui::messagesText(core::basisOf(measured.value(), measurement.kind, seen)),
             scale.isInMm() && scale.origin == core::Origin::Assumed};
+}
+
+ui::MeasureRow sliceRow(const core::SliceMeasurement& measurement, const core::VolumeGeometry* scan)
+{
+    const QString slice = sliceWords(measurement);
+    const auto value = core::valueOf(measurement);
+    if (!value) {
+        return {nameOf(measurement), QStringLiteral("–"), slice + ui::messageText(value.error().message), true};
+    }
+    return {nameOf(measurement), inScan(sliceLabel(measurement)),
+            slice + ui::messagesText(core::basisOf(measurement, scan)), false};
+}
+
+QString sliceLabel(const core::SliceMeasurement& measurement)
+{
+    const auto value = core::valueOf(measurement);
+    return value ? ui::messageText(core::says::measuredPlain(value.value())) : QString();
 }
 
 QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen)

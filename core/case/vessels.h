@@ -2,6 +2,7 @@
 
 #include "core/case/input_file.h"
 #include "core/imaging/angiogram.h"
+#include "core/imaging/slice_measurement.h"
 #include "core/imaging/volume.h"
 #include "core/tracing/volume/vessel_input.h"
 #include "core/vessel/vessel_mark.h"
@@ -31,6 +32,7 @@ struct Vessels {
     std::vector<int> hiddenBranchIds;   ///< count, but are not drawn
     std::optional<Eigen::Vector3d> pickedPivotInPatient;   ///< see pivotInPatient
     std::vector<VesselMark> marks;   ///< check points and rings, as the user named them
+    std::vector<SliceMeasurement> measurements;   ///< drawn in slices of the scan
 };
 
 /// What the vessels turn about by hand, and whose shifts are shown and locked: picked, or the tree's centroid; nothing

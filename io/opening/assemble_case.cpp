@@ -16,6 +16,7 @@ void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
         return;
     }
     vessels.scan = inputs.volume;
+    vessels.measurements.clear();   // in another scan
     vessels.scanIdentity = inputs.scanIdentity;
     vessels.scanFile = {};
     vessels.scanSeriesId.clear();
@@ -81,6 +82,7 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
     }
     if (inputs.volume && !inputs.tree) {
         vessels.scan = inputs.volume;
+        vessels.measurements.clear();   // in another scan
         vessels.scanIdentity = inputs.scanIdentity;
         vessels.scanFile = inputs.scanFile;
         vessels.scanSeriesId = inputs.scanSeriesId;

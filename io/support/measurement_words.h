@@ -4,11 +4,12 @@
 
 namespace angiopose::io {
 
-/// Words of files for core::MeasurementKind, core::MeasurementPlane, core::VesselMarkKind and
-/// core::AnnotationKind, in their order.
+/// Words of files for core::MeasurementKind, core::MeasurementPlane, core::VesselMarkKind,
+/// core::AnnotationKind and core::BodyPlane, in their order.
 inline constexpr std::array measurementKinds{"length", "angle", "area"};
 inline constexpr std::array measurementPlanes{"vessels", "detector", "pixels", "typed"};
 inline constexpr std::array markKinds{"check-point", "ostium-ring"};
 inline constexpr std::array annotationKinds{"arrow", "text"};
+inline constexpr std::array bodyPlaneWords{"axial", "coronal", "sagittal"};
 
 }   // namespace angiopose::io

@@ -448,10 +448,6 @@
         <translation>Berichte (*.pdf *.html)</translation>
     </message>
     <message>
-        <source>Nothing has been measured in the images yet.</source>
-        <translation>In den Bildern ist noch nichts gemessen.</translation>
-    </message>
-    <message>
         <source>Export measurements</source>
         <translation>Messungen exportieren</translation>
     </message>
@@ -466,6 +462,10 @@
     <message>
         <source>Export check points</source>
         <translation>Prüfpunkte exportieren</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured yet.</source>
+        <translation>Es wurde noch nichts gemessen.</translation>
     </message>
 </context>
 <context>
@@ -5910,6 +5910,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Pfeil hat zwei Punkte, ein Text einen. Die Punkte berichtigen oder ihn entfernen.</translation>
     </message>
     <message>
+        <source>Scan voxels of %1 × %2 × %3.</source>
+        <comment>measure.basis-scan</comment>
+        <translation>Scan-Voxel von %1 × %2 × %3.</translation>
+    </message>
+    <message>
+        <source>Scan voxels; the scan is not open, so that their size is not known here.</source>
+        <comment>measure.basis-scan-away</comment>
+        <translation>Scan-Voxel; der Scan ist nicht geöffnet, ihre Größe daher hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>In the plane of the slice: legs that leave it make another angle in space.</source>
+        <comment>measure.basis-scan-angle</comment>
+        <translation>In der Ebene der Schicht: Schenkel, die sie verlassen, bilden im Raum einen anderen Winkel.</translation>
+    </message>
+    <message>
         <source>it is a report, not an image.</source>
         <comment>study.report</comment>
         <translation>sie ist ein Befund, kein Bild.</translation>
@@ -9809,13 +9824,17 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>Area</source>
         <translation>Fläche</translation>
     </message>
+    <message>
+        <source>%1 in the scan</source>
+        <translation>%1 im Scan</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3 mm.</source>
+        <translation>%1, %2 %3 mm.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::MeasureController</name>
-    <message>
-        <source>Open an angiogram first.</source>
-        <translation>Erst ein Angiogramm öffnen.</translation>
-    </message>
     <message>
         <source>Measure length</source>
         <translation>Länge messen</translation>
@@ -9848,6 +9867,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>Type scale of the image</source>
         <translation>Maßstab des Bildes eingeben</translation>
     </message>
+    <message>
+        <source>Open an angiogram or a scan first.</source>
+        <translation>Zuerst ein Angiogramm oder einen Scan öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::MeasurePanel</name>
@@ -9862,10 +9885,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Area</source>
         <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>Measure in the image</source>
-        <translation>Im Bild messen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -9904,14 +9923,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>in Pixeln</translation>
     </message>
     <message>
-        <source>Measurements in the image</source>
-        <translation>Messungen im Bild</translation>
-    </message>
-    <message>
-        <source>%1 in this view</source>
-        <translation>%1 in dieser Ansicht</translation>
-    </message>
-    <message>
         <source>by a typed scale</source>
         <translation>nach eingegebenem Maßstab</translation>
     </message>
@@ -9930,6 +9941,18 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>What a pixel measures in the patient, where it is known from elsewhere.</source>
         <translation>Was ein Pixel im Patienten misst, wo es anderswoher bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measurements in image and slices</source>
+        <translation>Messungen in Bild und Schichten</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>%1 gemessen</translation>
     </message>
 </context>
 <context>
@@ -10261,6 +10284,21 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Check point %1</source>
         <translation>Prüfpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SliceMeasureTool</name>
+    <message>
+        <source>Length: drag, or click both ends · points can be moved</source>
+        <translation>Länge: ziehen oder beide Enden anklicken · Punkte lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Angle: click an end, the vertex, the other end · points can be moved</source>
+        <translation>Winkel: ein Ende, den Scheitel, das andere Ende anklicken · Punkte lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>Area: click around it; double click or Enter closes · points can be moved</source>
+        <translation>Fläche: ringsum klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
     </message>
 </context>
 <context>

@@ -448,10 +448,6 @@
         <translation>报告 (*.pdf *.html)</translation>
     </message>
     <message>
-        <source>Nothing has been measured in the images yet.</source>
-        <translation>图像中尚无测量。</translation>
-    </message>
-    <message>
         <source>Export measurements</source>
         <translation>导出测量</translation>
     </message>
@@ -466,6 +462,10 @@
     <message>
         <source>Export check points</source>
         <translation>导出检查点</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured yet.</source>
+        <translation>尚未进行任何测量。</translation>
     </message>
 </context>
 <context>
@@ -5910,6 +5910,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>箭头有两个点，文字有一个。请修正这些点或移除。</translation>
     </message>
     <message>
+        <source>Scan voxels of %1 × %2 × %3.</source>
+        <comment>measure.basis-scan</comment>
+        <translation>扫描体素 %1 × %2 × %3。</translation>
+    </message>
+    <message>
+        <source>Scan voxels; the scan is not open, so that their size is not known here.</source>
+        <comment>measure.basis-scan-away</comment>
+        <translation>扫描体素；扫描未打开，此处不知其大小。</translation>
+    </message>
+    <message>
+        <source>In the plane of the slice: legs that leave it make another angle in space.</source>
+        <comment>measure.basis-scan-angle</comment>
+        <translation>位于断层平面内：离开该平面的边在空间中形成的角度不同。</translation>
+    </message>
+    <message>
         <source>it is a report, not an image.</source>
         <comment>study.report</comment>
         <translation>这是报告，不是图像。</translation>
@@ -9808,13 +9823,17 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>Area</source>
         <translation>面积</translation>
     </message>
+    <message>
+        <source>%1 in the scan</source>
+        <translation>扫描中 %1</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3 mm.</source>
+        <translation>%1，%2 %3 mm。</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::MeasureController</name>
-    <message>
-        <source>Open an angiogram first.</source>
-        <translation>请先打开血管造影。</translation>
-    </message>
     <message>
         <source>Measure length</source>
         <translation>测量长度</translation>
@@ -9847,6 +9866,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>Type scale of the image</source>
         <translation>输入图像比例</translation>
     </message>
+    <message>
+        <source>Open an angiogram or a scan first.</source>
+        <translation>请先打开造影图像或扫描。</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::MeasurePanel</name>
@@ -9861,10 +9884,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Area</source>
         <translation>面积</translation>
-    </message>
-    <message>
-        <source>Measure in the image</source>
-        <translation>图像测量</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -9903,14 +9922,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>像素</translation>
     </message>
     <message>
-        <source>Measurements in the image</source>
-        <translation>图像中的测量</translation>
-    </message>
-    <message>
-        <source>%1 in this view</source>
-        <translation>此视图中 %1 个</translation>
-    </message>
-    <message>
         <source>by a typed scale</source>
         <translation>按输入比例</translation>
     </message>
@@ -9929,6 +9940,18 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>What a pixel measures in the patient, where it is known from elsewhere.</source>
         <translation>一个像素在患者体内的长度（若另有来源已知）。</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Measurements in image and slices</source>
+        <translation>图像和断层中的测量</translation>
+    </message>
+    <message>
+        <source>%1 measured</source>
+        <translation>已测 %1 项</translation>
     </message>
 </context>
 <context>
@@ -10260,6 +10283,21 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Check point %1</source>
         <translation>检查点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SliceMeasureTool</name>
+    <message>
+        <source>Length: drag, or click both ends · points can be moved</source>
+        <translation>长度：拖动，或单击两端 · 点可移动</translation>
+    </message>
+    <message>
+        <source>Angle: click an end, the vertex, the other end · points can be moved</source>
+        <translation>角度：单击一端、顶点、另一端 · 点可移动</translation>
+    </message>
+    <message>
+        <source>Area: click around it; double click or Enter closes · points can be moved</source>
+        <translation>面积：沿边界单击；双击或回车闭合 · 点可移动</translation>
     </message>
 </context>
 <context>

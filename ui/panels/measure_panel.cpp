@@ -48,7 +48,7 @@ QPushButton* modeButton(core::MeasurementKind kind)
 
 MeasurePanel::MeasurePanel(QWidget* parent)
     : Section(
-          "measure", [] { return tr("Measure in the image"); }, Folding::Foldable, parent),
+          "measure", [] { return tr("Measure"); }, Folding::Foldable, parent),
       plane_(new QComboBox),
       scale_(new QDoubleSpinBox),
       list_(new QTreeWidget),
@@ -99,7 +99,7 @@ MeasurePanel::MeasurePanel(QWidget* parent)
 
 void MeasurePanel::setUpList()
 {
-    withName(list_, [] { return tr("Measurements in the image"); });
+    withName(list_, [] { return tr("Measurements in image and slices"); });
     list_->setColumnCount(MeasureColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
@@ -184,7 +184,7 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
     const QSignalBlocker quietScale(scale_);
     scale_->setVisible(state.plane == core::MeasurementPlane::Typed);
     scale_->setValue(state.typedMmPerPx.value_or(0.0));
-    setHint(count == 0 ? QString() : tr("%1 in this view").arg(count));
+    setHint(count == 0 ? QString() : tr("%1 measured").arg(count));
     showBasis();
 }
 

@@ -33,8 +33,8 @@ struct MeasureState {
     std::optional<double> typedMmPerPx;
 };
 
-/// Measurements in the image: where they are taken to lie, the modes that draw them, and the list, in which they are
-/// chosen, renamed and removed.
+/// Measurements in the image and in slices: where those of the image are taken to lie, the modes that draw them, and
+/// the list, in which they are chosen, renamed and removed.
 class MeasurePanel : public Section {
     Q_OBJECT
 public:

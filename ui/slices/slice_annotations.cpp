@@ -1,6 +1,7 @@
 #include "ui/slices/slice_annotations.h"
 
 #include "ui/scenes/branch_style.h"
+#include "ui/slices/slice_measures.h"
 #include "ui/theme/active_theme.h"
 
 #include <QFontMetricsF>
@@ -162,6 +163,7 @@ void paintPoints(QPainter& painter, const SliceOverlay& overlay)
     const double reach = 2.0 * visibleDistanceMm(overlay.grid);
     for (const auto& [kind, marks] : overlay.model.points()) {
         for (const SliceMark& mark : marks) {
+            paintRing(painter, overlay, mark.ring);
             const double distance = std::abs(overlay.grid.distanceMm(mark.pointInPatient));
             if (distance <= reach) {
                 paintMark(painter, overlay.widgetFromPatient(mark.pointInPatient), kind, mark.label,

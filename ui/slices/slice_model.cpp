@@ -1,8 +1,11 @@
 #include "ui/slices/slice_model.h"
 
+#include "ui/slices/slice_tool.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::ui {
 namespace {
@@ -128,6 +131,25 @@ void SliceModel::setPoints(SliceMarkKind kind, std::vector<SliceMark> points)
         points_[kind] = std::move(points);
         emit overlayChanged();
     }
+}
+
+void SliceModel::setMeasured(std::vector<MeasuredSlice> measured)
+{
+    if (measured != measured_) {
+        measured_ = std::move(measured);
+        emit overlayChanged();
+    }
+}
+
+void SliceModel::setTool(SliceTool* tool)
+{
+    if (tool == tool_) {
+        return;
+    }
+    if (SliceTool* former = std::exchange(tool_, tool)) {
+        former->end();
+    }
+    emit toolChanged();
 }
 
 void SliceModel::setCrosshair(const Eigen::Vector3d& pointInPatient)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/slice_measurement.h"
 #include "core/imaging/volume_slice.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/overlay_scene.h"
@@ -15,14 +16,26 @@
 
 namespace angiopose::ui {
 
+class SliceTool;
+
 enum class SliceMarkKind { Seed, Avoid, Landmark, Place };
 
-/// A point to show in the slices.
+/// A point to show in the slices, or a ring around it.
 struct SliceMark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
     QString label;
+    std::vector<Eigen::Vector3d> ring{};   ///< points around it, closed; drawn where slices cut it
 
     bool operator==(const SliceMark&) const = default;
+};
+
+/// Something measured, with its value.
+struct MeasuredSlice {
+    core::SliceMeasurement measurement;
+    QString label;
+    bool isChosen = false;
+
+    bool operator==(const MeasuredSlice&) const = default;
 };
 
 /// The labels of a label image, to be told apart in the slices.
@@ -47,6 +60,8 @@ public:
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
     void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces those of this kind
+    void setMeasured(std::vector<MeasuredSlice> measured);
+    void setTool(SliceTool* tool);   ///< what the left button does in all slices; null: the cross-hair
     void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< kept within the scan
     void setWindow(const GreyWindow& window);
     void setPreviewFrom(std::optional<double> threshold);   ///< tints what is not below it
@@ -62,6 +77,8 @@ public:
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
     const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
+    const std::vector<MeasuredSlice>& measured() const { return measured_; }
+    SliceTool* tool() const { return tool_; }
     const Eigen::Vector3d& crosshair() const { return crosshair_; }
     const GreyWindow& window() const { return window_; }
     std::optional<double> previewFrom() const { return previewFrom_; }
@@ -72,7 +89,9 @@ signals:
     void maskChanged();   ///< labels instead of the lumen, or back
     void crosshairChanged();
     void lookChanged();   ///< window, preview
-    void overlayChanged();   ///< branches, points
+    void overlayChanged();   ///< branches, points, measurements
+    void toolChanged();
+    void toolLookChanged();   ///< what the tool paints
 
 private:
     std::shared_ptr<const core::Volume> volume_;
@@ -81,6 +100,8 @@ private:
     std::shared_ptr<const core::VesselTree> tree_;
     BranchMarks marks_;
     std::map<SliceMarkKind, std::vector<SliceMark>> points_;
+    std::vector<MeasuredSlice> measured_;
+    SliceTool* tool_ = nullptr;
     Eigen::Vector3d crosshair_ = Eigen::Vector3d::Zero();
     GreyWindow window_;
     std::optional<double> previewFrom_;

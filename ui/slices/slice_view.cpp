@@ -1,6 +1,8 @@
 #include "ui/slices/slice_view.h"
 
 #include "ui/slices/slice_annotations.h"
+#include "ui/slices/slice_measures.h"
+#include "ui/slices/slice_tool.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
@@ -53,6 +55,8 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
     });
     connect(&model, &SliceModel::crosshairChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::overlayChanged, this, qOverload<>(&QWidget::update));
+    connect(&model, &SliceModel::toolChanged, this, &SliceView::followTool);
+    connect(&model, &SliceModel::toolLookChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::lookChanged, this, [this] {
         isPictureStale_ = true;
         update();
@@ -147,9 +151,13 @@ void SliceView::paintEvent(QPaintEvent*)
                                [this](const Eigen::Vector3d& point) { return widgetFromPatient(point); }, rect()};
     paintBranches(painter, overlay);
     paintPoints(painter, overlay);
+    paintMeasurements(painter, overlay);
     paintCrosshair(painter, overlay);
-    const CornerRoom taken = paintTexts(painter, rect(), {sliceText()}, placeTexts());
+    const CornerRoom taken = paintTexts(painter, rect(), topTexts(), placeTexts());
     paintSides(painter, overlay, taken);
+    if (const SliceTool* tool = model_.tool()) {
+        tool->paint(painter, *this);
+    }
     if (hasFocus()) {
         painter.setPen(QPen(toQColor(tones.accent, 0.7), 1.0));
         painter.setBrush(Qt::NoBrush);
@@ -164,6 +172,16 @@ QString SliceView::sliceText() const
         .arg(nameOf(plane_))
         .arg(core::sliceIndex(geometry, plane_, model_.crosshair()) + 1)
         .arg(core::sliceCount(geometry, plane_));
+}
+
+/// Where the mouse is, also what it does in a mode.
+QStringList SliceView::topTexts() const
+{
+    QStringList texts{sliceText()};
+    if (model_.tool() && pointer_) {
+        texts += captionLines(model_.tool()->caption(), width());
+    }
+    return texts;
 }
 
 /// Value and place under the pointer, or at the cross-hair.
@@ -182,6 +200,11 @@ QStringList SliceView::placeTexts() const
     const QString window =
         tr("W %1 L %2").arg(numberText(model_.window().width, 0)).arg(numberText(model_.window().level, 0));
     return labels + QStringList{number + QStringLiteral(" · ") + window, positionText(at)};
+}
+
+double SliceView::pxPerMm() const
+{
+    return viewport_.zoom() / unitMmOf(content_.grid);
 }
 
 QPointF SliceView::widgetFromPatient(const Eigen::Vector3d& pointInPatient) const

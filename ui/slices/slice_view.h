@@ -9,9 +9,11 @@
 
 namespace angiopose::ui {
 
+struct SlicePointer;
+
 /// One plane of the scan with mask, centrelines and cross-hair. Left sets the cross-hair, middle drag moves, right drag
 /// changes window and level, wheel and ↑ ↓ go through the slices, Ctrl+wheel zooms, Ctrl+arrows move the cross-hair,
-/// double click asks for more room.
+/// double click asks for more room. A mode of the slices (`SliceTool`) has the left button before that.
 class SliceView : public QWidget {
     Q_OBJECT
 public:
@@ -21,6 +23,7 @@ public:
     void setPlane(core::BodyPlane plane);
     void fit();
     void stepBy(int slices);   ///< along the normal
+    double pxPerMm() const;   ///< widget px
     QPointF widgetFromPatient(const Eigen::Vector3d& pointInPatient) const;
     Eigen::Vector3d patientFromWidget(const QPointF& position) const;   ///< in the plane of the slice
     const core::SliceGrid& grid();   ///< of the slice shown
@@ -45,6 +48,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     void cut();   ///< takes over another slice where the cross-hair left the shown one
@@ -54,7 +58,12 @@ private:
     bool moveCrosshair(int key);
     std::optional<int> branchAt(const QPointF& position) const;
     void hover(const std::optional<QPointF>& position);
+    SlicePointer pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers);
+    bool dragTool(const QMouseEvent& event, bool isStart);
+    bool filterToolKey(QKeyEvent& event);
+    void followTool();
     QString sliceText() const;
+    QStringList topTexts() const;
     QStringList placeTexts() const;
 
     SliceModel& model_;
@@ -66,6 +75,7 @@ private:
     bool isPictureStale_ = true;
     Qt::MouseButton pressed_ = Qt::NoButton;
     bool isDragging_ = false;
+    bool isToolsDrag_ = false;
     QPointF pressedAt_;
     QPointF lastAt_;
     double wheelSteps_ = 0.0;

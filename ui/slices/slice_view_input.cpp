@@ -1,4 +1,5 @@
 #include "ui/slices/slice_annotations.h"
+#include "ui/slices/slice_tool.h"
 #include "ui/slices/slice_view.h"
 
 #include <QApplication>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 // Mouse and keys in a slice.
 
@@ -59,12 +61,17 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
         hover(event->position());
         return;
     }
+    const bool isStart = !isDragging_;
     isDragging_ = isDragging_ || 2.0 * way.manhattanLength() >= QApplication::startDragDistance();
     if (!isDragging_) {
         return;
     }
     lastAt_ = event->position();
     pointer_ = event->position();
+    if (dragTool(*event, isStart)) {
+        update();
+        return;
+    }
     if (pressed_ == Qt::LeftButton) {
         model_.setCrosshair(patientFromWidget(event->position()));
     } else if (pressed_ == Qt::MiddleButton) {
@@ -90,7 +97,12 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event)
         return;
     }
     pressed_ = Qt::NoButton;
-    if (isDragging_ || !model_.hasScan()) {
+    SliceTool* tool = event->button() == Qt::LeftButton ? model_.tool() : nullptr;
+    if (std::exchange(isToolsDrag_, false) && tool) {
+        tool->finishDrag(pointerAt(event->position(), event->modifiers()));
+        return;
+    }
+    if (isDragging_ || !model_.hasScan() || (tool && tool->click(pointerAt(event->position(), event->modifiers())))) {
         return;
     }
     const Eigen::Vector3d point = patientFromWidget(event->position());
@@ -107,7 +119,9 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event)
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton) {
+    SliceTool* tool = model_.hasScan() ? model_.tool() : nullptr;
+    const bool isLeft = event->button() == Qt::LeftButton;
+    if (isLeft && !(tool && tool->doubleClick(pointerAt(event->position(), event->modifiers())))) {
         emit roomRequested();
     }
 }
@@ -116,6 +130,10 @@ void SliceView::wheelEvent(QWheelEvent* event)
 {
     event->accept();
     const double steps = event->angleDelta().y() / 120.0;
+    SliceTool* tool = model_.hasScan() ? model_.tool() : nullptr;
+    if (tool && tool->wheel(pointerAt(event->position(), event->modifiers()), steps)) {
+        return;
+    }
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         viewport_.zoomAt(toVector(event->position()), std::pow(sliceZoomPerWheelStep, steps));
         isPictureStale_ = true;
@@ -130,6 +148,9 @@ void SliceView::wheelEvent(QWheelEvent* event)
 
 void SliceView::keyPressEvent(QKeyEvent* event)
 {
+    if (filterToolKey(*event)) {
+        return;
+    }
     if (!model_.hasScan() ||
         !(event->modifiers().testFlag(Qt::ControlModifier) ? moveCrosshair(event->key()) : goThroughSlices(*event))) {
         QWidget::keyPressEvent(event);
@@ -221,6 +242,11 @@ void SliceView::hover(const std::optional<QPointF>& position)
 {
     pointer_ = model_.hasScan() ? position : std::nullopt;
     update();
+    if (SliceTool* tool = model_.tool(); tool && pointer_) {
+        tool->hover(pointerAt(*pointer_, QApplication::keyboardModifiers()));
+    } else if (tool) {
+        tool->leave();
+    }
     const auto branch = pointer_ ? branchAt(*pointer_) : std::nullopt;
     if (branch != hovered_) {
         hovered_ = branch;

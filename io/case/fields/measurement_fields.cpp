@@ -12,6 +12,7 @@ namespace {
 using core::ImageMeasurement;
 using core::MeasurementKind;
 using core::MeasurementPlane;
+using core::SliceMeasurement;
 
 StoredFields<ImageMeasurement> measurementFields()
 {
@@ -31,6 +32,31 @@ StoredFields<ImageMeasurement> measurementFields()
         storedIfSet("name", textSchema(), &ImageMeasurement::name)};
 }
 
+StoredFields<SliceMeasurement> sliceMeasurementFields()
+{
+    Json points = listSchema(definedAs("point"));
+    points["minItems"] = 2;
+    points["maxItems"] = 1000;
+    return {
+        wordField("kind", choiceSchema({"length", "angle", "area"}), &SliceMeasurement::kind, measurementKinds),
+        wordField("plane", about(choiceSchema({"axial", "coronal", "sagittal"}), "Of the slice, along the patient."),
+                  &SliceMeasurement::plane, bodyPlaneWords),
+        storedValue("pointsInPatientMm",
+                    about(points,
+                          "In the slice: along a length; of an angle the second is its vertex; around an "
+                          "area."),
+                    &SliceMeasurement::pointsInPatient),
+        storedIfSet("name", textSchema(), &SliceMeasurement::name)};
+}
+
+/// Where there are too few points for what it is said to be.
+void checkPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
+{
+    if (points < core::leastPoints(kind)) {
+        reading.problems.push_back(says::caseMeasurementPoints(core::leastPoints(kind), points).about(subject));
+    }
+}
+
 }   // namespace
 
 StoredField<core::View> measurementsField()
@@ -42,12 +68,24 @@ StoredField<core::View> measurementsField()
     field.read = [read = field.read](const Json& value, core::View& view, Reading& reading) {
         read(value, view, reading);
         for (std::size_t i = 0; i < view.measurements.size(); ++i) {
-            const ImageMeasurement& measurement = view.measurements[i];
-            if (measurement.pixels.size() < core::leastPoints(measurement.kind)) {
-                reading.problems.push_back(
-                    says::caseMeasurementPoints(core::leastPoints(measurement.kind), measurement.pixels.size())
-                        .about("measurements: " + std::to_string(i)));
-            }
+            const ImageMeasurement& each = view.measurements[i];
+            checkPoints(each.kind, each.pixels.size(), "measurements: " + std::to_string(i), reading);
+        }
+    };
+    return field;
+}
+
+StoredField<core::Vessels> sliceMeasurementsField()
+{
+    const Json schema{{"description", "What was measured in slices of the scan, mm."}, {"maxItems", 10000}};
+    StoredField<core::Vessels> field =
+        storedList("measurements", schema, &core::Vessels::measurements,
+                   objectSchema({}, {"kind", "plane", "pointsInPatientMm"}), sliceMeasurementFields());
+    field.read = [read = field.read](const Json& value, core::Vessels& vessels, Reading& reading) {
+        read(value, vessels, reading);
+        for (std::size_t i = 0; i < vessels.measurements.size(); ++i) {
+            const SliceMeasurement& each = vessels.measurements[i];
+            checkPoints(each.kind, each.pointsInPatient.size(), "vessel.measurements: " + std::to_string(i), reading);
         }
     };
     return field;

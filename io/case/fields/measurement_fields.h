@@ -7,4 +7,7 @@ namespace angiopose::io {
 /// The row of what was measured in the image of a view.
 StoredField<core::View> measurementsField();
 
+/// The row of what was measured in slices of the scan.
+StoredField<core::Vessels> sliceMeasurementsField();
+
 }   // namespace angiopose::io

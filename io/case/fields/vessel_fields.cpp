@@ -3,6 +3,7 @@
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/mark_fields.h"
+#include "io/case/fields/measurement_fields.h"
 #include "io/case/fields/tree_fields.h"
 #include "io/case/fields/vessel_key.h"
 #include "io/messages/says.h"
@@ -144,6 +145,7 @@ const StoredFields<Vessels>& vesselFields()
                           "What the vessels turn about by hand, and whose shifts are locked; absent: their centroid."),
                     &Vessels::pickedPivotInPatient),
         marksField(),
+        sliceMeasurementsField(),
         editedTreeField(),
     };
     return fields;

@@ -125,7 +125,7 @@ void Gallery::measure(app::CaseController& controller)
         {Angle, at, {{330, 170}, {270, 250}, {370, 290}}, frame, ""},
         {Area, core::MeasurementPlane::Detector, {{120, 330}, {200, 320}, {220, 380}, {150, 410}}, frame, ""}};
     controller.document().push(std::make_unique<app::ChangeMeasurements>(
-        controller.document(), app::ChangeMeasurements::Values{std::move(measurements)},
+        controller.document(), app::ChangeMeasurements::Values{std::move(measurements), {}},
         [] { return QStringLiteral("Measure"); }));
     const auto& branches = current.vessels.tree->branches;
     const core::VesselBranch& marked = branches.front();

@@ -11,6 +11,7 @@ class CaseController;
 
 namespace angiopose::ui {
 class MainWindow;
+class SliceModel;
 enum class Step;
 }   // namespace angiopose::ui
 
@@ -41,6 +42,7 @@ private:
     void showSteps(ui::MainWindow& window);
     void showScanIn3d(ui::MainWindow& window);
     static void openScan(app::CaseController& controller, const QString& path);
+    void measureSlices(app::CaseController& controller, const ui::SliceModel& slices);
     void showScan(ui::MainWindow& window, app::CaseController& controller);
     void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
     void showWindow(QWidget& window, const QString& name);

@@ -1,9 +1,11 @@
 // The states that commands and files lead to: modes with bars and captions, slices, boxes with a question.
 #include "app/case_controller.h"
+#include "app/document/edit_case.h"
 #include "io/volume_file.h"
 #include "tests/app/gallery/gallery.h"
 #include "tests/support/forked_vessel.h"
 #include "tests/support/patience.h"
+#include "ui/slices/slices_page.h"
 
 #include <QAbstractButton>
 #include <QAction>
@@ -84,6 +86,24 @@ void Gallery::openScan(app::CaseController& controller, const QString& path)
     QTest::qWait(500);
 }
 
+/// A length, an angle and an area in the slices at the cross-hair.
+void Gallery::measureSlices(app::CaseController& controller, const ui::SliceModel& slices)
+{
+    using enum core::MeasurementKind;
+    const Eigen::Vector3d at = slices.crosshair();
+    const auto beside = [&at](double x, double y, double z) { return Eigen::Vector3d(at + Eigen::Vector3d(x, y, z)); };
+    std::vector<core::SliceMeasurement> measured{
+        {Length, core::BodyPlane::Axial, {beside(-6, -3, 0), beside(7, 4, 0)}, "neck"},
+        {Angle, core::BodyPlane::Coronal, {beside(-8, 0, 10), beside(0, 0, 0), beside(9, 0, 12)}, ""},
+        {Area,
+         core::BodyPlane::Sagittal,
+         {beside(0, -8, -8), beside(0, 7, -9), beside(0, 9, 8), beside(0, -6, 10)},
+         ""}};
+    controller.document().push(std::make_unique<app::ChangeMeasurements>(
+        controller.document(), app::ChangeMeasurements::Values{{}, std::move(measured)},
+        [] { return QStringLiteral("Measure"); }));
+}
+
 /// A scan being traced: slices in the middle, then in the corner.
 void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
 {
@@ -98,6 +118,8 @@ void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
     window.actions()[ui::Command::SlicesLarge]->setChecked(true);
     QTest::qWait(500);
     showWindow(window, QStringLiteral("slices"));
+    measureSlices(controller, window.slices());
+    showWindow(window, QStringLiteral("slices_measured"));
     window.resize(1024, 720);
     showWindow(window, QStringLiteral("slices_small"));
     window.resize(1440, 900);

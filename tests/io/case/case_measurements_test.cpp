@@ -43,6 +43,36 @@ TEST(CaseMeasurements, ComeBackAsTheyWere)
     EXPECT_EQ(saved["measurements"][0]["drawnBy"], "A. B.");
 }
 
+TEST(CaseMeasurements, OfSlicesComeBackAndAreListed)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    json["vessel"]["measurements"] = nlohmann::json::parse(R"([
+        { "kind": "length", "plane": "coronal", "pointsInPatientMm": [[0, 7, 0], [3, 7, 4]], "name": "neck",
+          "drawnBy": "A. B." },
+        { "kind": "area", "plane": "axial", "pointsInPatientMm": [[0, 0, 1], [4, 0, 1], [4, 0.5, 1]] } ])");
+    const auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    ASSERT_EQ(loaded.value().vessels.measurements.size(), 2U);
+    EXPECT_EQ(loaded.value().vessels.measurements[0].plane, core::BodyPlane::Coronal);
+
+    core::Case more = loaded.value();
+    more.vessels.measurements[1].pointsInPatient[1] = {1.0 / 3.0, 0.1, 1.0};
+    ASSERT_TRUE(io::saveCase(more, small.path("saved.angiopose")));
+    EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again.value().vessels.measurements, more.vessels.measurements);
+    const auto saved = nlohmann::json::parse(test::readText(small.path("saved.angiopose")));
+    EXPECT_EQ(saved["vessel"]["measurements"][0]["drawnBy"], "A. B.");
+
+    const std::string table = io::measurementTable(loaded.value());
+    EXPECT_TRUE(contains(table, "\n,,length,neck,5,mm,coronal,,,,scan,")) << table;
+    EXPECT_TRUE(contains(table, ",0 7 0;3 7 4\n")) << table;
+    json["vessel"]["measurements"][1]["pointsInPatientMm"].erase(2);
+    EXPECT_TRUE(contains(small.errorOf(json), "vessel.measurements: 1")) << small.errorOf(json);
+}
+
 TEST(CaseMeasurements, WhatIsNoneIsRefusedByItsKey)
 {
     SmallCase small;

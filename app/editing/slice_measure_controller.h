@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "core/imaging/slice_measurement.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/slices/slice_measure_tool.h"
+
+#include <array>
+#include <set>
+
+namespace angiopose::ui {
+class CornerViews;
+class SliceModel;
+class SlicesPage;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// Measurements in slices of the scan: drawn by the mouse and shown there. MeasureController lists them behind those of
+/// the image and changes the case.
+class SliceMeasureController : public QObject {
+    Q_OBJECT
+public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::SliceModel& slices;
+        ui::SlicesPage& slicesPage;
+        ui::CornerViews& corner;
+    };
+    SliceMeasureController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
+
+    void bind(core::MeasurementKind kind, QAction& action);
+    std::vector<ui::MeasureRow> rows() const;
+    void show(const std::set<int>& chosen);   ///< `chosen`: places among those of slices
+    void goTo(int place);   ///< shows its slice
+    bool hasScan() const;
+
+signals:
+    void drawn(const core::SliceMeasurement& measurement);
+    void pointMoved(int measurement, int point, const Eigen::Vector3d& pointInPatient);
+    void removeRequested();
+
+private:
+    const std::vector<core::SliceMeasurement>& measurements() const;
+
+    CaseDocument& document_;
+    Ui ui_;
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,258 @@
+#include "ui/slices/slice_measure_tool.h"
+
+#include "ui/slices/slice_measures.h"
+#include "ui/slices/slice_view.h"
+#include "ui/views/paint_marks.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <cmath>
+#include <utility>
+
+namespace angiopose::ui {
+namespace {
+
+using core::MeasurementKind;
+using core::SliceMeasurement;
+
+constexpr double measureReachPx = 8.0;
+constexpr std::size_t mostOutlinePoints = 1000;   // as many as a case keeps
+
+double awayPx(const QPointF& a, const QPointF& b)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+MarkShape shapeOf(const SliceMeasurement& measurement)
+{
+    const bool isOpen = measurement.kind == MeasurementKind::Area && measurement.pointsInPatient.size() < 3;
+    return measurement.kind == MeasurementKind::Length || isOpen ? MarkShape::Length
+           : measurement.kind == MeasurementKind::Angle          ? MarkShape::Angle
+                                                                 : MarkShape::Outline;
+}
+
+}   // namespace
+
+SliceMeasureTool::SliceMeasureTool(MeasurementKind kind, SliceModel& model) : SliceTool(model), kind_(kind)
+{
+    next_.kind = kind;
+}
+
+QString SliceMeasureTool::caption() const
+{
+    switch (kind_) {
+        case MeasurementKind::Length:
+            return tr("Length: drag, or click both ends · points can be moved");
+        case MeasurementKind::Angle:
+            return tr("Angle: click an end, the vertex, the other end · points can be moved");
+        case MeasurementKind::Area:
+            break;
+    }
+    return tr("Area: click around it; double click or Enter closes · points can be moved");
+}
+
+std::optional<SliceMeasureTool::Held> SliceMeasureTool::heldAt(const SlicePointer& pointer) const
+{
+    const std::vector<MeasuredSlice>& there = model().measured();
+    std::optional<Held> nearest;
+    double nearestPx = measureReachPx;
+    for (std::size_t m = 0; m < there.size(); ++m) {
+        const SliceMeasurement& each = there[m].measurement;
+        for (std::size_t p = 0; p < each.pointsInPatient.size(); ++p) {
+            const double away = awayPx(pointer.view.widgetFromPatient(each.pointsInPatient[p]), pointer.position);
+            if (away < nearestPx && isInSlice(each, pointer.view.plane(), pointer.view.grid())) {
+                nearestPx = away;
+                nearest = Held{m, p, each.pointsInPatient[p]};
+            }
+        }
+    }
+    return nearest;
+}
+
+bool SliceMeasureTool::isOfShownSlice(SliceView& view) const
+{
+    return isInSlice(next_, view.plane(), view.grid());
+}
+
+bool SliceMeasureTool::startDrag(const SlicePointer& pressed)
+{
+    const bool isFresh = next_.pointsInPatient.empty();
+    held_ = isFresh ? heldAt(pressed) : std::nullopt;
+    isDrawing_ = !held_ && isFresh && kind_ == MeasurementKind::Length;
+    if (isDrawing_) {
+        addPoint(pressed);
+    }
+    return true;   // a drag while measuring must not move the cross-hair
+}
+
+void SliceMeasureTool::drag(const SlicePointer& pointer)
+{
+    mouse_ = pointer.pointInPatient;
+    if (held_) {
+        held_->at = pointer.pointInPatient;
+    }
+    lookAgain();
+}
+
+void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
+{
+    if (const auto held = std::exchange(held_, std::nullopt)) {
+        emit pointMoved(static_cast<int>(held->measurement), static_cast<int>(held->point), pointer.pointInPatient);
+    } else if (std::exchange(isDrawing_, false)) {
+        addPoint(pointer);
+        finish();
+    } else {
+        click(pointer);   // a hand that shook between press and release
+    }
+}
+
+void SliceMeasureTool::addPoint(const SlicePointer& pointer)
+{
+    std::vector<Eigen::Vector3d>& points = next_.pointsInPatient;
+    if (!isOfShownSlice(pointer.view)) {
+        points.clear();
+        next_.plane = pointer.view.plane();
+    }
+    if (points.empty() || points.back() != pointer.pointInPatient) {
+        points.push_back(pointer.pointInPatient);
+    }
+}
+
+bool SliceMeasureTool::click(const SlicePointer& pointer)
+{
+    std::vector<Eigen::Vector3d>& points = next_.pointsInPatient;
+    const bool closes = kind_ == MeasurementKind::Area && points.size() > 2 && isOfShownSlice(pointer.view) &&
+                        awayPx(pointer.view.widgetFromPatient(points.front()), pointer.position) < measureReachPx;
+    if (!closes) {
+        addPoint(pointer);
+    }
+    const std::size_t whole = kind_ == MeasurementKind::Length  ? 2
+                              : kind_ == MeasurementKind::Angle ? 3
+                                                                : mostOutlinePoints;
+    if (closes || points.size() == whole) {
+        finish();
+    }
+    lookAgain();
+    return true;
+}
+
+bool SliceMeasureTool::doubleClick(const SlicePointer&)
+{
+    if (kind_ == MeasurementKind::Area) {
+        finish();
+    }
+    return true;
+}
+
+void SliceMeasureTool::hover(const SlicePointer& pointer)
+{
+    mouse_ = isOfShownSlice(pointer.view) ? std::optional(pointer.pointInPatient) : std::nullopt;
+    if (!next_.pointsInPatient.empty()) {
+        lookAgain();
+    }
+}
+
+void SliceMeasureTool::leave()
+{
+    mouse_.reset();
+    lookAgain();
+}
+
+bool SliceMeasureTool::takesKey(const QKeyEvent& event) const
+{
+    const bool isPlain = (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    const int key = event.key();
+    const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
+    const bool isDrawn = !next_.pointsInPatient.empty();
+    return isPlain && (key == Qt::Key_Delete || (isDrawn && (isEnter || key == Qt::Key_Backspace)));
+}
+
+void SliceMeasureTool::keyPress(const QKeyEvent& event)
+{
+    if (event.key() == Qt::Key_Delete) {
+        emit removeRequested();
+    } else if (event.key() == Qt::Key_Backspace) {
+        next_.pointsInPatient.pop_back();
+    } else if (kind_ == MeasurementKind::Area) {
+        finish();
+    }
+    lookAgain();
+}
+
+bool SliceMeasureTool::takeBack()
+{
+    const bool hadPoints = !next_.pointsInPatient.empty() || held_;
+    drop();
+    return hadPoints;
+}
+
+/// Too few points are left as they are: the next click goes on.
+void SliceMeasureTool::finish()
+{
+    if (next_.pointsInPatient.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {
+        return;
+    }
+    SliceMeasurement whole = next_;
+    next_.pointsInPatient.clear();
+    emit drawn(whole);
+    lookAgain();
+}
+
+void SliceMeasureTool::drop()
+{
+    held_.reset();
+    isDrawing_ = false;
+    next_.pointsInPatient.clear();
+    mouse_.reset();
+    lookAgain();
+}
+
+SliceMeasurement SliceMeasureTool::seen() const
+{
+    if (held_ && held_->measurement < model().measured().size()) {
+        SliceMeasurement moved = model().measured()[held_->measurement].measurement;
+        moved.pointsInPatient.at(held_->point) = held_->at;
+        return moved;
+    }
+    SliceMeasurement drawn = next_;
+    if (!drawn.pointsInPatient.empty() && mouse_ && drawn.pointsInPatient.back() != *mouse_) {
+        drawn.pointsInPatient.push_back(*mouse_);
+    }
+    return drawn;
+}
+
+void SliceMeasureTool::paint(QPainter& painter, SliceView& view) const
+{
+    const auto placeOf = [&view](const Eigen::Vector3d& point) -> Eigen::Vector2d {
+        const QPointF at = view.widgetFromPatient(point);
+        return {at.x(), at.y()};
+    };
+    painter.save();
+    for (const MeasuredSlice& measured : model().measured()) {
+        if (isInSlice(measured.measurement, view.plane(), view.grid())) {
+            for (const Eigen::Vector3d& point : measured.measurement.pointsInPatient) {
+                paintHandle(painter, placeOf(point), false);
+            }
+        }
+    }
+    const SliceMeasurement now = seen();
+    if (!isInSlice(now, view.plane(), view.grid())) {
+        painter.restore();
+        return;
+    }
+    ImageMark mark{shapeOf(now), {}, {}, true};
+    for (const Eigen::Vector3d& point : now.pointsInPatient) {
+        mark.pixels.push_back(placeOf(point));
+    }
+    if (now.pointsInPatient.size() > 1) {
+        mark.label = words_ ? words_(now).toStdString() : std::string();
+        paintMarks(painter, {mark}, [](const Eigen::Vector2d& at) { return at; });
+    }
+    for (const Eigen::Vector2d& at : mark.pixels) {
+        paintHandle(painter, at, true);
+    }
+    painter.restore();
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,77 @@
+#include "ui/slices/slice_tool.h"
+#include "ui/slices/slice_view.h"
+
+#include <QKeyEvent>
+
+// What a mode of the slices takes of mouse and keys.
+
+namespace angiopose::ui {
+
+SlicePointer SliceView::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers)
+{
+    cut();
+    return {*this, position, patientFromWidget(position), modifiers};
+}
+
+/// True where the drag is the mode's.
+bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
+{
+    SliceTool* tool = model_.tool();
+    if (!tool || pressed_ != Qt::LeftButton) {
+        return false;
+    }
+    if (isStart) {
+        isToolsDrag_ = tool->startDrag(pointerAt(pressedAt_, event.modifiers()));
+    }
+    if (isToolsDrag_) {
+        tool->drag(pointerAt(event.position(), event.modifiers()));
+    }
+    return isToolsDrag_;
+}
+
+/// Esc takes back, then ends the mode; other keys are the mode's where it wants them.
+bool SliceView::filterToolKey(QKeyEvent& event)
+{
+    SliceTool* tool = model_.tool();
+    if (!tool || !model_.hasScan()) {
+        return false;
+    }
+    const bool isEscape = event.key() == Qt::Key_Escape;
+    const bool isTools = tool->takesKey(event);
+    if (!isEscape && !isTools) {
+        return false;
+    }
+    if (event.type() == QEvent::ShortcutOverride) {
+        event.accept();   // the key comes back as KeyPress instead of a shortcut
+    } else if (isTools) {
+        tool->keyPress(event);
+    } else {
+        isToolsDrag_ = false;
+        pressed_ = Qt::NoButton;   // what is left of a drag means nothing
+        if (!tool->takeBack()) {
+            model_.setTool(nullptr);
+        }
+    }
+    return true;
+}
+
+bool SliceView::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && filterToolKey(*static_cast<QKeyEvent*>(event))) {
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void SliceView::followTool()
+{
+    isToolsDrag_ = false;
+    if (const SliceTool* tool = model_.tool()) {
+        setCursor(tool->cursor());
+    } else {
+        unsetCursor();
+    }
+    update();
+}
+
+}   // namespace angiopose::ui
