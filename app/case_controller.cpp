@@ -54,6 +54,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       slices_(document_, branches_,
               {window.actions(), window.slices(), window.slicesPage(), window.corner(), window.treeView()}),
       tracing_(document_, {window.actions(), window.tracing(), window.slices(), window.slicesPage(), window.strip()}),
+      mask_(document_, [this] { return tracing_.draft(); },
+            {window.actions(), window.tracing(), window.slices(), window.strip()}),
       treeActions_(document_, branches_, tracing_,
                    {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
                     window.slicesPage(), window}),
@@ -93,8 +95,9 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
 
 bool CaseController::isBusy() const
 {
-    return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || follow_.isRunning() ||
-           movie_.isRunning() || poses_.isBusy() || views_.isLooking() || document_.isInTrial();
+    return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || mask_.isRunning() ||
+           follow_.isRunning() || movie_.isRunning() || poses_.isBusy() || views_.isLooking() ||
+           document_.isInTrial();
 }
 
 /// What the window itself hears: files, clicks, keys, its end.
@@ -146,6 +149,10 @@ void CaseController::connectTracing()
     connect(&tracing_, &TracingController::traced, &notices_, &Notices::showNote);
     connect(&tracing_, &TracingController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
+    connect(&mask_, &MaskController::told, &notices_, &Notices::showNote);
+    connect(&mask_, &MaskController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
+    connect(&session_.saving(), &SaveController::saved, &mask_, &MaskController::noteSaved);
 }
 
 void CaseController::connectReview()

@@ -8,6 +8,7 @@
 #include "app/editing/history_controller.h"
 #include "app/editing/landmark_controller.h"
 #include "app/editing/mark_controller.h"
+#include "app/editing/mask_controller.h"
 #include "app/editing/measure_controller.h"
 #include "app/editing/pivot_controller.h"
 #include "app/editing/pose_controller.h"
@@ -72,6 +73,7 @@ public:
     AngiogramController& angiogram() { return angiogram_; }
     TargetProvider& target() { return target_; }
     TracingController& tracing() { return tracing_; }
+    MaskController& mask() { return mask_; }
     PoseTools& poses() { return poses_; }
     const PosePreview& preview() const { return preview_; }
     FollowController& following() { return follow_; }
@@ -120,6 +122,7 @@ private:
     RunController run_;
     SliceController slices_;
     TracingController tracing_;
+    MaskController mask_;
     TreeActions treeActions_;
     StepController steps_;
     PoseTools poses_;

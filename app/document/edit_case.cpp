@@ -50,7 +50,11 @@ std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree 
 std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name)
 {
     Vessels vessels = document.current().vessels;
-    if (traced.file.path == vessels.scanFile.path) {   // which then lies beside no longer
+    const bool isEdited = traced.lumenOrigin == LumenOrigin::Edited;
+    if (isEdited && vessels.input.kind == core::VesselInputKind::Volume) {   // the mask lies in it from now on
+        vessels.scanFile = vessels.file;
+        vessels.scanSeriesId = vessels.input.seriesId;
+    } else if (!isEdited && traced.file.path == vessels.scanFile.path) {   // which then lies beside no longer
         vessels.scanFile = {};
         vessels.scanSeriesId.clear();
     }
@@ -58,6 +62,7 @@ std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree
     vessels.input = traced.input;
     vessels.lumen = traced.lumen;
     vessels.tree = traced.tree;
+    vessels.isLumenEdited = isEdited;
     vessels.isTreeEdited = false;
     vessels.auxiliaryBranchIds.clear();
     vessels.excludedBranchIds.clear();

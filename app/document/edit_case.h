@@ -72,12 +72,15 @@ std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case&
 /// there; what the last run said no longer holds.
 std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::Words& name);
 
+enum class LumenOrigin { Found, Edited };
+
 /// The edit that puts a newly traced tree into the case, with how it was traced.
 struct TracedTree {
     core::InputFile file;   ///< that it was traced from
     core::VesselInput input;
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;
+    LumenOrigin lumenOrigin = LumenOrigin::Found;   ///< edited by hand: there is no file yet
 };
 std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name);
 

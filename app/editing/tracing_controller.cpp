@@ -44,13 +44,16 @@ struct Source {
     core::VesselInput input;
 };
 
-/// What the vessels were traced from, or the scan of a case without vessels: tracing it as it was opened has failed.
+/// What the vessels were traced from, or the scan: of a mask that was edited, and of a case without vessels, where
+/// tracing it as it was opened has failed.
 Source sourceOf(const core::Case& current)
 {
-    if (!current.vessels.file.path.empty() && current.vessels.input.kind != core::VesselInputKind::Centerline) {
+    const bool isFromScan = current.vessels.isLumenEdited && current.vessels.scan;   // and not from the edited mask
+    if (!isFromScan && !current.vessels.file.path.empty() &&
+        current.vessels.input.kind != core::VesselInputKind::Centerline) {
         return {current.vessels.file, current.vessels.input};
     }
-    if (current.vessels.tree || !current.vessels.scan) {
+    if ((current.vessels.tree && !isFromScan) || !current.vessels.scan) {
         return {};
     }
     core::VesselInput asVolume;

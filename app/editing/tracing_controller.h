@@ -32,6 +32,7 @@ public:
     };
     TracingController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
+    const core::VesselTracingOptions& draft() const { return draft_; }   ///< as the panel has them
     bool isRunning() const { return job_.isRunning(); }
     void start();
     void stop() { job_.stop(); }

@@ -72,10 +72,11 @@ void removeCopy(const QString& path)
     QFile::remove(path);
     QFile::remove(sidecarOf(path));
     QFile::remove(vesselsBeside(path));
-    QDir folder = QFileInfo(path).dir();   // its edited curves, and those of its other views
-    for (const QString& curves :
-         folder.entryList({QFileInfo(path).completeBaseName() + QStringLiteral(".*curves.csv")})) {
-        folder.remove(curves);
+    QDir folder = QFileInfo(path).dir();
+    const QString base = QFileInfo(path).completeBaseName();
+    for (const QString& kept :   // edited curves, also those of other views, and an edited mask
+         folder.entryList({base + QStringLiteral(".*curves.csv"), base + QStringLiteral(".mask*.nrrd")})) {
+        folder.remove(kept);
     }
 }
 

@@ -13,6 +13,7 @@
 #include "core/registration/deformable/bent_tree.h"
 #include "io/centerline2d_file.h"
 #include "io/check_point_table.h"
+#include "io/edited_mask.h"
 #include "io/measurement_table.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
@@ -303,6 +304,14 @@ void ExportController::askBent()
                 return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
                            ? io::writeMotion(*tree, *bent, path.toStdString())
                            : io::writeVesselTree(core::bentTree(*tree, *bent), path.toStdString());
+            });
+}
+
+void ExportController::askMask()
+{
+    askFile({tr("Export lumen mask"), tr("Label images (*.nrrd *.nii.gz *.nii *.mha)"), QStringLiteral("mask.nrrd")},
+            [lumen = document_.current().vessels.lumen](const QString& path) -> core::Status {
+                return io::writeMask(*lumen, path.toStdString());
             });
 }
 

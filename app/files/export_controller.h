@@ -47,6 +47,7 @@ public:
     void askTrace();
     void askMeasurements();
     void askCheckPoints();
+    void askMask();   ///< the lumen as a label image
     void askVessels(const Then& then = {});
     void askBent();   ///< the tree as it is bent, or how each of its points moved
 

@@ -264,7 +264,13 @@ QString inputPart(const CaseReport& report)
         }
     };
     const core::Case& theCase = report.views.front().theCase;
-    add(ReportWords::tr("Vessels"), theCase.vessels.file);
+    if (theCase.vessels.isLumenEdited) {
+        rows.emplace_back(ReportWords::tr("Vessels"), ReportWords::tr("traced from a lumen mask edited by hand"));
+        add(ReportWords::tr("Lumen mask"), theCase.vessels.file);
+        add(ReportWords::tr("Scan"), theCase.vessels.scanFile);
+    } else {
+        add(ReportWords::tr("Vessels"), theCase.vessels.file);
+    }
     for (std::size_t place = 0; place < theCase.views.size(); ++place) {
         const core::View& view = theCase.views[place];
         const QString number = theCase.views.size() > 1 ? QStringLiteral(" %1").arg(place + 1) : QString();

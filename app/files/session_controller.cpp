@@ -132,6 +132,7 @@ void SessionController::connectExporting()
             &ExportController::askMeasurements);
     connect(actions[ui::Command::ExportCheckPoints], &QAction::triggered, &export_, &ExportController::askCheckPoints);
     connect(actions[ui::Command::ExportBent], &QAction::triggered, &export_, &ExportController::askBent);
+    connect(actions[ui::Command::ExportMask], &QAction::triggered, &export_, &ExportController::askMask);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
     connect(&export_, &ExportController::exported, this, [this](const QString& path) {

@@ -57,6 +57,12 @@ inline const Setting<double> gantryLao{"angles/lao", 90.0};
 inline const Setting<double> gantryCaudal{"angles/caudal", -40.0};
 inline const Setting<double> gantryCranial{"angles/cranial", 40.0};
 inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between views side by side
+inline const Setting<double> maskOpacity{"slices/maskOpacity", 0.28};
+inline const Setting<double> brushRadiusMm{"slices/brushRadiusMm", 2.0};
+inline const Setting<bool> isBrushBall{"slices/brushBall", false};
+inline const Setting<bool> brushAboveThreshold{"slices/brushAboveThreshold", false};
+inline const Setting<int> cutDepth{"slices/cutDepth", 0};   ///< see ui::CutDepth
+inline const Setting<double> cutRangeMm{"slices/cutRangeMm", 10.0};
 inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
 inline const Setting<bool> scanIn3d{"view/scanIn3d", false};
 inline const Setting<int> scanLook{"view/scanLook", 0};   ///< see core::ScanPreset

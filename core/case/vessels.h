@@ -26,6 +26,7 @@ struct Vessels {
     StudyIdentity scanIdentity;   ///< of the patient in the scan, where it is DICOM
     std::shared_ptr<const VoxelMask> lumen;   ///< the voxels the tree was traced from, or null
     std::shared_ptr<const VesselTree> tree;   ///< null until loaded
+    bool isLumenEdited = false;   ///< by hand: `file` is that mask, kept beside the case; no path: not saved yet
     bool isTreeEdited = false;   ///< by hand: no longer what the file gives, so that the case keeps the tree itself
     std::vector<int> auxiliaryBranchIds;
     std::vector<int> excludedBranchIds;

@@ -249,7 +249,8 @@ std::optional<core::Message> findUnsavable(const Case& theCase)
     if (!theCase.vessels.tree && theCase.vessels.scan) {
         return says::caseScanAlone();
     }
-    if (theCase.vessels.file.path.empty() || theCase.shown().imageFile.path.empty()) {
+    const bool hasMask = theCase.vessels.isLumenEdited && theCase.vessels.lumen;   // which is written beside it
+    if ((theCase.vessels.file.path.empty() && !hasMask) || theCase.shown().imageFile.path.empty()) {
         return says::caseIncomplete();
     }
     const auto& initial = theCase.shown().initialCameraFromPatient;

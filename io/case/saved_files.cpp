@@ -1,6 +1,7 @@
 #include "io/case/saved_files.h"
 
 #include "io/edited_curves.h"
+#include "io/edited_mask.h"
 #include "io/file_hash.h"
 #include "io/vessel_input_file.h"
 
@@ -53,6 +54,13 @@ bool isBlank(const core::View& view)
 core::Status completeFiles(core::Case& hashed, const std::string& path)
 {
     core::Vessels& vessels = hashed.vessels;
+    if (vessels.isLumenEdited && vessels.lumen) {
+        auto mask = keepEditedMask(vessels, path);
+        if (!mask) {
+            return mask.error();
+        }
+        vessels.file = std::move(mask).value();
+    }
     if (!vessels.file.path.empty() && vessels.file.sha256.empty()) {
         noteHash(vessels.file, sha256OfVesselInput(vessels.file.path, vessels.input));
     }

@@ -29,6 +29,7 @@ void putTree(core::Vessels& vessels, const LoadedInputs& inputs)
     vessels.file = inputs.centerlineFile;
     vessels.input = inputs.vesselInput;
     vessels.lumen = inputs.lumen;
+    vessels.isLumenEdited = false;
     vessels.isTreeEdited = false;
     vessels.hiddenBranchIds.clear();
     vessels.pickedPivotInPatient.reset();

@@ -242,6 +242,18 @@
         <source>Check points and rings</source>
         <translation>Prüfpunkte und Ringe</translation>
     </message>
+    <message>
+        <source>traced from a lumen mask edited by hand</source>
+        <translation>aus einer von Hand bearbeiteten Gefäßmaske erfasst</translation>
+    </message>
+    <message>
+        <source>Lumen mask</source>
+        <translation>Gefäßmaske</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -466,6 +478,14 @@
     <message>
         <source>Nothing has been measured yet.</source>
         <translation>Es wurde noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Export lumen mask</source>
+        <translation>Gefäßmaske exportieren</translation>
+    </message>
+    <message>
+        <source>Label images (*.nrrd *.nii.gz *.nii *.mha)</source>
+        <translation>Labelbilder (*.nrrd *.nii.gz *.nii *.mha)</translation>
     </message>
 </context>
 <context>
@@ -7305,6 +7325,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Prüfpunkte exportieren …</translation>
     </message>
     <message>
+        <source>Export lumen mask …</source>
+        <translation>Gefäßmaske exportieren …</translation>
+    </message>
+    <message>
+        <source>Paint into the lumen mask</source>
+        <translation>In die Gefäßmaske malen</translation>
+    </message>
+    <message>
+        <source>Erase from the lumen mask</source>
+        <translation>In der Gefäßmaske radieren</translation>
+    </message>
+    <message>
+        <source>Cut the lumen mask by a lasso</source>
+        <translation>Gefäßmaske mit dem Lasso schneiden</translation>
+    </message>
+    <message>
+        <source>Trace the edited mask</source>
+        <translation>Bearbeitete Maske erfassen</translation>
+    </message>
+    <message>
         <source>Scan in the 3-D view</source>
         <translation>Scan in der 3-D-Ansicht</translation>
     </message>
@@ -10284,6 +10324,190 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Check point %1</source>
         <translation>Prüfpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MaskController</name>
+    <message>
+        <source>Stopped: the vessels are as they were</source>
+        <translation>Angehalten: die Gefäße sind wie zuvor</translation>
+    </message>
+    <message>
+        <source>Tracing the mask … %1 %</source>
+        <translation>Maske wird erfasst … %1 %</translation>
+    </message>
+    <message>
+        <source>Open a scan or a label image first.</source>
+        <translation>Zuerst einen Scan oder ein Labelbild öffnen.</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
+    </message>
+    <message>
+        <source>Paint into the mask</source>
+        <translation>In die Maske malen</translation>
+    </message>
+    <message>
+        <source>Erase from the mask</source>
+        <translation>In der Maske radieren</translation>
+    </message>
+    <message>
+        <source>Nothing of the mask lies there.</source>
+        <translation>Dort liegt nichts von der Maske.</translation>
+    </message>
+    <message>
+        <source>Cut the mask</source>
+        <translation>Maske schneiden</translation>
+    </message>
+    <message>
+        <source>Tracing the mask …</source>
+        <translation>Maske wird erfasst …</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Trace the edited mask</source>
+        <translation>Bearbeitete Maske erfassen</translation>
+    </message>
+    <message>
+        <source>Traced: 1 branch.</source>
+        <translation>Erfasst: 1 Ast.</translation>
+    </message>
+    <message>
+        <source>Traced: %1 branches.</source>
+        <translation>Erfasst: %1 Äste.</translation>
+    </message>
+    <message>
+        <source>Saved without the latest changes of the mask: trace the mask, then save again.</source>
+        <translation>Ohne die letzten Änderungen der Maske gespeichert: Maske erfassen, dann noch einmal speichern.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskBrushTool</name>
+    <message>
+        <source>Paint: drag, Ctrl erases</source>
+        <translation>Malen: ziehen, Strg radiert</translation>
+    </message>
+    <message>
+        <source>Erase: drag, Ctrl paints</source>
+        <translation>Radieren: ziehen, Strg malt</translation>
+    </message>
+    <message>
+        <source>Shift+wheel, + and − change the brush</source>
+        <translation>Umschalt+Rad, + und − ändern den Pinsel</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskCutTool</name>
+    <message>
+        <source>Scissors: draw around what goes · Shift keeps what lies inside</source>
+        <translation>Schere: umfahren, was entfällt · Umschalt behält, was innen liegt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskPanel</name>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Ball, through the slices beside</source>
+        <translation>Kugel, durch Nachbarschichten</translation>
+    </message>
+    <message>
+        <source>Paint only above the threshold</source>
+        <translation>Nur über der Schwelle malen</translation>
+    </message>
+    <message>
+        <source>Trace the mask</source>
+        <translation>Maske erfassen</translation>
+    </message>
+    <message>
+        <source>Save mask …</source>
+        <translation>Maske sichern …</translation>
+    </message>
+    <message>
+        <source>Lumen mask</source>
+        <translation>Gefäßmaske</translation>
+    </message>
+    <message>
+        <source>Makes the vessels anew from the mask as it is.</source>
+        <translation>Bildet die Gefäße neu aus der Maske, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Writes the mask as a label image.</source>
+        <translation>Schreibt die Maske als Labelbild.</translation>
+    </message>
+    <message>
+        <source>this slice alone</source>
+        <translation>nur diese Schicht</translation>
+    </message>
+    <message>
+        <source>slices beside it</source>
+        <translation>Nachbarschichten</translation>
+    </message>
+    <message>
+        <source>whole depth</source>
+        <translation>ganze Tiefe</translation>
+    </message>
+    <message>
+        <source>Mask over the slices</source>
+        <translation>Maske über den Schichten</translation>
+    </message>
+    <message>
+        <source>How strong the mask is shown over the slices.</source>
+        <translation>Wie kräftig die Maske über den Schichten liegt.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>Radius des Pinsels</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>Pinselradius</translation>
+    </message>
+    <message>
+        <source>How deep scissors cut</source>
+        <translation>Wie tief die Schere schneidet</translation>
+    </message>
+    <message>
+        <source>Depth on both sides of the slice</source>
+        <translation>Tiefe beiderseits der Schicht</translation>
+    </message>
+    <message>
+        <source>Tracing the mask …</source>
+        <translation>Maske wird erfasst …</translation>
+    </message>
+    <message>
+        <source>1 change of the mask is not in the vessels yet: trace the mask.</source>
+        <translation>1 Änderung der Maske fehlt den Gefäßen noch: Maske erfassen.</translation>
+    </message>
+    <message>
+        <source>%1 changes of the mask are not in the vessels yet: trace the mask.</source>
+        <translation>%1 Änderungen der Maske fehlen den Gefäßen noch: Maske erfassen.</translation>
+    </message>
+    <message>
+        <source>The vessels come from a mask edited by hand.</source>
+        <translation>Die Gefäße stammen aus einer von Hand bearbeiteten Maske.</translation>
+    </message>
+    <message>
+        <source>Paint and cut, then trace the mask. Each stroke can be undone.</source>
+        <translation>Malen und schneiden, dann die Maske erfassen. Jeder Strich lässt sich rückgängig machen.</translation>
     </message>
 </context>
 <context>

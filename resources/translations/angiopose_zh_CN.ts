@@ -242,6 +242,18 @@
         <source>Check points and rings</source>
         <translation>检查点与环</translation>
     </message>
+    <message>
+        <source>traced from a lumen mask edited by hand</source>
+        <translation>由手工编辑的管腔掩模提取</translation>
+    </message>
+    <message>
+        <source>Lumen mask</source>
+        <translation>管腔掩模</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>
@@ -466,6 +478,14 @@
     <message>
         <source>Nothing has been measured yet.</source>
         <translation>尚未进行任何测量。</translation>
+    </message>
+    <message>
+        <source>Export lumen mask</source>
+        <translation>导出管腔掩模</translation>
+    </message>
+    <message>
+        <source>Label images (*.nrrd *.nii.gz *.nii *.mha)</source>
+        <translation>标签图像 (*.nrrd *.nii.gz *.nii *.mha)</translation>
     </message>
 </context>
 <context>
@@ -7305,6 +7325,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>导出检查点…</translation>
     </message>
     <message>
+        <source>Export lumen mask …</source>
+        <translation>导出管腔掩模…</translation>
+    </message>
+    <message>
+        <source>Paint into the lumen mask</source>
+        <translation>在管腔掩模中绘制</translation>
+    </message>
+    <message>
+        <source>Erase from the lumen mask</source>
+        <translation>从管腔掩模中擦除</translation>
+    </message>
+    <message>
+        <source>Cut the lumen mask by a lasso</source>
+        <translation>用套索裁剪管腔掩模</translation>
+    </message>
+    <message>
+        <source>Trace the edited mask</source>
+        <translation>提取编辑后的掩模</translation>
+    </message>
+    <message>
         <source>Scan in the 3-D view</source>
         <translation>三维视图中显示扫描</translation>
     </message>
@@ -10283,6 +10323,190 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Check point %1</source>
         <translation>检查点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::MaskController</name>
+    <message>
+        <source>Stopped: the vessels are as they were</source>
+        <translation>已停止：血管保持原样</translation>
+    </message>
+    <message>
+        <source>Tracing the mask … %1 %</source>
+        <translation>正在提取掩模… %1 %</translation>
+    </message>
+    <message>
+        <source>Open a scan or a label image first.</source>
+        <translation>请先打开扫描或标签图像。</translation>
+    </message>
+    <message>
+        <source>A registration is running. Stop it to edit.</source>
+        <translation>配准正在运行。请停止后再编辑。</translation>
+    </message>
+    <message>
+        <source>Paint into the mask</source>
+        <translation>在掩模中绘制</translation>
+    </message>
+    <message>
+        <source>Erase from the mask</source>
+        <translation>从掩模中擦除</translation>
+    </message>
+    <message>
+        <source>Nothing of the mask lies there.</source>
+        <translation>该处没有掩模。</translation>
+    </message>
+    <message>
+        <source>Cut the mask</source>
+        <translation>裁剪掩模</translation>
+    </message>
+    <message>
+        <source>Tracing the mask …</source>
+        <translation>正在提取掩模…</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Trace the edited mask</source>
+        <translation>提取编辑后的掩模</translation>
+    </message>
+    <message>
+        <source>Traced: 1 branch.</source>
+        <translation>已提取：1 个分支。</translation>
+    </message>
+    <message>
+        <source>Traced: %1 branches.</source>
+        <translation>已提取：%1 个分支。</translation>
+    </message>
+    <message>
+        <source>Saved without the latest changes of the mask: trace the mask, then save again.</source>
+        <translation>已保存，但不含掩模的最新更改：请提取掩模后再次保存。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskBrushTool</name>
+    <message>
+        <source>Paint: drag, Ctrl erases</source>
+        <translation>绘制：拖动，Ctrl 擦除</translation>
+    </message>
+    <message>
+        <source>Erase: drag, Ctrl paints</source>
+        <translation>擦除：拖动，Ctrl 绘制</translation>
+    </message>
+    <message>
+        <source>Shift+wheel, + and − change the brush</source>
+        <translation>Shift+滚轮、+ 和 − 改变画笔</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskCutTool</name>
+    <message>
+        <source>Scissors: draw around what goes · Shift keeps what lies inside</source>
+        <translation>剪刀：圈出要去除的部分 · Shift 保留圈内部分</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MaskPanel</name>
+    <message>
+        <source>Paint</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>擦除</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>剪刀</translation>
+    </message>
+    <message>
+        <source>Ball, through the slices beside</source>
+        <translation>球形，穿过相邻层面</translation>
+    </message>
+    <message>
+        <source>Paint only above the threshold</source>
+        <translation>仅在高于阈值处绘制</translation>
+    </message>
+    <message>
+        <source>Trace the mask</source>
+        <translation>提取掩模</translation>
+    </message>
+    <message>
+        <source>Save mask …</source>
+        <translation>保存掩模…</translation>
+    </message>
+    <message>
+        <source>Lumen mask</source>
+        <translation>管腔掩模</translation>
+    </message>
+    <message>
+        <source>Makes the vessels anew from the mask as it is.</source>
+        <translation>由当前掩模重新生成血管。</translation>
+    </message>
+    <message>
+        <source>Writes the mask as a label image.</source>
+        <translation>将掩模写为标签图像。</translation>
+    </message>
+    <message>
+        <source>this slice alone</source>
+        <translation>仅本层</translation>
+    </message>
+    <message>
+        <source>slices beside it</source>
+        <translation>相邻层面</translation>
+    </message>
+    <message>
+        <source>whole depth</source>
+        <translation>整个深度</translation>
+    </message>
+    <message>
+        <source>Mask over the slices</source>
+        <translation>断层上的掩模</translation>
+    </message>
+    <message>
+        <source>How strong the mask is shown over the slices.</source>
+        <translation>掩模在断层上显示的浓淡。</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Radius of the brush</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>How deep scissors cut</source>
+        <translation>剪刀裁剪深度</translation>
+    </message>
+    <message>
+        <source>Depth on both sides of the slice</source>
+        <translation>层面两侧的深度</translation>
+    </message>
+    <message>
+        <source>Tracing the mask …</source>
+        <translation>正在提取掩模…</translation>
+    </message>
+    <message>
+        <source>1 change of the mask is not in the vessels yet: trace the mask.</source>
+        <translation>掩模有 1 处更改尚未反映到血管：请提取掩模。</translation>
+    </message>
+    <message>
+        <source>%1 changes of the mask are not in the vessels yet: trace the mask.</source>
+        <translation>掩模有 %1 处更改尚未反映到血管：请提取掩模。</translation>
+    </message>
+    <message>
+        <source>The vessels come from a mask edited by hand.</source>
+        <translation>血管来自手工编辑的掩模。</translation>
+    </message>
+    <message>
+        <source>Paint and cut, then trace the mask. Each stroke can be undone.</source>
+        <translation>绘制和裁剪，然后提取掩模。每一笔均可撤销。</translation>
     </message>
 </context>
 <context>

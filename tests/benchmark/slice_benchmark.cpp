@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
 
 using namespace angiopose;
 
@@ -72,6 +73,51 @@ void measureAll(ui::SliceModel& model, ui::SlicesPage& page)
             [&](int i) { QTest::mouseMove(&axial, axial.rect().center() + QPoint(i, -i)); });
 }
 
+enum class BrushShape { Disc, Ball };
+
+/// What a move of the brush does in the window's thread, erasing and painting in turns.
+void measureBrush(const char* what, ui::SliceModel& model, ui::SliceView& view, core::VoxelMask& draft,
+                  BrushShape shape, double radiusMm)
+{
+    measure(what, [&](int i) {
+        const QPointF from = view.rect().center() + QPoint(2 * i, i);
+        const core::BrushStep step{view.patientFromWidget(from), view.patientFromWidget(from + QPointF(2, 1))};
+        const core::MaskBrush brush{i % 2 == 0 ? core::MaskAim::Paint : core::MaskAim::Erase, radiusMm};
+        const core::MaskChange change =
+            core::changeOf(shape == BrushShape::Ball ? core::brushedInSpace(draft, brush, step)
+                                                     : core::brushedInSlice(draft, view.grid(), brush, step));
+        if (!change.runs.empty()) {
+            core::flip(draft, change);
+            model.touchDraft(core::boxOf(draft.geometry, change));
+        }
+    });
+}
+
+void measureMask(ui::SliceModel& model, ui::SlicesPage& page)
+{
+    const auto draft = std::make_shared<core::VoxelMask>(*model.lumen());
+    model.setDraft(draft);
+    QApplication::processEvents();
+    ui::SliceView& axial = page.view(core::BodyPlane::Axial);
+    measureBrush("brush, disc of 5 mm in the axial slice", model, axial, *draft, BrushShape::Disc, 5.0);
+    measureBrush("brush, disc of 5 mm in the sagittal slice", model, page.view(core::BodyPlane::Sagittal), *draft,
+                 BrushShape::Disc, 5.0);
+    measureBrush("brush, ball of 5 mm", model, axial, *draft, BrushShape::Ball, 5.0);
+    measureBrush("brush, ball of 25 mm", model, axial, *draft, BrushShape::Ball, 25.0);
+    core::MaskCut cut;
+    cut.slice = axial.grid();
+    cut.outline = {{100, 100}, {400, 100}, {400, 400}, {100, 400}};
+    cut.halfDepthMm = std::numeric_limits<double>::infinity();
+    core::MaskChange change;
+    measure("worker: scissors through the whole depth",
+            [&](int) { change = core::changeOf(core::cutVoxels(*draft, cut)); });
+    measure("taking that cut, and undoing it", [&](int) {
+        core::flip(*draft, change);
+        model.touchDraft(core::boxOf(draft->geometry, change));
+    });
+    measure("opacity of the mask, all three planes", [&](int i) { model.setMaskOpacity(0.2 + 0.01 * i); });
+}
+
 }   // namespace
 
 int main(int argc, char** argv)
@@ -97,5 +143,6 @@ int main(int argc, char** argv)
     }
     std::printf("%d x %d x %d voxels, page of %d x %d\n", columns, columns, slices, page.width(), page.height());
     measureAll(model, page);
+    measureMask(model, page);
     return 0;
 }

@@ -17,6 +17,7 @@ enum class Command {
     ExportPose,
     ExportTrace,
     ExportVessels,
+    ExportMask,
     ExportBent,
     ExportReport,
     ExportFollowed,
@@ -34,6 +35,10 @@ enum class Command {
     // Vessels
     TraceScan,
     ChooseLabels,
+    PaintMask,
+    EraseMask,
+    CutMask,
+    TraceMask,
     FindBranch,
     SelectAll,
     RenameBranch,

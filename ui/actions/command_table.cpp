@@ -28,6 +28,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
         {Command::ExportVessels, QT_TR_NOOP("Export vessel tree …")},
+        {Command::ExportMask, QT_TR_NOOP("Export lumen mask …")},
         {Command::ExportBent, QT_TR_NOOP("Export bent vessels …")},
         {Command::ExportFollowed, QT_TR_NOOP("Export followed poses …")},
         {Command::ExportMeasurements, QT_TR_NOOP("Export measurements …")},
@@ -56,6 +57,10 @@ std::span<const CommandRow> CommandTable::vesselsCommands()
     static constexpr CommandRow rows[]{
         {Command::TraceScan, QT_TR_NOOP("Trace the scan again"), "Ctrl+T"},
         {Command::ChooseLabels, QT_TR_NOOP("Choose the labels that are vessels"), "Ctrl+Shift+T"},
+        {Command::PaintMask, QT_TR_NOOP("Paint into the lumen mask"), "Ctrl+D", Switch | StartsGroup},
+        {Command::EraseMask, QT_TR_NOOP("Erase from the lumen mask"), "Ctrl+R", Switch},
+        {Command::CutMask, QT_TR_NOOP("Cut the lumen mask by a lasso"), "Ctrl+X", Switch},
+        {Command::TraceMask, QT_TR_NOOP("Trace the edited mask"), "Ctrl+U"},
         {Command::FindBranch, QT_TR_NOOP("Find a branch"), "Ctrl+F", StartsGroup},
         {Command::SelectAll, QT_TR_NOOP("Select all branches"), "Ctrl+A"},
         {Command::RenameBranch, QT_TR_NOOP("Rename branch"), "F2"},

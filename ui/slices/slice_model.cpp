@@ -78,10 +78,15 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         window_ = isHounsfield_ ? windowPresets().front().window : windowOfValues(*volume_);
     }
     const core::VolumeGeometry* now = geometry();
-    if (now && (kept.size != now->size || kept.originInPatient != now->originInPatient)) {
+    const bool isSamePlace = now && kept.size == now->size && kept.originInPatient == now->originInPatient;
+    if (now && !isSamePlace) {
         crosshair_ = core::centreOf(*now);
     }
-    emit scanChanged();
+    if (isSamePlace && !isNewVolume) {
+        emit maskChanged();   // who looks closely keeps his place
+    } else {
+        emit scanChanged();
+    }
 }
 
 void SliceModel::setLabels(LabelLayer labels)
@@ -97,9 +102,42 @@ void SliceModel::setLabels(LabelLayer labels)
     emit lookChanged();
 }
 
+void SliceModel::setDraft(std::shared_ptr<const core::VoxelMask> draft)
+{
+    if (draft != draft_) {
+        draft_ = std::move(draft);
+        emit maskChanged();
+    }
+}
+
+void SliceModel::touchDraft(const core::TouchedBox& box)
+{
+    if (draft_) {
+        emit maskTouched(box);
+    }
+}
+
+void SliceModel::setMaskOpacity(double opacity)
+{
+    if (opacity != maskOpacity_) {
+        maskOpacity_ = opacity;
+        emit lookChanged();
+    }
+}
+
+const core::VoxelMask* SliceModel::mask() const
+{
+    return draft_ ? draft_.get() : labels_.rows ? labels_.rows.get() : lumen_.get();
+}
+
+std::vector<MaskTint> SliceModel::labelTints() const
+{
+    return draft_ ? std::vector<MaskTint>() : labels_.tints;
+}
+
 QString SliceModel::labelNameAt(const Eigen::Vector3d& pointInPatient) const
 {
-    if (!labels_.rows || labels_.names.isEmpty()) {
+    if (draft_ || !labels_.rows || labels_.names.isEmpty()) {
         return {};
     }
     const core::VolumeGeometry& geometry = labels_.rows->geometry;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/mask_edit.h"
 #include "core/imaging/slice_measurement.h"
 #include "core/imaging/volume_slice.h"
 #include "core/vessel/vessel_tree.h"
@@ -57,6 +58,10 @@ public:
     /// chooses the window.
     void setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen);
     void setLabels(LabelLayer labels);   ///< shown instead of the lumen; without rows that is shown again
+    /// A mask that is being edited, shown instead of lumen and labels; null: these again.
+    void setDraft(std::shared_ptr<const core::VoxelMask> draft);
+    void touchDraft(const core::TouchedBox& box);   ///< it changed there
+    void setMaskOpacity(double opacity);   ///< over a scan
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
     void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces those of this kind
@@ -70,9 +75,11 @@ public:
     const core::VolumeGeometry* geometry() const;   ///< of the scan, or of the lumen; null without either
     const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
-    const core::VoxelMask* mask() const { return labels_.rows ? labels_.rows.get() : lumen_.get(); }   ///< to be tinted
+    const core::VoxelMask* mask() const;   ///< to be tinted
+    /// The mask as it is kept, not one that is being edited (that changes in place): for work beside the window.
     const std::shared_ptr<const core::VoxelMask>& sharedMask() const { return labels_.rows ? labels_.rows : lumen_; }
-    const std::vector<MaskTint>& labelTints() const { return labels_.tints; }   ///< empty: the mask is the lumen
+    std::vector<MaskTint> labelTints() const;   ///< empty: the mask is the lumen
+    double maskOpacity() const { return maskOpacity_; }
     QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty where none is
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
@@ -86,7 +93,8 @@ public:
 
 signals:
     void scanChanged();
-    void maskChanged();   ///< labels instead of the lumen, or back
+    void maskChanged();   ///< labels or what is edited instead of the lumen, or back
+    void maskTouched(const core::TouchedBox& box);   ///< the same mask, changed there
     void crosshairChanged();
     void lookChanged();   ///< window, preview
     void overlayChanged();   ///< branches, points, measurements
@@ -96,7 +104,9 @@ signals:
 private:
     std::shared_ptr<const core::Volume> volume_;
     std::shared_ptr<const core::VoxelMask> lumen_;
+    std::shared_ptr<const core::VoxelMask> draft_;
     LabelLayer labels_;
+    double maskOpacity_ = 0.28;
     std::shared_ptr<const core::VesselTree> tree_;
     BranchMarks marks_;
     std::map<SliceMarkKind, std::vector<SliceMark>> points_;

@@ -145,15 +145,24 @@ QImage slicePicture(const SliceContent& content, const GreyWindow& window, const
 {
     QImage picture(deviceSize, QImage::Format_RGB32);
     picture.fill(Qt::black);
+    repaintSliceRows(picture, {0, deviceSize.height()}, content, window, tints, viewport, devicePxPerPx);
+    return picture;
+}
+
+void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const SliceContent& content,
+                      const GreyWindow& window, const SliceTints& tints, const ImageViewport& viewport,
+                      double devicePxPerPx)
+{
     const core::SliceGrid& grid = content.grid;
-    if (grid.width == 0 || deviceSize.isEmpty()) {
-        return picture;
+    const auto [first, end] = deviceRows;
+    if (grid.width == 0 || picture.isNull() || first >= end) {
+        return;
     }
-    const auto stations = screenStations(grid, viewport, deviceSize, devicePxPerPx);
+    const auto stations = screenStations(grid, viewport, picture.size(), devicePxPerPx);
     const std::vector<Station>& rows = stations.second;
     auto* pixels = reinterpret_cast<QRgb*>(picture.bits());
     const std::ptrdiff_t pixelsPerLine = picture.bytesPerLine() / static_cast<qsizetype>(sizeof(QRgb));
-    const auto bands = static_cast<std::size_t>((deviceSize.height() + bandRows - 1) / bandRows);
+    const auto bands = static_cast<std::size_t>((end - first + bandRows - 1) / bandRows);
     const ToneTable tones(tints);
     const double width = std::max(window.width, 1e-3);
     const RowPainter painter{stations.first, tones, static_cast<float>(255.0 / width),
@@ -170,11 +179,10 @@ QImage slicePicture(const SliceContent& content, const GreyWindow& window, const
     core::parallelFor(
         bands, std::min(mostThreads, core::threadCount(0)),
         [&](std::size_t band) {
-            const int from = static_cast<int>(band) * bandRows;
-            paintRows(from, std::min(from + bandRows, deviceSize.height()));
+            const int from = first + static_cast<int>(band) * bandRows;
+            paintRows(from, std::min(from + bandRows, end));
         },
         [](double) { return true; });
-    return picture;
 }
 
 }   // namespace angiopose::ui

@@ -7,6 +7,7 @@
 #include <QImage>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace angiopose::ui {
@@ -46,5 +47,10 @@ double unitMmOf(const core::SliceGrid& grid);
 /// `viewport` in device-independent ones. Black outside the scan.
 QImage slicePicture(const SliceContent& content, const GreyWindow& window, const SliceTints& tints,
                     const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
+
+/// Paints some of its rows once more, the last one left out: the content changed there alone.
+void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const SliceContent& content,
+                      const GreyWindow& window, const SliceTints& tints, const ImageViewport& viewport,
+                      double devicePxPerPx);
 
 }   // namespace angiopose::ui

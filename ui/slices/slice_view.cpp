@@ -53,6 +53,7 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
         isContentStale_ = true;
         update();
     });
+    connect(&model, &SliceModel::maskTouched, this, &SliceView::retint);
     connect(&model, &SliceModel::crosshairChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::overlayChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::toolChanged, this, &SliceView::followTool);
@@ -119,8 +120,15 @@ void SliceView::drawPicture()
     if (!isPictureStale_ && picture_.size() == deviceSize) {
         return;
     }
+    picture_ = slicePicture(content_, model_.window(), tints(), viewport_, deviceSize, ratio);
+    picture_.setDevicePixelRatio(ratio);
+    isPictureStale_ = false;
+}
+
+SliceTints SliceView::tints() const
+{
     const Palette& tones = ui::palette(ThemeMode::Dark);
-    const double opacity = content_.values.empty() ? aloneOpacity : tintOpacity;
+    const double opacity = content_.values.empty() ? aloneOpacity : model_.maskOpacity();
     std::vector<MaskTint> mask = model_.labelTints();
     for (MaskTint& tint : mask) {   // given as without a scan below them
         tint.opacity *= opacity / aloneOpacity;
@@ -128,10 +136,33 @@ void SliceView::drawPicture()
     if (mask.empty()) {
         mask.push_back({tones.accent, opacity});
     }
-    const SliceTints tints{std::move(mask), {tones.attention, opacity}, model_.previewFrom()};
-    picture_ = slicePicture(content_, model_.window(), tints, viewport_, deviceSize, ratio);
-    picture_.setDevicePixelRatio(ratio);
-    isPictureStale_ = false;
+    const double previewOpacity = content_.values.empty() ? aloneOpacity : tintOpacity;
+    return {std::move(mask), {tones.attention, previewOpacity}, model_.previewFrom()};
+}
+
+/// Only the mask is cut anew, and only the rows on the screen that it changed in are painted.
+void SliceView::retint(const core::TouchedBox& box)
+{
+    const core::SliceGrid& grid = content_.grid;
+    if (isContentStale_ || !model_.mask() || grid.width == 0) {
+        return;
+    }
+    const double low = grid.distanceMm(box.lowInPatient);   // normals are axes of the patient
+    const double high = grid.distanceMm(box.highInPatient);
+    if (std::max(low, high) < -0.5 * grid.thicknessMm || std::min(low, high) > 0.5 * grid.thicknessMm) {
+        return;
+    }
+    content_.mask = core::sliceMask(*model_.mask(), grid);
+    if (!isPictureStale_ && !picture_.isNull()) {
+        const double ratio = devicePixelRatio();
+        const double a = widgetFromPatient(box.lowInPatient).y() * ratio;
+        const double b = widgetFromPatient(box.highInPatient).y() * ratio;
+        const int margin = static_cast<int>(std::ceil(2.0 * pxPerMm() * ratio * grid.rowStep.norm()));
+        const int first = std::clamp(static_cast<int>(std::floor(std::min(a, b))) - margin, 0, picture_.height());
+        const int end = std::clamp(static_cast<int>(std::ceil(std::max(a, b))) + margin, 0, picture_.height());
+        repaintSliceRows(picture_, {first, end}, content_, model_.window(), tints(), viewport_, ratio);
+    }
+    update();
 }
 
 void SliceView::paintEvent(QPaintEvent*)

@@ -53,6 +53,8 @@ protected:
 private:
     void cut();   ///< takes over another slice where the cross-hair left the shown one
     void drawPicture();
+    SliceTints tints() const;
+    void retint(const core::TouchedBox& box);   ///< where the mask changed in the slice shown
     void changeWindow(const QPointF& step);
     bool goThroughSlices(const QKeyEvent& event);   ///< false: not its key
     bool moveCrosshair(int key);

@@ -2,6 +2,7 @@
 
 #include "ui/controls/number_field.h"
 #include "ui/slices/label_choice.h"
+#include "ui/slices/mask_panel.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
@@ -53,6 +54,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     : Section(
           "tracing", [] { return tr("Trace vessels"); }, Folding::Fixed, parent),
       labels_(new LabelChoice),
+      mask_(new MaskPanel),
       thresholdBox_(new QWidget),
       automatic_(withText(new QCheckBox, [] { return tr("Automatic threshold"); })),
       threshold_(new NumberField({-32768.0, 65535.0, 0, QString(), 5.0})),
@@ -86,6 +88,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     contentLayout()->addLayout(buttonRow());
     note_->setWordWrap(true);
     contentLayout()->addWidget(note_);
+    contentLayout()->addWidget(mask_);
     contentLayout()->addStretch(1);
     setMinimumWidth(leastWidth);
     showOptions({});

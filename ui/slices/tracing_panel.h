@@ -13,6 +13,7 @@ class QSlider;
 namespace angiopose::ui {
 
 class LabelChoice;
+class MaskPanel;
 class NumberField;
 
 /// What a click in a slice does.
@@ -29,6 +30,7 @@ public:
     /// Values that a threshold can have; nothing: what is traced has no values (labels, surface).
     void showRange(std::optional<std::pair<double, double>> range, const QString& unit);
     LabelChoice& labels() { return *labels_; }
+    MaskPanel& mask() { return *mask_; }
     void showFound(std::optional<double> threshold);   ///< what "automatic" comes to, when known
     void showPick(TracingPick pick);
     void showWhyNot(const QString& reason);   ///< empty: can be traced
@@ -64,6 +66,7 @@ private:
     bool running_ = false;
     bool hasValues_ = false;
     LabelChoice* labels_;
+    MaskPanel* mask_;
     QWidget* thresholdBox_;
     QCheckBox* automatic_;
     NumberField* threshold_;

@@ -24,10 +24,13 @@ Json inputSchema(VesselInputKind kind)
         "Label image: NIfTI, NRRD, MetaImage.", "VTP, VTK, STL, PLY, OBJ.",
         "NIfTI, NRRD, MetaImage, a DICOM slice, or a folder of them; then dicom.seriesInstanceUid names the series. "
         "Beside another kind: the scan that those vessels lie in."};
-    const Json schema = objectSchema({{"path", definedAs("path")},
-                                      {"sha256", definedAs("sha256")},
-                                      {"dicom", objectSchema({{"seriesInstanceUid", textSchema()}})}},
-                                     {"path"});
+    Json members{{"path", definedAs("path")},
+                 {"sha256", definedAs("sha256")},
+                 {"dicom", objectSchema({{"seriesInstanceUid", textSchema()}})}};
+    if (kind == VesselInputKind::Segmentation) {
+        members["origin"] = about(choiceSchema({"edited"}), "Edited by hand: the mask belongs to this case.");
+    }
+    const Json schema = objectSchema(members, {"path"});
     return about(schema, sentences[static_cast<std::size_t>(kind)]);
 }
 
@@ -50,12 +53,19 @@ StoredField<Vessels> inputField(VesselInputKind kind)
                     vessels.file = fileFrom(value);
                     vessels.input.kind = kind;
                     vessels.input.seriesId = seriesId;
+                    vessels.isLumenEdited =
+                        kind == VesselInputKind::Segmentation && value.value("origin", "") == "edited";
                 } else if (kind == VesselInputKind::Volume) {
                     vessels.scanFile = fileFrom(value);
                     vessels.scanSeriesId = seriesId;
                 }
             },
             [kind](const Vessels& vessels, const fs::path& folder) {
+                if (kind == vessels.input.kind && vessels.isLumenEdited) {
+                    Json mask = inputJson(vessels.file, {}, folder);
+                    mask["origin"] = "edited";
+                    return mask;
+                }
                 return kind == vessels.input.kind        ? inputJson(vessels.file, vessels.input.seriesId, folder)
                        : kind == VesselInputKind::Volume ? inputJson(vessels.scanFile, vessels.scanSeriesId, folder)
                                                          : Json();

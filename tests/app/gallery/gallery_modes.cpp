@@ -120,6 +120,15 @@ void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
     showWindow(window, QStringLiteral("slices"));
     measureSlices(controller, window.slices());
     showWindow(window, QStringLiteral("slices_measured"));
+    window.actions()[ui::Command::PaintMask]->setChecked(true);
+    if (!QTest::qWaitFor([&] { return !controller.mask().isPreparing(); }, patienceMs)) {
+        qFatal("The mask was not copied.");
+    }
+    ui::SliceView& axial = window.slicesPage().view(core::BodyPlane::Axial);
+    QTest::mouseMove(&axial, axial.rect().center() + QPoint(40, 20));
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() + QPoint(40, 20));
+    showWindow(window, QStringLiteral("mask_brush"));
+    window.actions()[ui::Command::PaintMask]->setChecked(false);
     window.resize(1024, 720);
     showWindow(window, QStringLiteral("slices_small"));
     window.resize(1440, 900);

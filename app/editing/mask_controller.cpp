@@ -1,0 +1,390 @@
+#include "app/editing/mask_controller.h"
+
+#include "app/document/edit_case.h"
+#include "app/preferences/settings.h"
+#include "core/tracing/volume/trace_vessels.h"
+#include "ui/actions/window_actions.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/slices/slice_model.h"
+#include "ui/slices/tracing_panel.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+#include "ui/words/number.h"
+#include "ui/words/spoken.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+using core::MaskAim;
+using core::VoxelMask;
+
+constexpr double leastRadiusMm = 0.2;
+constexpr double mostRadiusMm = 25.0;   // a ball of these is found within a frame
+
+ui::MaskSettings storedSettings()
+{
+    return {settings::maskOpacity.read(),
+            settings::brushRadiusMm.read(),
+            settings::isBrushBall.read(),
+            settings::brushAboveThreshold.read(),
+            static_cast<ui::CutDepth>(std::clamp(settings::cutDepth.read(), 0, 2)),
+            settings::cutRangeMm.read()};
+}
+
+void store(const ui::MaskSettings& chosen)
+{
+    settings::maskOpacity.write(chosen.opacity);
+    settings::brushRadiusMm.write(chosen.radiusMm);
+    settings::isBrushBall.write(chosen.isBall);
+    settings::brushAboveThreshold.write(chosen.isAboveThreshold);
+    settings::cutDepth.write(static_cast<int>(chosen.depth));
+    settings::cutRangeMm.write(chosen.rangeMm);
+}
+
+/// What editing begins with: the lumen, else what lies above the threshold that is shown, else nothing.
+std::shared_ptr<VoxelMask> startOf(const std::shared_ptr<const VoxelMask>& lumen,
+                                   const std::shared_ptr<const core::Volume>& scan, std::optional<double> threshold)
+{
+    auto mask = std::make_shared<VoxelMask>(lumen ? lumen->geometry : scan->geometry);
+    for (std::size_t voxel = 0; voxel < mask->voxels.size(); ++voxel) {
+        const bool isIn = lumen ? lumen->voxels[voxel] != 0 : threshold && scan->value(voxel) >= *threshold;
+        mask->voxels[voxel] = isIn ? 1 : 0;
+    }
+    return mask;
+}
+
+/// The mask as it is goes to the case; its vessels by the last stages of tracing.
+core::Result<VesselTrace> traceOf(const VoxelMask& draft, const core::VesselTracingOptions& options,
+                                  JobLink<double>& link)
+{
+    const auto mask = std::make_shared<const VoxelMask>(draft);
+    link.tell(0.0);   // from here on the draft may change again
+    auto traced = core::traceMask(*mask, options, [&link](const core::TracingReport& report) {
+        return link.tell(std::max(report.progress, 0.001));
+    });
+    if (!traced) {
+        return traced.error();
+    }
+    core::TracedVessels vessels = std::move(traced).value();
+    VesselTrace found;
+    found.input.kind = core::VesselInputKind::Segmentation;
+    found.input.tracing = options;
+    found.lumen = mask;
+    found.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
+    found.warnings = std::move(vessels.warnings);
+    return found;
+}
+
+}   // namespace
+
+MaskController::MaskController(CaseDocument& document, Options options, const Ui& ui, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      options_(std::move(options)),
+      ui_(ui),
+      scissors_(new ui::MaskCutTool(ui.slices)),
+      copy_({[this](const std::shared_ptr<VoxelMask>& mask) {
+                 auto draft = std::make_shared<MaskDraft>(mask);
+                 draft->standFor(std::exchange(copied_, nullptr), 0);
+                 drafts_.push_back(draft);
+                 useDraft(fits(*draft) ? draft : nullptr);
+             },
+             [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
+      cut_({[this](const core::VoxelPlaces& found) { takeCut(found); },
+            [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
+      trace_({[this](const VesselTrace& traced) { takeTrace(traced); },
+              [this](const core::Error& error) {
+                  traceEnded();
+                  if (stopWished_) {
+                      emit told(tr("Stopped: the vessels are as they were"));
+                  } else {
+                      emit failed(ui::messageText(error.message));
+                  }
+              },
+              [this](double fraction) {
+                  if (lent_) {
+                      std::exchange(lent_, nullptr)->takeBack();
+                  }
+                  ui_.strip.showProgress(tr("Tracing the mask … %1 %").arg(ui::numberText(100.0 * fraction, 0)),
+                                         fraction);
+              }})
+{
+    brushes_ = {new ui::MaskBrushTool(MaskAim::Paint, ui.slices), new ui::MaskBrushTool(MaskAim::Erase, ui.slices)};
+    connectTools();
+    ui::MaskPanel& panel = ui_.panel.mask();
+    ui::WindowActions& actions = ui_.actions;
+    panel.bind(*actions[ui::Command::PaintMask], *actions[ui::Command::EraseMask], *actions[ui::Command::CutMask],
+               *actions[ui::Command::TraceMask], *actions[ui::Command::ExportMask]);
+    connect(&panel, &ui::MaskPanel::settingsEdited, this, &MaskController::takeSettings);
+    connect(actions[ui::Command::TraceMask], &QAction::triggered, this, &MaskController::trace);
+    connect(&ui_.strip, &ui::BottomStrip::stopRequested, this, [this] {
+        stopWished_ = isRunning();
+        trace_.requestStop();
+    });
+    connect(&document, &CaseDocument::changed, this, &MaskController::followDocument);
+    connect(&document, &CaseDocument::stateChanged, this, &MaskController::showState);
+    takeSettings(storedSettings());
+    panel.showSettings(settings_);
+    ui::speak(this, [this] { showState(); });
+    followDocument();
+}
+
+void MaskController::connectTools()
+{
+    connectTool(*ui_.actions[ui::Command::PaintMask], *brushes_[0]);
+    connectTool(*ui_.actions[ui::Command::EraseMask], *brushes_[1]);
+    connectTool(*ui_.actions[ui::Command::CutMask], *scissors_);
+    for (ui::MaskBrushTool* tool : brushes_) {
+        connect(tool, &ui::MaskBrushTool::brushed, this, &MaskController::brush);
+        connect(tool, &ui::MaskBrushTool::strokeEnded, this, &MaskController::endStroke);
+        connect(tool, &ui::MaskBrushTool::radiusWanted, this, [this](double radiusMm) {
+            ui::MaskSettings changed = settings_;
+            changed.radiusMm = std::clamp(radiusMm, leastRadiusMm, mostRadiusMm);
+            takeSettings(changed);
+            ui_.panel.mask().showSettings(changed);
+        });
+    }
+    connect(scissors_, &ui::MaskCutTool::cut, this, &MaskController::cut);
+}
+
+void MaskController::connectTool(QAction& action, ui::SliceTool& tool)
+{
+    ui::bindSliceTool(action, ui_.slices, tool);
+    connect(&action, &QAction::toggled, this, [this, &action](bool on) {
+        if (on && !ui_.slices.hasScan()) {
+            action.setChecked(false);
+            emit told(tr("Open a scan or a label image first."));
+        } else if (on) {
+            ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
+            beginEditing();
+        }
+    });
+}
+
+void MaskController::takeSettings(const ui::MaskSettings& chosen)
+{
+    settings_ = chosen;
+    store(chosen);
+    ui_.slices.setMaskOpacity(chosen.opacity);
+    for (ui::MaskBrushTool* tool : brushes_) {
+        tool->setRadiusMm(chosen.radiusMm);
+    }
+}
+
+bool MaskController::fits(const MaskDraft& draft) const
+{
+    const core::VolumeGeometry* shown = ui_.slices.geometry();
+    const core::VolumeGeometry& own = draft.mask()->geometry;
+    const bool isHere = lumen() || (shown && shown->size == own.size && shown->originInPatient == own.originInPatient);
+    return isHere && draft.strokesSince(lumen());
+}
+
+std::shared_ptr<MaskDraft> MaskController::knownDraft() const
+{
+    for (const std::weak_ptr<MaskDraft>& known : drafts_) {
+        if (const auto draft = known.lock(); draft && fits(*draft)) {
+            return draft;
+        }
+    }
+    return nullptr;
+}
+
+/// Undo may bring a lumen back for which another draft stands.
+void MaskController::followDocument()
+{
+    if (const int caseNumber = document_.state().caseNumber; caseNumber != caseNumber_) {
+        caseNumber_ = caseNumber;
+        drafts_.clear();
+        copy_.drop();
+        useDraft(nullptr);
+    } else if (!draft_ || !fits(*draft_)) {
+        useDraft(knownDraft());
+    }
+    if (!draft_ &&
+        (ui_.actions[ui::Command::PaintMask]->isChecked() || ui_.actions[ui::Command::EraseMask]->isChecked() ||
+         ui_.actions[ui::Command::CutMask]->isChecked())) {
+        beginEditing();   // the mode stays on over another lumen
+    }
+    const ui::SliceModel& slices = ui_.slices;
+    for (const ui::Command command : {ui::Command::PaintMask, ui::Command::EraseMask, ui::Command::CutMask}) {
+        ui_.actions[command]->setEnabled(slices.hasScan());
+    }
+    ui_.panel.mask().showThreshold(slices.volume() != nullptr);
+    showState();
+}
+
+void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
+{
+    if (draft_) {
+        draft_->disconnect(this);
+    }
+    draft_ = std::move(draft);
+    std::erase_if(drafts_, [](const std::weak_ptr<MaskDraft>& known) { return known.expired(); });
+    ui_.slices.setDraft(draft_ ? draft_->mask() : nullptr);
+    if (draft_) {
+        connect(draft_.get(), &MaskDraft::touched, &ui_.slices, &ui::SliceModel::touchDraft);
+        connect(draft_.get(), &MaskDraft::strokesChanged, this, &MaskController::showState);
+    }
+    showState();
+}
+
+/// The lumen is copied on a worker: it may be large.
+void MaskController::beginEditing()
+{
+    const core::Vessels& vessels = document_.current().vessels;
+    if (draft_ || copy_.isRunning() || (!vessels.lumen && !vessels.scan)) {
+        return;
+    }
+    copied_ = vessels.lumen;
+    copy_.start([lumen = vessels.lumen, scan = vessels.scan,
+                 threshold = ui_.slices.previewFrom()](JobLink<double>&) -> core::Result<std::shared_ptr<VoxelMask>> {
+        return startOf(lumen, scan, threshold);
+    });
+}
+
+bool MaskController::canEdit() const
+{
+    return draft_ && !draft_->isLent() && !document_.isLocked();
+}
+
+void MaskController::brush(MaskAim aim, const core::SliceGrid& slice, const core::BrushStep& step)
+{
+    if (!canEdit()) {
+        return;
+    }
+    const auto& scan = ui_.slices.volume();
+    const std::optional<double> threshold = ui_.panel.thresholdShown();
+    core::MaskBrush brush{aim, settings_.radiusMm};
+    if (aim == MaskAim::Paint && settings_.isAboveThreshold && scan && threshold) {
+        brush.scan = scan.get();
+        brush.leastValue = *threshold;
+    }
+    const VoxelMask& mask = *draft_->mask();
+    const core::VoxelPlaces found =
+        settings_.isBall ? core::brushedInSpace(mask, brush, step) : core::brushedInSlice(mask, slice, brush, step);
+    draft_->apply(core::changeOf(found));
+    strokeAim_ = aim;
+    stroke_.insert(stroke_.end(), found.begin(), found.end());
+}
+
+void MaskController::endStroke()
+{
+    if (stroke_.empty()) {
+        if (document_.isLocked()) {
+            emit told(tr("A registration is running. Stop it to edit."));
+        }
+        return;
+    }
+    const ui::Words name = strokeAim_ == MaskAim::Paint ? ui::Words([] { return tr("Paint into the mask"); })
+                                                        : ui::Words([] { return tr("Erase from the mask"); });
+    const core::MaskChange change = core::changeOf(std::exchange(stroke_, {}));
+    if (!document_.push(std::make_unique<EditMask>(draft_, change, name))) {
+        draft_->apply(change);   // takes itself back
+    }
+}
+
+/// Through a whole volume it takes longer than a frame.
+void MaskController::cut(core::MaskCut cut)
+{
+    if (!canEdit() || cut_.isRunning()) {
+        return;
+    }
+    cut.halfDepthMm = settings_.depth == ui::CutDepth::Slice   ? 0.0
+                      : settings_.depth == ui::CutDepth::Range ? settings_.rangeMm
+                                                               : std::numeric_limits<double>::infinity();
+    lent_ = draft_;
+    lent_->lendOut();
+    cut_.start([mask = std::shared_ptr<const VoxelMask>(draft_->mask()), cut = std::move(cut)](
+                   JobLink<double>&) -> core::Result<core::VoxelPlaces> { return core::cutVoxels(*mask, cut); });
+}
+
+/// What an undo has taken out since is gone already.
+void MaskController::takeCut(const core::VoxelPlaces& found)
+{
+    const auto draft = std::exchange(lent_, nullptr);
+    draft->takeBack();
+    core::VoxelPlaces there;
+    std::ranges::copy_if(found, std::back_inserter(there),
+                         [&draft](std::uint32_t voxel) { return draft->mask()->voxels[voxel] != 0; });
+    if (there.empty() || draft != draft_) {
+        emit told(there.empty() ? tr("Nothing of the mask lies there.") : QString());
+        return;
+    }
+    const core::MaskChange change = core::changeOf(std::move(there));
+    draft->apply(change);
+    if (!document_.push(std::make_unique<EditMask>(draft, change, [] { return tr("Cut the mask"); }))) {
+        draft->apply(change);   // takes itself back
+    }
+}
+
+void MaskController::trace()
+{
+    if (trace_.isRunning() || !canEdit()) {
+        return;
+    }
+    startedFrom_ = document_.state();
+    stopWished_ = false;
+    tracedStrokes_ = draft_->strokes();
+    lent_ = draft_;
+    lent_->lendOut();
+    ui_.strip.showBusy(tr("Tracing the mask …"));
+    trace_.start([mask = std::shared_ptr<const VoxelMask>(draft_->mask()),
+                  options = options_()](JobLink<double>& link) { return traceOf(*mask, options, link); });
+    showState();
+}
+
+void MaskController::traceEnded()
+{
+    if (lent_) {
+        std::exchange(lent_, nullptr)->takeBack();
+    }
+    ui_.strip.showIdle(tr("Ready"));
+    showState();
+}
+
+void MaskController::takeTrace(const VesselTrace& traced)
+{
+    traceEnded();
+    if (document_.state().caseNumber != startedFrom_.caseNumber || !draft_) {
+        return;   // another case has been opened since
+    }
+    draft_->standFor(traced.lumen, tracedStrokes_);
+    const TracedTree tree{{}, traced.input, traced.lumen, traced.tree, LumenOrigin::Edited};
+    if (!document_.push(app::takeTrace(document_, tree, [] { return tr("Trace the edited mask"); }))) {
+        return;
+    }
+    const int count = static_cast<int>(traced.tree->branches.size());
+    QStringList notes{count == 1 ? tr("Traced: 1 branch.") : tr("Traced: %1 branches.").arg(count)};
+    for (const core::Message& warning : traced.warnings) {
+        notes << ui::messageText(warning);
+    }
+    emit told(ui::joinedSentences(notes));
+}
+
+int MaskController::openStrokes() const
+{
+    return draft_ ? draft_->strokesSince(lumen()).value_or(0) : 0;
+}
+
+void MaskController::noteSaved()
+{
+    if (openStrokes() > 0) {
+        document_.markUnsaved();
+        emit told(tr("Saved without the latest changes of the mask: trace the mask, then save again."));
+    }
+}
+
+void MaskController::showState()
+{
+    ui_.actions[ui::Command::TraceMask]->setEnabled(draft_ && openStrokes() > 0 && !isRunning() &&
+                                                    !document_.isLocked());
+    ui_.actions[ui::Command::ExportMask]->setEnabled(lumen() != nullptr);
+    ui_.panel.mask().showState({openStrokes(), isRunning(), document_.current().vessels.isLumenEdited});
+}
+
+}   // namespace angiopose::app

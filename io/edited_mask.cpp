@@ -1,0 +1,68 @@
+#include "io/edited_mask.h"
+
+#include "io/file_hash.h"
+#include "io/support/input_bytes.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The mask that the case file, as it is now, calls its own; empty when there is none.
+fs::path ownMask(const fs::path& casePath)
+{
+    const auto input = openInput(casePath.string());
+    const Json root = input ? Json::parse(input.value().view(), nullptr, false) : Json();
+    const Json vessel = root.is_object() ? root.value("vessel", Json::object()) : Json::object();
+    const Json mask = vessel.is_object() ? vessel.value("segmentation", Json()) : Json();
+    if (!mask.is_object() || mask.value("origin", "") != "edited") {
+        return {};
+    }
+    return (casePath.parent_path() / mask.value("path", "")).lexically_normal();
+}
+
+fs::path freePath(const fs::path& casePath, const fs::path& own)
+{
+    const std::string stem = casePath.stem().string() + ".mask";
+    for (int number = 1;; ++number) {
+        const std::string name = number == 1 ? stem : stem + "-" + std::to_string(number);
+        fs::path path = (casePath.parent_path() / (name + ".nrrd")).lexically_normal();
+        std::error_code absent;
+        if (path == own || !fs::exists(path, absent)) {
+            return path;
+        }
+    }
+}
+
+}   // namespace
+
+core::Status writeMask(const core::VoxelMask& mask, const std::string& path)
+{
+    core::LabelVolume labels(mask.geometry);
+    std::ranges::transform(mask.voxels, labels.voxels.begin(),
+                           [](std::uint8_t voxel) { return static_cast<std::uint16_t>(voxel != 0 ? 1 : 0); });
+    return writeLabels(labels, path);
+}
+
+core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const std::string& casePath)
+{
+    const fs::path whole = fs::absolute(casePath);
+    const fs::path own = ownMask(whole);
+    if (!vessels.file.path.empty() && vessels.file.path == own.string()) {
+        return vessels.file;
+    }
+    const std::string path = freePath(whole, own).string();
+    if (const auto written = writeMask(*vessels.lumen, path); !written) {
+        return written.error();
+    }
+    auto hash = sha256OfFile(path);
+    return hash ? core::Result<core::InputFile>(core::InputFile{path, std::move(hash).value()}) : hash.error();
+}
+
+}   // namespace angiopose::io

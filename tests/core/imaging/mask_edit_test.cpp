@@ -1,0 +1,120 @@
+#include "core/imaging/mask_edit.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+using namespace angiopose::core;
+
+namespace {
+
+VolumeGeometry unequalVoxels()
+{
+    VolumeGeometry geometry;
+    geometry.size = {40, 30, 20};
+    geometry.spacingMm = {0.5, 1.0, 2.0};
+    geometry.direction << -1, 0, 0, 0, 1, 0, 0, 0, 1;   // mirrored
+    geometry.originInPatient = {10.0, -15.0, -20.0};
+    return geometry;
+}
+
+VoxelMask whole()
+{
+    return VoxelMask(unequalVoxels(), 1);
+}
+
+std::size_t setVoxels(const VoxelMask& mask)
+{
+    return static_cast<std::size_t>(std::ranges::count(mask.voxels, 1));
+}
+
+TEST(MaskEdit, AChangeTakesItselfBackAndIsSmall)
+{
+    VoxelMask mask = whole();
+    const VoxelMask before = mask;
+    const MaskChange change = changeOf({7, 5, 6, 5, 100});
+    ASSERT_EQ(change.runs.size(), 2U);
+    EXPECT_EQ(change.runs[0], (MaskChange::Run{5, 3}));
+    EXPECT_EQ(change.voxelCount(), 4U);
+    flip(mask, change);
+    EXPECT_EQ(setVoxels(mask), before.voxels.size() - 4);
+    flip(mask, change);
+    EXPECT_EQ(mask.voxels, before.voxels);
+}
+
+TEST(MaskEdit, ABallHasItsVolumeInUnequalVoxels)
+{
+    VoxelMask mask(unequalVoxels());
+    const Eigen::Vector3d centre = centreOf(mask.geometry);
+    const auto found = brushedInSpace(mask, {MaskAim::Paint, 6.0}, {centre, centre});
+    flip(mask, changeOf(found));
+    const double mm3 = static_cast<double>(setVoxels(mask)) * mask.geometry.spacingMm.prod();
+    EXPECT_NEAR(mm3, 4.0 / 3.0 * std::numbers::pi * 216.0, 0.04 * 905.0);
+    EXPECT_TRUE(brushedInSpace(mask, {MaskAim::Paint, 6.0}, {centre, centre}).empty()) << "it is as wanted";
+    flip(mask, changeOf(brushedInSpace(mask, {MaskAim::Erase, 6.0}, {centre, centre})));
+    EXPECT_EQ(setVoxels(mask), 0U);
+}
+
+TEST(MaskEdit, ADiscStaysInItsSliceAlongItsPath)
+{
+    VoxelMask mask(unequalVoxels());
+    const SliceGrid slice = sliceThrough(mask.geometry, BodyPlane::Coronal, {0, 3, 0});
+    const BrushStep step{{-4, 3, 0}, {4, 3, 0}};
+    flip(mask, changeOf(brushedInSlice(mask, slice, {MaskAim::Paint, 3.0}, step)));
+    const double mm2 = static_cast<double>(setVoxels(mask)) * 0.5 * 2.0;
+    EXPECT_NEAR(mm2, 8.0 * 6.0 + std::numbers::pi * 9.0, 8.0);
+    for (std::size_t place = 0; place < mask.voxels.size(); ++place) {
+        if (mask.voxels[place] != 0) {
+            const Eigen::Vector3d at = mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(place).cast<double>();
+            EXPECT_NEAR(at.y(), slice.firstInPatient.y(), 1e-9);
+        }
+    }
+    const auto box = boxOf(mask.geometry, changeOf([&] {
+                               VoxelPlaces all;
+                               for (std::size_t place = 0; place < mask.voxels.size(); ++place) {
+                                   if (mask.voxels[place] != 0) {
+                                       all.push_back(static_cast<std::uint32_t>(place));
+                                   }
+                               }
+                               return all;
+                           }()));
+    EXPECT_NEAR(box.lowInPatient.y(), slice.firstInPatient.y() - 0.5, 1e-9);
+    EXPECT_NEAR(box.highInPatient.y(), slice.firstInPatient.y() + 0.5, 1e-9);
+    EXPECT_NEAR(box.lowInPatient.x(), -7.25, 0.51);
+}
+
+TEST(MaskEdit, AboveAValueAlone)
+{
+    VoxelMask mask(unequalVoxels());
+    Volume scan(mask.geometry);
+    for (std::size_t place = 0; place < scan.voxels.size(); ++place) {
+        scan.voxels[place] = static_cast<std::int16_t>(mask.geometry.voxelAt(place).x() < 20 ? 300 : 50);
+    }
+    const Eigen::Vector3d centre = centreOf(mask.geometry);
+    const auto found = brushedInSpace(mask, {MaskAim::Paint, 4.0, &scan, 200.0}, {centre, centre});
+    ASSERT_FALSE(found.empty());
+    for (const std::uint32_t place : found) {
+        EXPECT_LT(mask.geometry.voxelAt(place).x(), 20);
+    }
+}
+
+TEST(MaskEdit, ScissorsCutTheSliceARangeOrAll)
+{
+    const VoxelMask mask = whole();
+    MaskCut cut;
+    cut.slice = sliceThrough(mask.geometry, BodyPlane::Axial, {0, 0, 0});
+    cut.outline = {{9.5, 9.5}, {19.5, 9.5}, {19.5, 14.5}, {9.5, 14.5}};   // 10 by 5 pixels
+    EXPECT_EQ(cutVoxels(mask, cut).size(), 50U);
+    cut.halfDepthMm = 2.1;
+    EXPECT_EQ(cutVoxels(mask, cut).size(), 150U);
+    cut.halfDepthMm = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(cutVoxels(mask, cut).size(), 1000U);
+    cut.side = CutSide::Outside;
+    EXPECT_EQ(cutVoxels(mask, cut).size(), mask.voxels.size() - 1000U);
+    cut.halfDepthMm = 0.0;
+    EXPECT_EQ(cutVoxels(mask, cut).size(), 1200U - 50U);
+}
+
+}   // namespace

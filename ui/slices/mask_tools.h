@@ -1,0 +1,73 @@
+#pragma once
+
+#include "core/imaging/mask_edit.h"
+#include "ui/slices/slice_tool.h"
+
+#include <vector>
+
+namespace angiopose::ui {
+
+/// A round brush on the mask, shown as a circle of its size under the pointer. Ctrl turns painting into erasing and
+/// back; Shift+wheel, + and − change its size.
+class MaskBrushTool : public SliceTool {
+    Q_OBJECT
+public:
+    MaskBrushTool(core::MaskAim aim, SliceModel& model);
+
+    void setRadiusMm(double radiusMm);
+    QString caption() const override;
+    void end() override;
+    bool startDrag(const SlicePointer& pressed) override;
+    void drag(const SlicePointer& pointer) override;
+    void finishDrag(const SlicePointer& pointer) override;
+    bool click(const SlicePointer& pointer) override;
+    bool doubleClick(const SlicePointer& pointer) override { return click(pointer); }
+    void hover(const SlicePointer& pointer) override;
+    void leave() override;
+    bool wheel(const SlicePointer& pointer, double steps) override;
+    bool takesKey(const QKeyEvent& event) const override;
+    void keyPress(const QKeyEvent& event) override;
+    bool takeBack() override;
+    QCursor cursor() const override { return Qt::CrossCursor; }
+    void paint(QPainter& painter, SliceView& view) const override;
+
+signals:
+    void brushed(core::MaskAim aim, const core::SliceGrid& slice, const core::BrushStep& step);
+    void strokeEnded();
+    void radiusWanted(double radiusMm);
+
+private:
+    void brushTo(const SlicePointer& pointer);
+
+    core::MaskAim aim_;
+    core::MaskAim now_;   ///< of the stroke under way
+    double radiusMm_ = 2.0;
+    bool isStroking_ = false;
+    Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
+    const SliceView* under_ = nullptr;   ///< the view that the pointer is in
+    QPointF pointer_;
+};
+
+/// Scissors: a lasso in a slice. Shift keeps what lies inside instead.
+class MaskCutTool : public SliceTool {
+    Q_OBJECT
+public:
+    using SliceTool::SliceTool;
+
+    QString caption() const override;
+    void end() override;
+    bool startDrag(const SlicePointer& pressed) override;
+    void drag(const SlicePointer& pointer) override;
+    void finishDrag(const SlicePointer& pointer) override;
+    bool takeBack() override;
+    void paint(QPainter& painter, SliceView& view) const override;
+
+signals:
+    void cut(const core::MaskCut& cut);   ///< its depth is not set
+
+private:
+    const SliceView* view_ = nullptr;   ///< in which it is drawn
+    std::vector<Eigen::Vector3d> outline_;
+};
+
+}   // namespace angiopose::ui
