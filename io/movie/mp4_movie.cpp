@@ -12,7 +12,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostBytes = std::size_t{1} << 30;
+constexpr std::size_t mostMovieBytes = std::size_t{1} << 30;
 constexpr unsigned unitMask = 0x1F;
 constexpr unsigned sequenceUnit = 7, pictureUnit = 8;
 
@@ -66,7 +66,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     clock_.advance(ms);
     atMs_ += ms;
     take(encoded.value(), from);
-    return samples_.size() <= mostBytes ? core::Status(core::Done{}) : fileError(path_, says::movieTooLong());
+    return samples_.size() <= mostMovieBytes ? core::Status(core::Done{}) : fileError(path_, says::movieTooLong());
 }
 
 /// Parameters go into the head of the file, all else is the sample.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t firstBytes = std::size_t{64} << 10;   // holds the header of nearly every slice and run
 constexpr std::size_t growth = 4;
-constexpr std::size_t mostBytes = std::size_t{64} << 20;
+constexpr std::size_t mostHeaderBytes = std::size_t{64} << 20;
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 
 /// Time from frame to frame: Frame Time, else that of the rate at which the run is to be shown or was taken.
@@ -106,7 +106,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
             return std::optional<StudyFile>();
         }
         const auto parsed = parseDicom(start.bytes, path);
-        const bool isLast = start.isWhole() || size >= mostBytes;
+        const bool isLast = start.isWhole() || size >= mostHeaderBytes;
         if (parsed && (isLast || !parsed.value().pixels.empty())) {
             return std::optional(studyFileOf(parsed.value(), start, path));
         }

@@ -29,7 +29,7 @@ std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& centre)
 }
 
 /// From the front, head up.
-ParallelSight fromTheFront()
+ParallelSight seenFromTheFront()
 {
     ParallelSight sight;
     sight.right = Eigen::Vector3d::UnitX();
@@ -54,7 +54,7 @@ TEST(CastScan, ShowsABallWhereItLies)
 {
     const auto scan = seenScan({ballAt({9, 3, -6}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
-    const auto picture = castScan(*scan, solid(5.0), fromTheFront(), 0.5, always);
+    const auto picture = castScan(*scan, solid(5.0), seenFromTheFront(), 0.5, always);
     ASSERT_TRUE(picture);
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double mass = 0.0;
@@ -78,7 +78,7 @@ TEST(CastScan, HidesAsMuchAsTheWayThroughDemands)
     const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
     for (const double step : {0.3, 0.5, 1.0}) {
-        const auto picture = castScan(*scan, solid(0.05), fromTheFront(), step, always);
+        const auto picture = castScan(*scan, solid(0.05), seenFromTheFront(), step, always);
         ASSERT_TRUE(picture);
         EXPECT_NEAR(picture->at(30, 20)[3] / 255.0, 1.0 - std::exp(-0.05 * 16.4), 0.03) << step;
     }
@@ -88,10 +88,10 @@ TEST(CastScan, SeesTheSameFromEverySideOfABall)
 {
     const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
-    ParallelSight oblique = fromTheFront();
+    ParallelSight oblique = seenFromTheFront();
     oblique.right = Eigen::Vector3d(1, 1, 0.5).normalized();
     oblique.up = oblique.right.unitOrthogonal();
-    const auto a = castScan(*scan, solid(0.1), fromTheFront(), 0.5, always);
+    const auto a = castScan(*scan, solid(0.1), seenFromTheFront(), 0.5, always);
     const auto b = castScan(*scan, solid(0.1), oblique, 0.5, always);
     ASSERT_TRUE(a && b);
     for (const auto& [x, y] : {std::pair(30, 20), {34, 20}, {30, 26}}) {
@@ -112,7 +112,7 @@ TEST(CastScan, TintsWhatTheMaskNames)
         ASSERT_TRUE(scan);
         const ScanWish wish{ScanPreset::Vessels, 0.9, {}, {}, {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
         const ScanLook look = shown ? lookOf({0.0, 200.0, 400.0, true}, wish, true) : lookOfMask(wish);
-        const auto picture = castScan(*scan, look, fromTheFront(), 0.5, always);
+        const auto picture = castScan(*scan, look, seenFromTheFront(), 0.5, always);
         ASSERT_TRUE(picture);
         EXPECT_GT(picture->at(26, 20)[0], picture->at(26, 20)[2] + 100);   // red on the left
         EXPECT_GT(picture->at(34, 20)[2], picture->at(34, 20)[0] + 100);
@@ -131,7 +131,7 @@ TEST(CastScan, LeavesOutTheRestWhereVesselsAreKnown)
     const SeenLevels levels{0.0, 200.0, 400.0, true};
     const auto opacityAt = [&](ScanPreset preset) {
         const ScanWish wish{preset, 0.8, {}, {}, {{1.0F, 0.0F, 0.0F}}};
-        return castScan(*scan, lookOf(levels, wish, scan->hasKinds), fromTheFront(), 0.5, always)->at(42, 20)[3];
+        return castScan(*scan, lookOf(levels, wish, scan->hasKinds), seenFromTheFront(), 0.5, always)->at(42, 20)[3];
     };
     EXPECT_EQ(opacityAt(ScanPreset::Vessels), 0);
     EXPECT_GT(opacityAt(ScanPreset::VesselsAndBone), 150);
@@ -141,7 +141,7 @@ TEST(CastScan, EndsWhenItIsTold)
 {
     const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
-    EXPECT_FALSE(castScan(*scan, solid(1.0), fromTheFront(), 0.5, [] { return false; }));
+    EXPECT_FALSE(castScan(*scan, solid(1.0), seenFromTheFront(), 0.5, [] { return false; }));
     EXPECT_FALSE(seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, [] { return false; }));
     EXPECT_FALSE(seenScan({}, always));
 }
