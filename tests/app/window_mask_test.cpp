@@ -19,6 +19,18 @@ namespace {
 using core::BodyPlane;
 using ui::Command;
 
+/// How far up the arm on the patient's left reaches, in mm of z.
+double reachOfTheCutArm(const core::VesselTree& tree)
+{
+    double highest = 0.0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            highest = point.x() > 3.0 ? std::max(highest, point.z()) : highest;
+        }
+    }
+    return highest;
+}
+
 /// The window with a traced scan, and a hand that edits its mask.
 class WindowMask : public test::ScanWindow {
 protected:
@@ -143,7 +155,7 @@ TEST_F(WindowMask, TheBrushGrowsAndPaintsBallsAboveTheThreshold)
 TEST_F(WindowMask, ScissorsCutAndTheVesselsAreTracedAnew)
 {
     const auto treeBefore = w.current().vessels.tree;
-    ASSERT_EQ(test::endsOf(*treeBefore), 3);
+    ASSERT_GT(reachOfTheCutArm(*treeBefore), 75.0);
     begin(Qt::Key_X);
     QComboBox& depth = *panel().findChild<QComboBox*>();
     depth.setCurrentIndex(2);   // the whole depth
@@ -160,7 +172,7 @@ TEST_F(WindowMask, ScissorsCutAndTheVesselsAreTracedAnew)
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_U, Qt::ControlModifier);
     ASSERT_TRUE(mask().isRunning());
     ASSERT_TRUE(waitForMask());
-    EXPECT_EQ(test::endsOf(*w.current().vessels.tree), 2);
+    EXPECT_LT(reachOfTheCutArm(*w.current().vessels.tree), 60.0) << "a stump is left";
     EXPECT_TRUE(w.current().vessels.isLumenEdited);
     EXPECT_EQ(w.current().vessels.scanFile.path, scanPath.toStdString());
     EXPECT_FALSE(w.window.actions()[Command::TraceMask]->isEnabled());

@@ -208,6 +208,10 @@ TEST_F(WindowScanIn3d, ShowsTheScanBehindTheVesselsAndLetsGoOfIt)
     w.window.corner().showPlane(std::nullopt);
     w.press(Qt::Key_A, Qt::ControlModifier);
     w.press(Qt::Key_H, Qt::ShiftModifier);   // the branches lie before the vessels that they were traced from
+    for (const bool on : {true, false}) {   // the bar takes its height
+        w.window.actions()[ui::Command::ScanIn3d]->setChecked(on);
+        settled();
+    }
     const QImage without = settled();
     EXPECT_TRUE(bar().isVisible());
     EXPECT_FALSE(bar().findChild<QSlider*>()->isVisible());
