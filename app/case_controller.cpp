@@ -96,8 +96,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
 bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || mask_.isRunning() ||
-           follow_.isRunning() || movie_.isRunning() || poses_.isBusy() || views_.isLooking() ||
-           document_.isInTrial();
+           follow_.isRunning() || movie_.isRunning() || poses_.isBusy() || views_.isLooking() || document_.isInTrial();
 }
 
 /// What the window itself hears: files, clicks, keys, its end.

@@ -100,7 +100,8 @@ void Gallery::measureSlices(app::CaseController& controller, const ui::SliceMode
          {beside(0, -8, -8), beside(0, 7, -9), beside(0, 9, 8), beside(0, -6, 10)},
          ""}};
     controller.document().push(std::make_unique<app::ChangeMeasurements>(
-        controller.document(), app::ChangeMeasurements::Values{std::vector<core::ImageMeasurement>{}, std::move(measured)},
+        controller.document(),
+        app::ChangeMeasurements::Values{std::vector<core::ImageMeasurement>{}, std::move(measured)},
         [] { return QStringLiteral("Measure"); }));
 }
 
