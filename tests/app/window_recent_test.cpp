@@ -220,9 +220,9 @@ TEST(WindowRecent, PicturesAreSwitchedOff)
 TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
 {
     forgetRecentCases();
+    OpenWindow w;   // looks before there are cases, by itself
     rememberCase(QStringLiteral("/near/there.angiopose"));
     rememberCase(QStringLiteral("/hanging/drive.angiopose"));
-    OpenWindow w;
     std::promise<void> answer;
     const std::shared_future<void> answered = answer.get_future().share();
     const auto look = [answered](const std::string& path, const std::string&) {

@@ -42,6 +42,11 @@ QSize ColumnRail::sizeHint() const
     return {railWidth, 320};
 }
 
+int ColumnRail::wordsRoomPx(int height)
+{
+    return height - wordsFromTop - 8;
+}
+
 /// The words run as on the back of a book, towards the image.
 void ColumnRail::paintEvent(QPaintEvent*)
 {
@@ -53,7 +58,7 @@ void ColumnRail::paintEvent(QPaintEvent*)
     painter.setPen(QPen(tone, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     paintChevron(painter, {0.5 * width(), chevronFromTop},
                  side_ == ColumnSide::Left ? ColumnSide::Right : ColumnSide::Left);
-    const int room = height() - wordsFromTop - 8;
+    const int room = wordsRoomPx(height());
     painter.save();
     painter.translate(0.5 * width(), wordsFromTop);
     painter.rotate(90.0);

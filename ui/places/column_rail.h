@@ -16,6 +16,7 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {sizeHint().width(), 80}; }
+    static int wordsRoomPx(int height);   ///< along a rail of this height
 
 protected:
     void paintEvent(QPaintEvent* event) override;

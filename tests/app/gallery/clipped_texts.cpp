@@ -1,6 +1,7 @@
 #include "tests/app/gallery/clipped_texts.h"
 
 #include "ui/controls/elided_label.h"
+#include "ui/places/column_rail.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
@@ -61,6 +62,11 @@ QString problemOf(const QAbstractButton& button)
 {
     if (button.text().isEmpty() || isSign(button)) {
         return {};
+    }
+    if (qobject_cast<const ui::ColumnRail*>(&button)) {   // its words run downwards
+        const int room = ui::ColumnRail::wordsRoomPx(button.height());
+        const int length = widthOf(button, button.text());
+        return length > room ? described(button, button.text(), room, length) : QString();
     }
     const int mark = qobject_cast<const QCheckBox*>(&button) ? 20 : 0;
     const int needed = widthOf(button, button.text()) + mark + 4;
