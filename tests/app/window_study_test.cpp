@@ -1,3 +1,4 @@
+#include "app/preferences/settings.h"
 #include "tests/app/open_window.h"
 #include "tests/io/study/study_disc.h"
 #include "tests/support/forked_vessel.h"
@@ -93,6 +94,22 @@ TEST(WindowStudy, ADiscIsListedWithPicturesAndReasons)
     ASSERT_TRUE(report);
     EXPECT_FALSE(report->flags() & Qt::ItemIsUserCheckable);
     EXPECT_TRUE(report->toolTip(0).contains(QStringLiteral("report")));
+}
+
+TEST(WindowStudy, TheNoticeOfTheFirstStartIsAnsweredFirst)
+{
+    const test::TemporaryFolder folder;
+    test::writeDicomdir(folder.file(""), test::writeDisc(folder));
+    const bool wasAccepted = settings::noticeAccepted.read();
+    settings::noticeAccepted.write(false);
+    OpenWindow w;
+    w.controller.begin({QString::fromStdString(folder.file("DICOMDIR"))});
+    ASSERT_EQ(w.dialogs("noticeDialog").size(), 1);
+    QTest::qWait(1000);   // the disc is listed long since
+    EXPECT_TRUE(w.dialogs("studyBrowser").isEmpty()) << "it would lie over the notice";
+    QTest::keyClick(w.dialogs("noticeDialog").front(), Qt::Key_Return);
+    EXPECT_TRUE(browserOf(w));
+    settings::noticeAccepted.write(wasAccepted);
 }
 
 TEST(WindowStudy, TheKeyboardAloneOpensACase)

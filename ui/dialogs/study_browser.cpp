@@ -178,7 +178,9 @@ void StudyBrowser::showChoice()
     choice_->setText(hasChoice ? parts.join(QStringLiteral("   "))
                                : tr("Tick the scan with the vessels and the runs, or double-click one."));
     const StudySeriesRow* current = list_->currentRow();
-    notes_->setText(current ? joinedSentences(current->notes) : QString());
+    const bool hasNotes = current && !current->notes.isEmpty();
+    notes_->setText(hasNotes ? QStringLiteral("%1: %2").arg(current->description, joinedSentences(current->notes))
+                             : QString());
     open_->setEnabled(hasChoice || (current && current->use != StudySeriesRow::Use::None));
 }
 

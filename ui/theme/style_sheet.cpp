@@ -57,7 +57,7 @@ QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @line@
 QSlider::sub-page:horizontal { border-radius: 2px; background: @accent@; }
 QSlider::handle:horizontal { width: 12px; height: 12px; margin: -4px 0; border-radius: 6px; background: @text@; }
 QSlider::handle:horizontal:hover { background: @textStrong@; }
-QSlider:focus::handle:horizontal { background: @accent@; }
+QSlider::handle:horizontal:focus { background: @accent@; }
 
 QAbstractItemView { background: @panel@; border: none; alternate-background-color: @window@; color: @text@; }
 QAbstractItemView::item { padding: 3px 6px; border: none; }

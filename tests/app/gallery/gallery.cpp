@@ -240,23 +240,26 @@ void Gallery::showStudies(ui::MainWindow& window)
                                   notes};
     };
     auto* browser = new ui::StudyBrowser(QStringLiteral("/media/cdrom"), &window);
-    browser->showRows({{QStringLiteral("p"),
-                        QStringLiteral("Doe Jane · 0815 · 1950-01-02"),
-                        {{QStringLiteral("ct"),
-                          QStringLiteral("2026-03-04 · Coronary CTA"),
-                          {series("a", Use::None, 1, "CT", "Topogram", 1, "", {QStringLiteral("–")}),
-                           series("b", Use::Vessels, 2, "CT", "Coronary CTA 0.75 B26f", 300, "0.50", {})}},
-                         {QStringLiteral("xa"),
-                          QStringLiteral("2026-03-05 · Coronary angiography"),
-                          {series("c", Use::View, 3, "XA", "LCA", 64, "15.0", {}),
-                           series("d", Use::View, 4, "XA", "RCA", 58, "15.0", {})}}}}});
+    browser->showRows(
+        {{QStringLiteral("p"),
+          QStringLiteral("Doe Jane · 0815 · 1950-01-02"),
+          {{QStringLiteral("ct"),
+            QStringLiteral("2026-03-04 · Coronary CTA"),
+            {series("a", Use::None, 1, "CT", "Topogram", 1, "",
+                    {QStringLiteral("its images do not say where they lie in the patient, so they make no volume.")}),
+             series("b", Use::Vessels, 2, "CT", "Coronary CTA 0.75 B26f", 300, "0.50 mm", {})}},
+           {QStringLiteral("xa"),
+            QStringLiteral("2026-03-05 · Coronary angiography"),
+            {series("c", Use::View, 3, "XA", "LCA", 64, "15.0 frames/s", {}),
+             series("d", Use::View, 4, "XA", "RCA", 58, "15.0 frames/s", {})}}}}});
     browser->choose(QStringLiteral("b"));
     browser->choose(QStringLiteral("c"));
     browser->showProgress(1240, 3100);
     browser->open();
     QTest::qWait(100);
     take(*browser, QStringLiteral("studies_under_way"));
-    browser->showEnd(QStringLiteral("3,100."), {QStringLiteral("/media/cdrom/IM12: –")}, QStringLiteral("5 + 3"));
+    browser->showEnd(QStringLiteral("3,100 files read."), {QStringLiteral("/media/cdrom/IM12: –")},
+                     QStringLiteral("The DICOMDIR lists 5 series; 3 more files lie beside it."));
     takeDialogs(window, QStringLiteral("studies"));
 }
 

@@ -96,7 +96,8 @@ std::size_t keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, con
 
 Message placeInMessage(const Eigen::Vector3d& point)
 {
-    return says::place(Quantity{point.x(), 1}, Quantity{point.y(), 1}, Quantity{point.z(), 1});
+    const auto tenth = [](double value) { return Quantity{std::round(10.0 * value) / 10.0 + 0.0, 1}; };   // no "-0.0"
+    return says::place(tenth(point.x()), tenth(point.y()), tenth(point.z()));
 }
 
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
