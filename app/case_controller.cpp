@@ -87,7 +87,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connectReview();
     connect(&document_, &CaseDocument::changed, this, &CaseController::followDocument);
     connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
-    connect(&session_, &SessionController::noticeAccepted, &help_, &HelpController::offerTour);
+    connect(&session_, &SessionController::startedAnew, &help_, &HelpController::offerTour);
     restoreWindowLayout(window_);
     layout_.begin();
     ui::speak(this, [this] { followDocument(); });

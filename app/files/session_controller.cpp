@@ -39,17 +39,23 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
 
 void SessionController::begin(const QStringList& paths)
 {
-    if (!settings::noticeAccepted.read()) {
-        showNotice();
+    QStringList absolute;
+    for (const QString& path : paths) {
+        absolute << QFileInfo(path).absoluteFilePath();
     }
-    if (!paths.isEmpty()) {
-        QStringList absolute;
-        for (const QString& path : paths) {
-            absolute << QFileInfo(path).absoluteFilePath();
-        }
-        open(absolute);
+    if (settings::noticeAccepted.read()) {
+        start(absolute);
     } else {
+        showNotice(absolute);
+    }
+}
+
+void SessionController::start(const QStringList& paths)
+{
+    if (paths.isEmpty()) {
         save_.offerRecovery();
+    } else {
+        open(paths);
     }
 }
 
@@ -59,7 +65,8 @@ void SessionController::abandonLoading()
     studies_.abandon();
 }
 
-void SessionController::showNotice()
+/// What files ask would lie over it: they are opened afterwards.
+void SessionController::showNotice(const QStringList& paths)
 {
     auto* notice = new ui::QuestionDialog(
         {tr("Not for clinical use"),
@@ -68,9 +75,12 @@ void SessionController::showNotice()
          {}},
         {tr("I understand")}, &ui_.dialogParent);
     notice->setObjectName(QStringLiteral("noticeDialog"));
-    connect(notice, &ui::QuestionDialog::answered, this, [this] {
+    connect(notice, &ui::QuestionDialog::answered, this, [this, paths] {
         settings::noticeAccepted.write(true);
-        emit noticeAccepted();
+        start(paths);
+        if (paths.isEmpty()) {
+            emit startedAnew();
+        }
     });
     notice->open();
 }

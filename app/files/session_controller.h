@@ -52,7 +52,7 @@ public:
     ExportController& exporting() { return export_; }
 
 signals:
-    void noticeAccepted();   ///< on the first start
+    void startedAnew();   ///< for the first time, the notice read and no file given
     void exported();
     void aboutToClose();   ///< the user asked for it; what must not stay open ends now
     void windowMayClose();   ///< nothing is lost with it
@@ -62,7 +62,8 @@ private:
     void connectOpening();
     void connectSaving();
     void connectExporting();
-    void showNotice();
+    void start(const QStringList& paths);
+    void showNotice(const QStringList& paths);
     void openNewWindow();
 
     CaseDocument& document_;

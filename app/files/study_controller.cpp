@@ -9,8 +9,6 @@
 #include "ui/words/message_text.h"
 
 #include <QAction>
-#include <QApplication>
-#include <QDialog>
 #include <QDir>
 #include <QFileInfo>
 #include <QLocale>
@@ -221,19 +219,12 @@ void StudyController::showEnd()
     browser_->showEnd(words.join(u' '), damaged, offer);
 }
 
-/// Behind what is asked already, as the notice of the first start: a question is answered before the next.
 void StudyController::showBrowser()
 {
     patience_.stop();
-    if (!browser_ || browser_->isVisible()) {
-        return;
+    if (browser_ && !browser_->isVisible()) {
+        browser_->open();
     }
-    if (const auto* before = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-        connect(before, &QDialog::finished, this, &StudyController::showBrowser,
-                static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
-        return;
-    }
-    browser_->open();
 }
 
 bool StudyController::isBrowserShown() const

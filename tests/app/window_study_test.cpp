@@ -101,7 +101,9 @@ TEST(WindowStudy, TheNoticeOfTheFirstStartIsAnsweredFirst)
     const test::TemporaryFolder folder;
     test::writeDicomdir(folder.file(""), test::writeDisc(folder));
     const bool wasAccepted = settings::noticeAccepted.read();
+    const bool wasToured = settings::tourSeen.read();
     settings::noticeAccepted.write(false);
+    settings::tourSeen.write(false);
     OpenWindow w;
     w.controller.begin({QString::fromStdString(folder.file("DICOMDIR"))});
     ASSERT_EQ(w.dialogs("noticeDialog").size(), 1);
@@ -109,7 +111,9 @@ TEST(WindowStudy, TheNoticeOfTheFirstStartIsAnsweredFirst)
     EXPECT_TRUE(w.dialogs("studyBrowser").isEmpty()) << "it would lie over the notice";
     QTest::keyClick(w.dialogs("noticeDialog").front(), Qt::Key_Return);
     EXPECT_TRUE(browserOf(w));
+    EXPECT_FALSE(w.window.findChild<QWidget*>(QStringLiteral("tour"))) << "whose first word is the sample case";
     settings::noticeAccepted.write(wasAccepted);
+    settings::tourSeen.write(wasToured);
 }
 
 TEST(WindowStudy, TheKeyboardAloneOpensACase)
