@@ -74,7 +74,7 @@ QString nameInDocument(std::size_t picture)
     return QStringLiteral("picture%1").arg(picture);
 }
 
-QByteArray pdfOf(const CaseReport& report, const std::vector<QImage>& pictures)
+QByteArray pdfOf(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -92,7 +92,7 @@ QByteArray pdfOf(const CaseReport& report, const std::vector<QImage>& pictures)
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         document.addResource(QTextDocument::ImageResource, QUrl(nameInDocument(i)), pictures[i]);
     }
-    document.setHtml(reportPage(report, pictures, nameInDocument));
+    document.setHtml(reportPage(report, page, pictures, nameInDocument));
     document.print(&writer);
     return bytes;
 }
@@ -106,12 +106,12 @@ QByteArray pngOf(const QImage& picture)
     return bytes;
 }
 
-QByteArray htmlOf(const CaseReport& report, const std::vector<QImage>& pictures)
+QByteArray htmlOf(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures)
 {
     const auto inside = [&](std::size_t picture) {
         return QStringLiteral("data:image/png;base64,") + QString::fromLatin1(pngOf(pictures[picture]).toBase64());
     };
-    return reportPage(report, pictures, inside).toUtf8();
+    return reportPage(report, page, pictures, inside).toUtf8();
 }
 
 }   // namespace
@@ -143,7 +143,11 @@ core::Result<std::vector<ReportedView>> judgedViews(const core::Case& theCase, c
 
 core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind)
 {
-    std::vector<QImage> pictures;
+    const auto page = readReportTemplate(report.templatePath);
+    if (!page) {
+        return page.error();
+    }
+    ReportPictures pictures;
     for (const ReportedView& view : report.views) {
         const auto picture = pictureOf(view);
         if (!picture && pictures.empty()) {
@@ -152,7 +156,8 @@ core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind)
         pictures.push_back(picture ? picture.value() : QImage());
     }
     pictures.push_back(mark());
-    return kind == ReportKind::Pdf ? pdfOf(report, pictures) : htmlOf(report, pictures);
+    pictures.insert(pictures.end(), page.value().pictures.begin(), page.value().pictures.end());
+    return kind == ReportKind::Pdf ? pdfOf(report, page.value(), pictures) : htmlOf(report, page.value(), pictures);
 }
 
 }   // namespace angiopose::app

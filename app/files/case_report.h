@@ -28,6 +28,7 @@ struct CaseReport {
     std::vector<ReportedView> views;   ///< the shown one first
     QString author;
     QStringList typeface;   ///< families, the preferred one first
+    QString templatePath;   ///< see readReportTemplate
 };
 
 /// Judges every view: by the run that found its pose, else by its target (`shownTarget`, or what is traced in the other
@@ -38,7 +39,8 @@ core::Result<std::vector<ReportedView>> judgedViews(const core::Case& theCase, c
 
 enum class ReportKind { Pdf, Html };
 
-/// A page for people, HTML with its pictures inside. Fails where the shown view cannot be drawn.
+/// A page for people, HTML with its pictures inside. Fails where the template is of no use and where
+/// the shown view cannot be drawn.
 core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind);
 
 }   // namespace angiopose::app

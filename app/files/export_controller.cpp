@@ -1,6 +1,5 @@
 #include "app/files/export_controller.h"
 
-#include "app/files/case_report.h"
 #include "app/files/pdf_picture.h"
 #include "app/jobs/radiograph_source.h"
 #include "app/preferences/save_folder.h"
@@ -24,7 +23,6 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
 
-#include <QApplication>
 #include <QFileDialog>
 
 #include <algorithm>
@@ -181,54 +179,6 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
 void ExportController::exportOverlay(const ui::ExportChoice& choice, const QString& path)
 {
     writeFile(path, overlayWriter(choice));
-}
-
-void ExportController::askReport()
-{
-    const core::Case& current = document_.current();
-    if (!current.vessels.tree || !current.shown().angiogram || !target_.current()) {
-        emit failed(tr("There is nothing to report yet. Open vessels and an angiogram first."));
-        return;
-    }
-    auto* question = new ui::QuestionDialog(
-        {tr("Print who the patient is?"), tr("Reports are passed on. Without identity they name nobody."), {}},
-        {tr("Without identity"), tr("With identity"), tr("Cancel")}, &dialogParent_);
-    question->setObjectName(QStringLiteral("identityQuestion"));
-    connect(
-        question, &ui::QuestionDialog::answered, this,
-        [this](int index) {
-            if (index < 2) {
-                askReportFile(index == 1 ? ui::Choice::On : ui::Choice::Off);
-            }
-        },
-        Qt::QueuedConnection);   // one dialog goes, then one comes
-    question->open();
-}
-
-void ExportController::askReportFile(ui::Choice identity)
-{
-    const core::Case& current = document_.current();
-    if (!target_.current()) {
-        return;   // gone meanwhile
-    }
-    ui::ExportChoice choice;
-    choice.residualColors = ui::Choice::On;
-    choice.identity = identity;
-    const QStringList typeface = QApplication::font().families();
-    askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
-            [current, target = *target_.current(), look = lookOf(choice), author = observerName(),
-             typeface](const QString& path) -> core::Status {
-                const auto views = judgedViews(current, target, look);
-                if (!views) {
-                    return views.error();
-                }
-                const bool isHtml = path.endsWith(QLatin1String(".html"), Qt::CaseInsensitive);
-                const auto bytes =
-                    reportBytes({views.value(), author, typeface}, isHtml ? ReportKind::Html : ReportKind::Pdf);
-                return bytes ? io::writeAtomically(path.toStdString(), {bytes.value().constData(),
-                                                                        static_cast<std::size_t>(bytes.value().size())})
-                             : bytes.error();
-            });
 }
 
 void ExportController::askResult()

@@ -41,7 +41,6 @@ public:
     void askOverlay();
     OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
     void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
-    void askReport();
     void askResult();
     void askPose();
     void askTrace();
@@ -57,7 +56,6 @@ signals:
     void failed(const QString& reason);
 
 private:
-    void askReportFile(ui::Choice identity);
     static FileQuestion questionFor(ui::PictureFormat format);
     Write overlayWriter(const ui::ExportChoice& choice) const;
 

@@ -92,6 +92,16 @@ double mmPerPxOf(const core::Case& theCase)
     return camera ? core::millimetresPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
 }
 
+QString programWords()
+{
+    return QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION);
+}
+
+QString timeWords()
+{
+    return ui::languageLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat);
+}
+
 /// That the images are not of one patient stands where nobody overlooks it.
 QString mismatchLines(const core::Case& theCase)
 {
@@ -115,19 +125,6 @@ QString patientWords(const ReportedView& view)
     }
     patient.removeAll(QString());
     return patient.join(QStringLiteral(" · "));
-}
-
-/// Of the shown view; the others must be of the same patient, or it is said.
-QString titleLines(const ReportedView& shown, const QString& mark)
-{
-    return QStringLiteral(
-               "<table width=\"100%\" cellspacing=\"0\"><tr><td valign=\"middle\">"
-               "<span style=\"font-size:15pt; font-weight:600\">%1</span><br/>"
-               "<b style=\"color:#9a5b00\">%2</b> · %3</td><td align=\"right\" valign=\"middle\">%4</td></tr></table>")
-               .arg(fromCore(shown.theCase.title).toHtmlEscaped(),
-                    ui::messageText(says::notForClinicalUse()).toHtmlEscaped(), patientWords(shown).toHtmlEscaped(),
-                    mark) +
-           mismatchLines(shown.theCase);
 }
 
 QString methodWordsOf(const core::RegistrationResult& judged)
@@ -277,35 +274,49 @@ QString inputPart(const CaseReport& report)
         add(ReportWords::tr("Angiogram") + number, view.imageFile);
         add(ReportWords::tr("Traced vessels") + number, io::exportedFileOf(view.target));
     }
-    rows.emplace_back(ReportWords::tr("Program"), QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
+    rows.emplace_back(ReportWords::tr("Program"), programWords());
     rows.emplace_back(ReportWords::tr("Made"),
-                      ui::languageLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat) +
-                          (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
-    return heading(ReportWords::tr("Inputs")) + table(rows) +
-           QStringLiteral("<p><br/>%1 ____________________________</p>")
-               .arg(ReportWords::tr("Signature").toHtmlEscaped());
+                      timeWords() + (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
+    return heading(ReportWords::tr("Inputs")) + table(rows);
 }
 
-}   // namespace
-
-QString reportPage(const CaseReport& report, const std::vector<QImage>& pictures, const PictureUrl& urlOf)
+QString typefaceOf(const CaseReport& report)
 {
-    const ReportedView& shown = report.views.front();
-    const std::size_t mark = pictures.size() - 1;
-    QString body = titleLines(shown, imageTag(urlOf(mark), pictures[mark].size(), markWidth));
-    for (std::size_t i = 0; i < report.views.size(); ++i) {
-        const QString picture = pictures[i].isNull() ? QString() : imageTag(urlOf(i), pictures[i].size(), shownWidth);
-        body += viewPart(report.views[i], picture, report.views.size() == 1);
-    }
     QStringList families;
     for (const QString& family : report.typeface) {
         families << QStringLiteral("'%1'").arg(family);
     }
-    return QStringLiteral(
-               "<html><head><meta charset=\"utf-8\"/><title>%1</title></head>"
-               "<body style=\"font-family:%2; font-size:8.5pt\">%3</body></html>")
-        .arg(fromCore(shown.theCase.title).toHtmlEscaped(),
-             (families << QStringLiteral("sans-serif")).join(QStringLiteral(", ")), body + inputPart(report));
+    return (families << QStringLiteral("sans-serif")).join(QStringLiteral(", "));
+}
+
+}   // namespace
+
+QString reportPage(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures,
+                   const PictureUrl& urlOf)
+{
+    const ReportedView& shown = report.views.front();
+    QString views;
+    for (std::size_t i = 0; i < report.views.size(); ++i) {
+        const QImage& picture = pictures[i];
+        views +=
+            viewPart(report.views[i], picture.isNull() ? QString() : imageTag(urlOf(i), picture.size(), shownWidth),
+                     report.views.size() == 1);
+    }
+    const std::size_t mark = report.views.size();
+    const QHash<QString, QString> parts{
+        {QStringLiteral("title"), fromCore(shown.theCase.title).toHtmlEscaped()},
+        {QStringLiteral("notice"), ui::messageText(says::notForClinicalUse()).toHtmlEscaped()},
+        {QStringLiteral("patient"), patientWords(shown).toHtmlEscaped()},
+        {QStringLiteral("warnings"), mismatchLines(shown.theCase)},
+        {QStringLiteral("views"), views},
+        {QStringLiteral("inputs"), inputPart(report)},
+        {QStringLiteral("signature"), ReportWords::tr("Signature").toHtmlEscaped()},
+        {QStringLiteral("date"), timeWords().toHtmlEscaped()},
+        {QStringLiteral("author"), report.author.toHtmlEscaped()},
+        {QStringLiteral("program"), programWords()},
+        {QStringLiteral("mark"), imageTag(urlOf(mark), pictures[mark].size(), markWidth)},
+        {QStringLiteral("typeface"), typefaceOf(report).toHtmlEscaped()}};
+    return filledPage(page, parts, [&](std::size_t own) { return urlOf(mark + 1 + own); });
 }
 
 }   // namespace angiopose::app

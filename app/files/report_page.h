@@ -1,18 +1,23 @@
 #pragma once
 
 #include "app/files/case_report.h"
+#include "app/files/report_template.h"
 
 #include <QImage>
 
 #include <functional>
+#include <vector>
 
 namespace angiopose::app {
 
 /// Where the page finds a picture.
 using PictureUrl = std::function<QString(std::size_t picture)>;
 
-/// The page of a report as HTML. `pictures` are the overlays of its views in their order, then the program's mark;
-/// `urlOf` names each of them.
-QString reportPage(const CaseReport& report, const std::vector<QImage>& pictures, const PictureUrl& urlOf);
+/// The overlays of a report's views in their order, the program's mark, then the pictures of its template.
+using ReportPictures = std::vector<QImage>;
+
+/// The page of a report as HTML, by its template; `urlOf` names each of the pictures.
+QString reportPage(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures,
+                   const PictureUrl& urlOf);
 
 }   // namespace angiopose::app

@@ -23,6 +23,7 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       ui_(ui),
       open_(document),
       export_(document, target, preview, ui.view, ui.dialogParent),
+      report_(document, target, export_, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
       studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
@@ -134,7 +135,7 @@ void SessionController::connectExporting()
 {
     ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::ExportOverlay], &QAction::triggered, &export_, &ExportController::askOverlay);
-    connect(actions[ui::Command::ExportReport], &QAction::triggered, &export_, &ExportController::askReport);
+    connect(actions[ui::Command::ExportReport], &QAction::triggered, &report_, &ReportController::ask);
     connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
     connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
@@ -149,8 +150,9 @@ void SessionController::connectExporting()
         emit exported();
         notices_.showNote(tr("Written: %1").arg(QFileInfo(path).fileName()));
     });
-    connect(&export_, &ExportController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
+    const auto showFailure = [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); };
+    connect(&export_, &ExportController::failed, this, showFailure);
+    connect(&report_, &ReportController::failed, this, showFailure);
 }
 
 /// A process of its own: what happens to one case cannot touch another.

@@ -6,6 +6,7 @@
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
 #include "app/files/recent_controller.h"
+#include "app/files/report_controller.h"
 #include "app/files/save_controller.h"
 #include "app/files/study_controller.h"
 #include "app/registration/registration_controller.h"
@@ -71,6 +72,7 @@ private:
     Ui ui_;
     OpenController open_;
     ExportController export_;
+    ReportController report_;
     SaveController save_;
     OpenDialogs dialogs_;
     StudyController studies_;

@@ -76,6 +76,7 @@ inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
 inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
+inline const Setting<QString> reportTemplate{"export/reportTemplate", {}};   ///< a file; empty: the built-in one
 inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< else MP4
 inline const Setting<int> movieWidthPx{"export/movieWidthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};

@@ -356,26 +356,6 @@
         <translation>PDF-Seiten (*.pdf)</translation>
     </message>
     <message>
-        <source>Print who the patient is?</source>
-        <translation>Patientenangaben drucken?</translation>
-    </message>
-    <message>
-        <source>Reports are passed on. Without identity they name nobody.</source>
-        <translation>Berichte werden weitergegeben. Ohne Angaben nennen sie niemanden.</translation>
-    </message>
-    <message>
-        <source>Without identity</source>
-        <translation>Ohne Angaben</translation>
-    </message>
-    <message>
-        <source>With identity</source>
-        <translation>Mit Angaben</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
         <translation>Noch nichts zu exportieren. Zuerst Gefäßbaum und Angiogramm öffnen.</translation>
     </message>
@@ -446,18 +426,6 @@
     <message>
         <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
         <translation>Mittellinien (*.vtp *.csv *.swc *.mrk.json)</translation>
-    </message>
-    <message>
-        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
-        <translation>Noch nichts zu berichten. Zuerst Gefäße und ein Angiogramm öffnen.</translation>
-    </message>
-    <message>
-        <source>Export report</source>
-        <translation>Bericht exportieren</translation>
-    </message>
-    <message>
-        <source>Reports (*.pdf *.html)</source>
-        <translation>Berichte (*.pdf *.html)</translation>
     </message>
     <message>
         <source>Export measurements</source>
@@ -6035,6 +6003,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Film konnte nicht geschrieben werden. Eine andere Größe oder ein anderes Format wählen.</translation>
     </message>
     <message>
+        <source>The report template %1 cannot be read: it is a text in UTF-8 of at most 1 MB. Choose another one, or the built-in one.</source>
+        <comment>report.template-unreadable</comment>
+        <translation>Die Berichtsvorlage %1 ist nicht lesbar: Sie ist ein Text in UTF-8 von höchstens 1 MB. Eine andere wählen oder die eingebaute.</translation>
+    </message>
+    <message>
+        <source>The report template lacks %1. Without it a report could keep back what must be read with the result: add it.</source>
+        <comment>report.template-lacks</comment>
+        <translation>Der Berichtsvorlage fehlt %1. Ohne das könnte ein Bericht verschweigen, was mit dem Ergebnis gelesen werden muss: hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The report template has %1, which nothing fills in. Known are %2.</source>
+        <comment>report.template-unknown</comment>
+        <translation>Die Berichtsvorlage enthält %1, das durch nichts ausgefüllt wird. Bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>The picture %1 of the report template cannot be read. Put it beside the template, as PNG or JPEG of at most 16 MB and 8192 pixels a side.</source>
+        <comment>report.template-picture</comment>
+        <translation>Das Bild %1 der Berichtsvorlage ist nicht lesbar. Es neben die Vorlage legen, als PNG oder JPEG von höchstens 16 MB und 8192 Pixeln je Seite.</translation>
+    </message>
+    <message>
         <source>No registration is known that led to this pose. Register first.</source>
         <comment>movie.no-history</comment>
         <translation>Keine Registrierung ist bekannt, die zu dieser Lage führte. Zuerst registrieren.</translation>
@@ -10887,6 +10875,37 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
+    <name>angiopose::app::ReportController</name>
+    <message>
+        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
+        <translation>Noch nichts zu berichten. Zuerst Gefäße und ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Report template</source>
+        <translation>Berichtsvorlage</translation>
+    </message>
+    <message>
+        <source>Templates (*.html *.htm)</source>
+        <translation>Vorlagen (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>Save report template</source>
+        <translation>Berichtsvorlage speichern</translation>
+    </message>
+    <message>
+        <source>Templates (*.html)</source>
+        <translation>Vorlagen (*.html)</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>Reports (*.pdf *.html)</source>
+        <translation>Berichte (*.pdf *.html)</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::MovieDialog</name>
     <message>
         <source>pictures a second</source>
@@ -10959,6 +10978,61 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>%1 pictures, %2 s, %3 × %4 px</source>
         <translation>%1 Bilder, %2 s, %3 × %4 px</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ReportDialog</name>
+    <message>
+        <source>Built-in one</source>
+        <translation>Eingebaute</translation>
+    </message>
+    <message>
+        <source>Patient identity on the report</source>
+        <translation>Name des Patienten im Bericht</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>Reports are passed on. Without identity they name nobody.</source>
+        <translation>Berichte werden weitergegeben. Ohne Identität nennen sie niemanden.</translation>
+    </message>
+    <message>
+        <source>A template is a page of HTML with your letterhead and logo. Save the built-in one and change the copy: it tells how.</source>
+        <translation>Eine Vorlage ist eine HTML-Seite mit Ihrem Briefkopf und Logo. Die eingebaute speichern und die Kopie ändern: Sie sagt, wie.</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Save a copy …</source>
+        <translation>Kopie speichern …</translation>
+    </message>
+    <message>
+        <source>The built-in template, to be changed</source>
+        <translation>Die eingebaute Vorlage, um sie zu ändern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>eingebaut</translation>
     </message>
 </context>
 </TS>

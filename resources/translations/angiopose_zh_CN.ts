@@ -356,26 +356,6 @@
         <translation>PDF 页面 (*.pdf)</translation>
     </message>
     <message>
-        <source>Print who the patient is?</source>
-        <translation>是否打印患者身份？</translation>
-    </message>
-    <message>
-        <source>Reports are passed on. Without identity they name nobody.</source>
-        <translation>报告会被转交。不含身份时不会指明任何人。</translation>
-    </message>
-    <message>
-        <source>Without identity</source>
-        <translation>不含身份</translation>
-    </message>
-    <message>
-        <source>With identity</source>
-        <translation>含身份</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
         <translation>尚无可导出内容。请先打开血管树和造影图像。</translation>
     </message>
@@ -446,18 +426,6 @@
     <message>
         <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
         <translation>中心线 (*.vtp *.csv *.swc *.mrk.json)</translation>
-    </message>
-    <message>
-        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
-        <translation>尚无可报告内容。请先打开血管和造影图像。</translation>
-    </message>
-    <message>
-        <source>Export report</source>
-        <translation>导出报告</translation>
-    </message>
-    <message>
-        <source>Reports (*.pdf *.html)</source>
-        <translation>报告 (*.pdf *.html)</translation>
     </message>
     <message>
         <source>Export measurements</source>
@@ -6035,6 +6003,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>影片无法写出。请选择其他尺寸或格式。</translation>
     </message>
     <message>
+        <source>The report template %1 cannot be read: it is a text in UTF-8 of at most 1 MB. Choose another one, or the built-in one.</source>
+        <comment>report.template-unreadable</comment>
+        <translation>无法读取报告模板 %1：模板是不超过 1 MB 的 UTF-8 文本。请选择其他模板或内置模板。</translation>
+    </message>
+    <message>
+        <source>The report template lacks %1. Without it a report could keep back what must be read with the result: add it.</source>
+        <comment>report.template-lacks</comment>
+        <translation>报告模板缺少 %1。没有它，报告可能隐瞒必须与结果一并阅读的内容：请补上。</translation>
+    </message>
+    <message>
+        <source>The report template has %1, which nothing fills in. Known are %2.</source>
+        <comment>report.template-unknown</comment>
+        <translation>报告模板含有 %1，没有内容可填入。已知的有 %2。</translation>
+    </message>
+    <message>
+        <source>The picture %1 of the report template cannot be read. Put it beside the template, as PNG or JPEG of at most 16 MB and 8192 pixels a side.</source>
+        <comment>report.template-picture</comment>
+        <translation>无法读取报告模板的图片 %1。请将其放在模板旁边，格式为 PNG 或 JPEG，不超过 16 MB，每边不超过 8192 像素。</translation>
+    </message>
+    <message>
         <source>No registration is known that led to this pose. Register first.</source>
         <comment>movie.no-history</comment>
         <translation>没有得出此位姿的配准记录。请先配准。</translation>
@@ -6589,7 +6577,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>g%1</source>
-        <translation>%1 级</translation>
+        <translation>%1级</translation>
     </message>
     <message>
         <source>hidden</source>
@@ -10886,6 +10874,37 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
+    <name>angiopose::app::ReportController</name>
+    <message>
+        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
+        <translation>尚无可报告内容。请先打开血管和造影图像。</translation>
+    </message>
+    <message>
+        <source>Report template</source>
+        <translation>报告模板</translation>
+    </message>
+    <message>
+        <source>Templates (*.html *.htm)</source>
+        <translation>模板 (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>Save report template</source>
+        <translation>保存报告模板</translation>
+    </message>
+    <message>
+        <source>Templates (*.html)</source>
+        <translation>模板 (*.html)</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>导出报告</translation>
+    </message>
+    <message>
+        <source>Reports (*.pdf *.html)</source>
+        <translation>报告 (*.pdf *.html)</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::MovieDialog</name>
     <message>
         <source>pictures a second</source>
@@ -10958,6 +10977,61 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>%1 pictures, %2 s, %3 × %4 px</source>
         <translation>%1 张图片，%2 s，%3 × %4 px</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ReportDialog</name>
+    <message>
+        <source>Built-in one</source>
+        <translation>内置模板</translation>
+    </message>
+    <message>
+        <source>Patient identity on the report</source>
+        <translation>报告中显示患者身份</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>导出报告</translation>
+    </message>
+    <message>
+        <source>Reports are passed on. Without identity they name nobody.</source>
+        <translation>报告会被转交。不含身份时不会指明任何人。</translation>
+    </message>
+    <message>
+        <source>A template is a page of HTML with your letterhead and logo. Save the built-in one and change the copy: it tells how.</source>
+        <translation>模板是带有您的信头和标志的 HTML 页面。保存内置模板并修改副本：其中有说明。</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>患者</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Save a copy …</source>
+        <translation>保存副本…</translation>
+    </message>
+    <message>
+        <source>The built-in template, to be changed</source>
+        <translation>内置模板，供修改</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>built in</source>
+        <translation>内置</translation>
     </message>
 </context>
 </TS>

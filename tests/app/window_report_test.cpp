@@ -1,8 +1,14 @@
+#include "app/files/report_template.h"
+#include "app/preferences/settings.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
+#include "ui/dialogs/report_dialog.h"
 
+#include <QCheckBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QImage>
+#include <QLabel>
 #include <QTemporaryDir>
 
 namespace angiopose::app {
@@ -13,12 +19,23 @@ using test::OpenWindow;
 /// Reports written through the menu and the file dialog.
 class WindowReport : public ::testing::Test {
 protected:
-    QByteArray written(const char* name, const char* answer = "Without identity")
+    ui::ReportDialog* asked()
     {
         w.window.actions()[ui::Command::ExportReport]->trigger();
-        const auto questions = w.dialogs("identityQuestion");
-        EXPECT_EQ(questions.size(), 1);
-        OpenWindow::clickButton(questions.front(), QString::fromUtf8(answer));
+        const auto dialogs = w.dialogs("reportDialog");
+        EXPECT_EQ(dialogs.size(), 1);
+        return qobject_cast<ui::ReportDialog*>(dialogs.front());
+    }
+
+    QByteArray written(const char* name, ui::Choice identity = ui::Choice::Off)
+    {
+        ui::ReportDialog* dialog = asked();
+        auto* box = dialog->findChild<QCheckBox*>();
+        EXPECT_FALSE(box->isChecked()) << "off by default, every time";
+        if (identity == ui::Choice::On) {
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        }
+        OpenWindow::clickButton(dialog, QStringLiteral("Export …"));
         const QString path = folder.filePath(QString::fromLatin1(name));
         w.saveAs(path);
         QFile file(path);
@@ -87,7 +104,130 @@ TEST_F(WindowReport, NamesThePatientOnlyWhereThatIsWanted)
     const QByteArray hidden = written("hidden.html");
     EXPECT_FALSE(hidden.contains("fantom as"));
     EXPECT_TRUE(hidden.contains("identity hidden"));
-    EXPECT_TRUE(written("named.html", "With identity").contains("fantom as"));
+    EXPECT_TRUE(written("named.html", ui::Choice::On).contains("fantom as"));
+}
+
+/// Reports by a template of one's own, which lies beside its logo.
+class WindowReportTemplate : public WindowReport {
+protected:
+    void SetUp() override
+    {
+        QImage logo(40, 20, QImage::Format_RGB32);
+        logo.fill(QColor(200, 30, 60));
+        ASSERT_TRUE(logo.save(folder.filePath(QStringLiteral("logo.png"))));
+        w.openSample();
+        w.waitForJudgement();
+    }
+    void TearDown() override { settings::reportTemplate.write({}); }
+
+    /// Chosen in the dialog, which the next report begins with.
+    void choose(const QByteArray& html)
+    {
+        const QString path = folder.filePath(QStringLiteral("letter.html"));
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(html);
+        file.close();
+        ui::ReportDialog* dialog = asked();
+        OpenWindow::clickButton(dialog, QStringLiteral("Choose …"));
+        auto* files = dialog->findChild<QFileDialog*>();
+        ASSERT_TRUE(files);
+        files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+        QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
+        EXPECT_EQ(dialog->choice().templatePath, path);
+        settings::reportTemplate.write(path);
+        dialog->reject();
+        QTest::qWait(50);
+    }
+    const QByteArray whole = "<html><body>{{notice}}{{warnings}}{{ views }}</body></html>";
+};
+
+TEST_F(WindowReportTemplate, PrintsItsWordsAndItsLogo)
+{
+    choose(
+        "<html><body><!-- {{nothing}} --><img src=\"logo.png\" width=\"80\"/>Ward 7: {{title}}"
+        "{{notice}}{{warnings}}{{views}}<i>{{program}}</i></body></html>");
+    const QByteArray page = written("own.html");
+    EXPECT_TRUE(page.contains("Ward 7: Sample case"));
+    EXPECT_TRUE(page.contains("Not for clinical use"));
+    EXPECT_TRUE(page.contains("Median distance"));
+    EXPECT_TRUE(page.contains("<i>AngioPose "));
+    EXPECT_FALSE(page.contains("{{"));
+    EXPECT_FALSE(page.contains("Signature")) << "not asked for";
+    const qsizetype from = page.indexOf("base64,") + 7;
+    const QImage logo = QImage::fromData(QByteArray::fromBase64(page.mid(from, page.indexOf('"', from) - from)));
+    EXPECT_EQ(logo.size(), QSize(40, 20));
+    EXPECT_EQ(logo.pixelColor(20, 10), QColor(200, 30, 60));
+    EXPECT_TRUE(written("own.pdf").startsWith("%PDF"));
+}
+
+TEST_F(WindowReportTemplate, WhatACaseIsCalledFillsInNothing)
+{
+    core::Case renamed = w.current();
+    renamed.title = "{{views}} <b>";
+    w.controller.document().replace(renamed, {});
+    w.waitForJudgement();
+    choose(whole + "{{title}}");
+    EXPECT_TRUE(written("own.html").contains("</body></html>{{views}} &lt;b&gt;"));
+}
+
+TEST_F(WindowReportTemplate, TheBuiltInOneIsSavedToBeChanged)
+{
+    ui::ReportDialog* dialog = asked();
+    OpenWindow::clickButton(dialog, QStringLiteral("Save a copy …"));
+    const QString path = folder.filePath(QStringLiteral("mine.html"));
+    w.saveAs(path);
+    dialog->close();
+    const auto own = readReportTemplate(path);
+    ASSERT_TRUE(own);
+    EXPECT_EQ(own.value().html, readReportTemplate({}).value().html);
+}
+
+TEST_F(WindowReportTemplate, WhatMustBeSaidCannotBeLeftOut)
+{
+    const auto reasonOf = [this](const QByteArray& html) {
+        const QString path = folder.filePath(QStringLiteral("bad.html"));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(html);
+        file.close();
+        const auto page = readReportTemplate(path);
+        return page ? std::string() : page.error().message.text();
+    };
+    EXPECT_EQ(reasonOf(whole), "");
+    EXPECT_NE(reasonOf("{{warnings}}{{views}}").find("{{notice}}"), std::string::npos);
+    EXPECT_NE(reasonOf("{{notice}}{{views}}").find("{{warnings}}"), std::string::npos);
+    EXPECT_NE(reasonOf("{{notice}}{{warnings}}<!-- {{views}} -->").find("{{views}}"), std::string::npos);
+    EXPECT_NE(reasonOf("{{notice}}{{warnings}}<!-- {{views}}").find("{{views}}"), std::string::npos);
+    EXPECT_NE(reasonOf(whole + "{{patent}}").find("{{patent}}"), std::string::npos);
+    EXPECT_NE(reasonOf(whole + "{{picture 0}}").find("{{picture 0}}"), std::string::npos);
+    EXPECT_NE(reasonOf(whole + "\xff\xfe").find("UTF-8"), std::string::npos);
+    EXPECT_NE(reasonOf(whole + QByteArray(2 << 20, ' ')).find("1 MB"), std::string::npos);
+    for (const char* elsewhere : {"http://example.com/a.png", "/etc/passwd", "../logo.png", "bad.html", "absent.png"}) {
+        EXPECT_NE(reasonOf(whole + "<img src='" + elsewhere + "'>").find(elsewhere), std::string::npos) << elsewhere;
+    }
+    EXPECT_EQ(reasonOf(whole + "<img src='logo.png'>"), "");
+    EXPECT_NE(readReportTemplate(folder.filePath(QStringLiteral("gone.html"))).error().message.text().find("gone.html"),
+              std::string::npos);
+}
+
+TEST_F(WindowReportTemplate, AReportWithoutItsTemplateIsNotWrittenAndSaysWhy)
+{
+    settings::reportTemplate.write(folder.filePath(QStringLiteral("gone.html")));
+    OpenWindow::clickButton(asked(), QStringLiteral("Export …"));
+    const QString path = folder.filePath(QStringLiteral("report.html"));
+    QFileDialog* files = nullptr;
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) != nullptr; }, test::patienceMs));
+    files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+    QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !w.dialogs("messageDialog").isEmpty(); }, test::patienceMs));
+    bool isNamed = false;
+    for (const QLabel* label : w.dialogs("messageDialog").front()->findChildren<QLabel*>()) {
+        isNamed |= label->text().contains(QStringLiteral("gone.html"));
+    }
+    EXPECT_TRUE(isNamed);
+    EXPECT_FALSE(QFile::exists(path));
 }
 
 }   // namespace

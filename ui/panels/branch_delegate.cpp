@@ -18,7 +18,7 @@ constexpr int residualWidth = 44;
 constexpr int pillWidth = 40;
 constexpr int crossWidth = 20;
 constexpr int nameIndent = 20;
-constexpr int generationWidth = 24;
+constexpr int generationWidth = 32;   // "10级", the widest
 
 void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {

@@ -156,6 +156,7 @@ void Gallery::showDialogs(ui::MainWindow& window)
                              std::pair{About, "about"},
                              std::pair{ExportOverlay, "export"},
                              std::pair{ExportMovie, "movie"},
+                             std::pair{ExportReport, "report"},
                              std::pair{PanelHelp, "help"},
                              std::pair{GoodFit, "good_fit"},
                              std::pair{AuxiliaryAdvice, "auxiliary"},

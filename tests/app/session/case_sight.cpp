@@ -58,7 +58,7 @@ QStringList reportOf(app::CaseController& controller)
         return {QStringLiteral("no target")};
     }
     const auto views = app::judgedViews(controller.document().current(), *target, {});
-    const auto page = views ? app::reportBytes({views.value(), QStringLiteral("Ada"), {}}, app::ReportKind::Html)
+    const auto page = views ? app::reportBytes({views.value(), QStringLiteral("Ada"), {}, {}}, app::ReportKind::Html)
                             : core::Result<QByteArray>(views.error());
     if (!page) {
         return {QString::fromStdString(page.error().message.text())};

@@ -58,14 +58,14 @@ QString savedIn(app::CaseController& controller, const QString& folder)
     return path;
 }
 
-/// As far as it goes, by the key.
-void repeat(app::WindowHost& host, ui::Command command)
+/// To that place among the steps, by the key.
+void repeat(app::WindowHost& host, ui::Command command, int place)
 {
     constexpr int mostSteps = 1000;
     host.window().activateWindow();
     waitUntil("a window that hears its keys", [&host] { return host.window().isActiveWindow(); });
     QUndoStack& steps = host.controller().document().undoStack();
-    const auto isLeft = [&] { return command == ui::Command::Undo ? steps.canUndo() : steps.canRedo(); };
+    const auto isLeft = [&] { return steps.index() != place; };
     const QKeySequence key = host.window().actions()[command]->shortcut();
     for (int i = 0; i < mostSteps && isLeft(); ++i) {
         QTest::keySequence(&host.window().angiogramView(), key);
@@ -142,8 +142,12 @@ public:
         return changed;
     }
 
-    void undoAll() { repeat(host_, ui::Command::Undo); }
-    void redoAll() { repeat(host_, ui::Command::Redo); }
+    void undoAll()
+    {
+        end_ = host_.controller().document().undoStack().index();   // steps undone by then lie behind it
+        repeat(host_, ui::Command::Undo, 0);
+    }
+    void redoAll() { repeat(host_, ui::Command::Redo, end_); }
 
 private:
     static constexpr int mostLooks = 10;   // what workers add may come late on a busy machine
@@ -170,6 +174,7 @@ private:
     app::WindowHost host_;
     Switches fresh_;   ///< of a window that has just opened the case
     QByteArray layout_;
+    int end_ = 0;   ///< steps that were done when the walk was over
 };
 
 }   // namespace

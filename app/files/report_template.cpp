@@ -1,0 +1,177 @@
+#include "app/files/report_template.h"
+
+#include "app/messages/says.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QRegularExpression>
+#include <QStringDecoder>
+#include <QStringList>
+
+#include <optional>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+constexpr qint64 mostTextBytes = qint64{1} << 20;
+constexpr qint64 mostPictureFileBytes = qint64{16} << 20;
+constexpr int mostPictureSide = 8192;   // px
+
+const QStringList& neededMarks()
+{
+    static const QStringList marks{QStringLiteral("notice"), QStringLiteral("warnings"), QStringLiteral("views")};
+    return marks;
+}
+
+const QStringList& knownMarks()
+{
+    static const QStringList marks =
+        neededMarks() + QStringList{QStringLiteral("title"),     QStringLiteral("patient"), QStringLiteral("inputs"),
+                                    QStringLiteral("signature"), QStringLiteral("date"),    QStringLiteral("author"),
+                                    QStringLiteral("program"),   QStringLiteral("mark"),    QStringLiteral("typeface")};
+    return marks;
+}
+
+const QString pictureMark = QStringLiteral("picture ");   // with a number; a user's mark is one word
+
+QString written(const QString& mark)
+{
+    return QStringLiteral("{{%1}}").arg(mark);
+}
+
+std::optional<QString> textOf(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > mostTextBytes) {
+        return {};
+    }
+    QStringDecoder utf8(QStringDecoder::Utf8);
+    QString text = utf8(file.read(mostTextBytes));
+    return utf8.hasError() || text.contains(QChar::Null) ? std::nullopt : std::optional(std::move(text));
+}
+
+bool isTaken(QImageReader& reader)
+{
+    const QByteArray format = reader.format();
+    const QSize size = reader.size();
+    return (format == "png" || format == "jpeg") && size.width() <= mostPictureSide && size.height() <= mostPictureSide;
+}
+
+/// A picture inside the template itself.
+QImage pictureWithin(const QString& url)
+{
+    QByteArray bytes = QByteArray::fromBase64(url.mid(url.indexOf(QLatin1Char(',')) + 1).toLatin1());
+    QBuffer buffer(&bytes);
+    QImageReader reader(&buffer);
+    return isTaken(reader) ? reader.read() : QImage();
+}
+
+/// A picture that lies in the template's folder or below; nothing else, and nothing from a network.
+QImage pictureBeside(const QFileInfo& page, const QString& name)
+{
+    const QFileInfo file(page.dir(), name);
+    const QString folder = page.dir().canonicalPath() + QLatin1Char('/');
+    if (!file.canonicalFilePath().startsWith(folder) || file.size() > mostPictureFileBytes) {
+        return {};
+    }
+    QImageReader reader(file.filePath());
+    return isTaken(reader) ? reader.read() : QImage();
+}
+
+/// Puts marks where the template names pictures, and reads these.
+core::Status takePictures(ReportTemplate& page, const QString& path)
+{
+    static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)')"),
+                                           QRegularExpression::CaseInsensitiveOption);
+    QString html;
+    qsizetype done = 0;
+    for (auto found = source.globalMatch(page.html); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        const QString name = match.captured(1) + match.captured(2);
+        QImage picture =
+            name.startsWith(QLatin1String("data:image/")) ? pictureWithin(name) : pictureBeside(QFileInfo(path), name);
+        if (picture.isNull()) {
+            return core::Error(says::reportTemplatePicture(name.left(80).toStdString()));
+        }
+        html += page.html.mid(done, match.capturedStart() - done) +
+                QStringLiteral("src=\"%1\"").arg(written(pictureMark + QString::number(page.pictures.size())));
+        done = match.capturedEnd();
+        page.pictures.push_back(std::move(picture));
+    }
+    page.html = html + page.html.mid(done);
+    return core::Done{};
+}
+
+const QRegularExpression& markPattern()
+{
+    static const QRegularExpression pattern(QStringLiteral("\\{\\{\\s*([^{}]*?)\\s*\\}\\}"));
+    return pattern;
+}
+
+/// What every report must say is in it, and nothing that would stay empty.
+core::Status checkMarks(const QString& html)
+{
+    QStringList found;
+    for (auto marks = markPattern().globalMatch(html); marks.hasNext();) {
+        found << marks.next().captured(1);
+    }
+    for (const QString& mark : neededMarks()) {
+        if (!found.contains(mark)) {
+            return core::Error(says::reportTemplateLacks(written(mark).toStdString()));
+        }
+    }
+    for (const QString& mark : std::as_const(found)) {
+        if (!knownMarks().contains(mark)) {
+            return core::Error(says::reportTemplateUnknown(written(mark).toStdString(),
+                                                           knownMarks().join(QStringLiteral(", ")).toStdString()));
+        }
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+QByteArray builtInReportTemplate()
+{
+    QFile file(QStringLiteral(":/report/template.html"));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+core::Result<ReportTemplate> readReportTemplate(const QString& path)
+{
+    const auto text = path.isEmpty() ? std::optional(QString::fromUtf8(builtInReportTemplate())) : textOf(path);
+    if (!text) {
+        return core::Error(says::reportTemplateUnreadable(path.toStdString()));
+    }
+    static const QRegularExpression comment(QStringLiteral("<!--.*?(?:-->|\\z)"),
+                                            QRegularExpression::DotMatchesEverythingOption);
+    ReportTemplate page{QString(*text).remove(comment), {}};
+    if (const auto checked = checkMarks(page.html); !checked) {
+        return checked.error();
+    }
+    if (const auto taken = takePictures(page, path); !taken) {
+        return taken.error();
+    }
+    return page;
+}
+
+QString filledPage(const ReportTemplate& page, const QHash<QString, QString>& parts,
+                   const std::function<QString(std::size_t picture)>& urlOf)
+{
+    QString html;
+    qsizetype done = 0;
+    for (auto marks = markPattern().globalMatch(page.html); marks.hasNext();) {
+        const QRegularExpressionMatch match = marks.next();
+        const QString mark = match.captured(1);
+        html += page.html.mid(done, match.capturedStart() - done);
+        html += mark.startsWith(pictureMark) ? urlOf(mark.mid(pictureMark.size()).toULongLong()) : parts.value(mark);
+        done = match.capturedEnd();
+    }
+    return html + page.html.mid(done);
+}
+
+}   // namespace angiopose::app

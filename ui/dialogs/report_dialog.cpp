@@ -1,0 +1,93 @@
+#include "ui/dialogs/report_dialog.h"
+
+#include "ui/controls/elided_label.h"
+#include "ui/controls/section.h"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace angiopose::ui {
+
+ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
+    : QDialog(parent),
+      template_(new ElidedLabel("body")),
+      builtIn_(new QPushButton(tr("Built-in one"))),
+      identity_(new QCheckBox(tr("Patient identity on the report")))
+{
+    setObjectName(QStringLiteral("reportDialog"));
+    setWindowTitle(tr("Export report"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(460);
+    template_->setObjectName(QStringLiteral("reportTemplate"));
+    identity_->setChecked(choice.identity == Choice::On);
+    auto* passedOn = roleLabel("hint", tr("Reports are passed on. Without identity they name nobody."));
+    passedOn->setWordWrap(true);
+    auto* about = roleLabel("hint", tr("A template is a page of HTML with your letterhead and logo. Save the built-in "
+                                       "one and change the copy: it tells how."));
+    about->setWordWrap(true);
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    form->addRow(roleLabel("label", tr("Template")), template_);
+    form->addRow(QString(), makeTemplateButtons());
+    form->addRow(QString(), about);
+    form->addRow(roleLabel("label", tr("Patient")), identity_);
+    form->addRow(QString(), passedOn);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(14);
+    layout->addLayout(form);
+    layout->addLayout(makeButtons());
+    connect(builtIn_, &QPushButton::clicked, this, [this] { showTemplate({}); });
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
+    showTemplate(choice.templatePath);
+}
+
+QHBoxLayout* ReportDialog::makeTemplateButtons()
+{
+    auto* choose = new QPushButton(tr("Choose …"));
+    auto* copy = new QPushButton(tr("Save a copy …"));
+    copy->setToolTip(tr("The built-in template, to be changed"));
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    for (QPushButton* button : {choose, builtIn_, copy}) {
+        button->setAutoDefault(false);
+        buttons->addWidget(button);
+    }
+    connect(choose, &QPushButton::clicked, this, &ReportDialog::templateWanted);
+    connect(copy, &QPushButton::clicked, this, &ReportDialog::copyWanted);
+    return buttons;
+}
+
+QHBoxLayout* ReportDialog::makeButtons()
+{
+    auto* cancel = new QPushButton(tr("Cancel"));
+    auto* write = new QPushButton(tr("Export …"));
+    write->setProperty("role", "primary");
+    write->setDefault(true);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(write, &QPushButton::clicked, this, &QDialog::accept);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(cancel);
+    buttons->addWidget(write);
+    return buttons;
+}
+
+void ReportDialog::showTemplate(const QString& path)
+{
+    templatePath_ = path;
+    template_->showText(path.isEmpty() ? tr("built in") : QFileInfo(path).fileName());
+    builtIn_->setEnabled(!path.isEmpty());
+}
+
+ReportChoice ReportDialog::choice() const
+{
+    return {identity_->isChecked() ? Choice::On : Choice::Off, templatePath_};
+}
+
+}   // namespace angiopose::ui
