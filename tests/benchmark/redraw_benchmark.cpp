@@ -1,7 +1,7 @@
 // How long a pose edit takes until both views show it, a drag in nudge mode until the whole window does, with one view
 // and with two side by side, the tree's lines alone by our rasteriser and by QPainter, and a turn of the 3-D view with
-// a scan behind the vessels. With --scan only the last. Run it on a screen or under xvfb-run -a -s "-screen 0
-// 1920x1200x24".
+// a scan behind the vessels. With --scan only the last, with --drag only drags. Run it on a screen or under xvfb-run -a
+// -s "-screen 0 1920x1200x24".
 #include "app/case_controller.h"
 #include "core/geometry/pose_offset.h"
 #include "core/simulation/simulate_cta.h"
@@ -350,6 +350,9 @@ int main(int argc, char** argv)
     benchmarks::TimedApplication application(argc, argv);
     ui::applyTheme(application, ui::ThemeMode::Dark);
     QApplication::setQuitOnLastWindowClosed(false);
+    if (QApplication::arguments().contains(QStringLiteral("--drag"))) {
+        return measureDrag(1) && measureDrag(2) ? 0 : 1;
+    }
     const core::SimulatedCase simulated = core::simulateCase(1, {.pointSpacingMm = 0.5});
     bool isMeasured = measureScan(application, core::simulateCta(1, {}, {.size = {320, 320, 280}}));
     if (QApplication::arguments().contains(QStringLiteral("--scan"))) {
