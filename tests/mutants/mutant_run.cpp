@@ -8,9 +8,9 @@
 #include <cstring>
 
 // mutant_run CLI [--trials N] [--seed N] [--only NAME] [--keep FOLDER]
-// Gives damaged files of every format to `CLI info` (surfaces to `CLI trace-vessel` too), each in a process of 3 GB of
-// address space and 10 s of processor time. Whatever is not exit code 0 or 3 (4 when tracing) is reported, and kept in
-// FOLDER.
+// Gives damaged files of every format to `CLI info` (surfaces to `CLI trace-vessel` too, a DICOMDIR beside its disc to
+// `CLI studies`), each in a process of 3 GB of address space and 10 s of processor time. Whatever is not exit code 0 or
+// 3 (4 when tracing) is reported, and kept in FOLDER.
 
 using namespace angiopose;
 
@@ -68,7 +68,8 @@ int faultsOf(const test::SmallFile& file, const Arguments& arguments, const test
                                     : file.name.ends_with(".png") ? test::mutatedPng(file.content, random)
                                                                   : test::mutated(file.content, random);
         const std::string path = folder.write(file.name, content);
-        std::string fault = findFault(test::runLimited({arguments.program, "info", path}, limits));
+        std::string fault =
+            findFault(test::runLimited({arguments.program, file.isDisc ? "studies" : "info", path}, limits));
         if (fault.empty() && file.isSurface && trial % 4 == 0) {
             fault = findFault(test::runLimited(
                 {arguments.program, "trace-vessel", path, "--output", folder.file("tree.csv")}, limits));
@@ -96,7 +97,7 @@ int main(int count, char** values)
     }
     const test::TemporaryFolder folder;
     int faults = 0;
-    for (const test::SmallFile& file : test::smallFiles(TEST_DATA_DIR, folder.file(""))) {
+    for (const test::SmallFile& file : test::smallFiles(TEST_DATA_DIR, folder)) {
         if (arguments.only.empty() || file.name.find(arguments.only) != std::string::npos) {
             const int found = faultsOf(file, arguments, folder);
             std::printf("%-16s %d of %d mutants not survived\n", file.name.c_str(), found, arguments.trials);

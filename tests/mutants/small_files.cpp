@@ -6,6 +6,7 @@
 #include "io/surface_file.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
+#include "tests/io/study/study_disc.h"
 #include "tests/support/temporary_folder.h"
 
 #include <array>
@@ -116,11 +117,11 @@ constexpr const char* gridText =
 
 }   // namespace
 
-std::vector<SmallFile> smallFiles(const std::string& dataFolder, const std::string& scratch)
+std::vector<SmallFile> smallFiles(const std::string& dataFolder, const TemporaryFolder& scratch)
 {
     std::vector<SmallFile> files;
     const auto written = [&](const std::string& name, const auto& write) {
-        const std::string path = scratch + "/" + name;
+        const std::string path = scratch.file(name);
         if (write(path)) {
             files.push_back({name, readText(path)});
         }
@@ -146,6 +147,8 @@ std::vector<SmallFile> smallFiles(const std::string& dataFolder, const std::stri
     for (std::size_t i = files.size() - 3; i < files.size(); ++i) {
         files[i].isSurface = true;
     }
+    writeDicomdir(scratch.file(""), writeDisc(scratch));
+    files.push_back({"DICOMDIR", readText(scratch.file("DICOMDIR")), false, false, true});
     constexpr std::array real = {
         std::pair("jpeg.dcm", "exotic-dicom/pydicom/JPEG-lossy.dcm"),
         std::pair("jpeg2000.dcm", "exotic-dicom/pydicom/MR_small_jp2klossless.dcm"),
