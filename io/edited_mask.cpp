@@ -1,6 +1,7 @@
 #include "io/edited_mask.h"
 
 #include "io/file_hash.h"
+#include "io/support/atomic_file.h"
 #include "io/support/input_bytes.h"
 #include "io/volume_file.h"
 
@@ -40,6 +41,23 @@ fs::path freePath(const fs::path& casePath, const fs::path& own)
     }
 }
 
+/// The case's own file still holds the mask: a later save may have put another one there, and undo wants this one.
+bool isThere(const core::InputFile& mask, const fs::path& own)
+{
+    if (mask.path.empty() || mask.path != own.string()) {
+        return false;
+    }
+    const auto hash = sha256OfFile(mask.path);
+    return hash && hash.value() == mask.sha256;
+}
+
+/// A mask that could not be read goes along as it is.
+core::Status copied(const std::string& from, const std::string& to)
+{
+    const auto content = openInput(from);
+    return content ? writeAtomically(to, content.value().view()) : core::Status(content.error());
+}
+
 }   // namespace
 
 core::Status writeMask(const core::VoxelMask& mask, const std::string& path)
@@ -54,11 +72,16 @@ core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const
 {
     const fs::path whole = fs::absolute(casePath);
     const fs::path own = ownMask(whole);
-    if (!vessels.file.path.empty() && vessels.file.path == own.string()) {
+    if (isThere(vessels.file, own)) {
         return vessels.file;
     }
-    const std::string path = freePath(whole, own).string();
-    if (const auto written = writeMask(*vessels.lumen, path); !written) {
+    std::error_code absent;
+    if (!vessels.lumen && !fs::exists(vessels.file.path, absent)) {
+        return vessels.file;   // lost already: the case says where it was
+    }
+    const std::string path = freePath(whole, vessels.lumen ? own : fs::path()).string();
+    if (const auto written = vessels.lumen ? writeMask(*vessels.lumen, path) : copied(vessels.file.path, path);
+        !written) {
         return written.error();
     }
     auto hash = sha256OfFile(path);

@@ -57,6 +57,7 @@ bool CaseDocument::push(std::unique_ptr<QUndoCommand> edit)
 
 void CaseDocument::undo()
 {
+    emit aboutToStep();
     if (!locked_ && canUndo()) {
         undoStack_.undo();
     }
@@ -64,6 +65,7 @@ void CaseDocument::undo()
 
 void CaseDocument::redo()
 {
+    emit aboutToStep();
     if (!locked_) {
         undoStack_.redo();
     }

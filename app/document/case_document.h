@@ -58,7 +58,10 @@ public:
     bool isInTrial() const { return undoFloor_ > 0; }
     int trialEdits() const { return undoStack_.index() - undoFloor_; }   ///< steps of undo since it began
 
+    void noteChange() { emit changed(); }   ///< of what belongs to the case though it is not in it, as a mask's draft
+
 signals:
+    void aboutToStep();   ///< undo or redo is next: what is under way under the mouse ends first
     void changed();
     void stateChanged();   ///< path, saved state or lock
     void editRefused();

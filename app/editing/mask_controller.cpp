@@ -90,13 +90,18 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
       scissors_(new ui::MaskCutTool(ui.slices)),
       copy_({[this](const std::shared_ptr<VoxelMask>& mask) {
                  auto draft = std::make_shared<MaskDraft>(mask);
-                 draft->standFor(std::exchange(copied_, nullptr), 0);
+                 draft->standFor(std::exchange(copied_, nullptr), {});
                  drafts_.push_back(draft);
                  useDraft(fits(*draft) ? draft : nullptr);
              },
              [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
       cut_({[this](const core::VoxelPlaces& found) { takeCut(found); },
-            [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
+            [this](const core::Error& error) {
+                if (const auto draft = std::exchange(cutDraft_, nullptr)) {
+                    draft->takeBack();
+                }
+                emit failed(ui::messageText(error.message));
+            }}),
       trace_({[this](const VesselTrace& traced) { takeTrace(traced); },
               [this](const core::Error& error) {
                   traceEnded();
@@ -107,9 +112,7 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
                   }
               },
               [this](double fraction) {
-                  if (lent_) {
-                      std::exchange(lent_, nullptr)->takeBack();
-                  }
+                  stopReading();
                   ui_.strip.showProgress(tr("Tracing the mask … %1 %").arg(ui::numberText(100.0 * fraction, 0)),
                                          fraction);
               }})
@@ -126,6 +129,7 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
         stopWished_ = isRunning();
         trace_.requestStop();
     });
+    connect(&document, &CaseDocument::aboutToStep, this, &MaskController::endStroke);
     connect(&document, &CaseDocument::changed, this, &MaskController::followDocument);
     connect(&document, &CaseDocument::stateChanged, this, &MaskController::showState);
     takeSettings(storedSettings());
@@ -180,7 +184,7 @@ bool MaskController::fits(const MaskDraft& draft) const
 {
     const core::VolumeGeometry* shown = ui_.slices.geometry();
     const core::VolumeGeometry& own = draft.mask()->geometry;
-    const bool isHere = lumen() || (shown && shown->size == own.size && shown->originInPatient == own.originInPatient);
+    const bool isHere = lumen() || (shown && core::isSameGrid(*shown, own));
     return isHere && draft.strokesSince(lumen());
 }
 
@@ -222,6 +226,13 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
 {
     if (draft_) {
         draft_->disconnect(this);
+        draft_->disconnect(&ui_.slices);
+    }
+    if (draft_ && draft_ != draft && !stroke_.empty()) {
+        draft_->apply(core::changeOf(stroke_));   // a stroke of what is no longer here takes itself back
+    }
+    if (draft_ != draft) {
+        stroke_.clear();
     }
     draft_ = std::move(draft);
     std::erase_if(drafts_, [](const std::weak_ptr<MaskDraft>& known) { return known.expired(); });
@@ -274,7 +285,8 @@ void MaskController::brush(MaskAim aim, const core::SliceGrid& slice, const core
 
 void MaskController::endStroke()
 {
-    if (stroke_.empty()) {
+    if (stroke_.empty() || !draft_) {
+        stroke_.clear();
         if (document_.isLocked()) {
             emit told(tr("A registration is running. Stop it to edit."));
         }
@@ -283,7 +295,7 @@ void MaskController::endStroke()
     const ui::Words name = strokeAim_ == MaskAim::Paint ? ui::Words([] { return tr("Paint into the mask"); })
                                                         : ui::Words([] { return tr("Erase from the mask"); });
     const core::MaskChange change = core::changeOf(std::exchange(stroke_, {}));
-    if (!document_.push(std::make_unique<EditMask>(draft_, change, name))) {
+    if (!document_.push(std::make_unique<EditMask>(document_, draft_, change, name))) {
         draft_->apply(change);   // takes itself back
     }
 }
@@ -294,11 +306,12 @@ void MaskController::cut(core::MaskCut cut)
     if (!canEdit() || cut_.isRunning()) {
         return;
     }
+    endStroke();
     cut.halfDepthMm = settings_.depth == ui::CutDepth::Slice   ? 0.0
                       : settings_.depth == ui::CutDepth::Range ? settings_.rangeMm
                                                                : std::numeric_limits<double>::infinity();
-    lent_ = draft_;
-    lent_->lendOut();
+    cutDraft_ = draft_;
+    cutDraft_->lendOut();
     cut_.start([mask = std::shared_ptr<const VoxelMask>(draft_->mask()), cut = std::move(cut)](
                    JobLink<double>&) -> core::Result<core::VoxelPlaces> { return core::cutVoxels(*mask, cut); });
 }
@@ -306,18 +319,21 @@ void MaskController::cut(core::MaskCut cut)
 /// What an undo has taken out since is gone already.
 void MaskController::takeCut(const core::VoxelPlaces& found)
 {
-    const auto draft = std::exchange(lent_, nullptr);
+    const auto draft = std::exchange(cutDraft_, nullptr);
     draft->takeBack();
+    if (draft != draft_) {
+        return;   // another mask is edited now
+    }
     core::VoxelPlaces there;
     std::ranges::copy_if(found, std::back_inserter(there),
                          [&draft](std::uint32_t voxel) { return draft->mask()->voxels[voxel] != 0; });
-    if (there.empty() || draft != draft_) {
-        emit told(there.empty() ? tr("Nothing of the mask lies there.") : QString());
+    if (there.empty()) {
+        emit told(tr("Nothing of the mask lies there."));
         return;
     }
     const core::MaskChange change = core::changeOf(std::move(there));
     draft->apply(change);
-    if (!document_.push(std::make_unique<EditMask>(draft, change, [] { return tr("Cut the mask"); }))) {
+    if (!document_.push(std::make_unique<EditMask>(document_, draft, change, [] { return tr("Cut the mask"); }))) {
         draft->apply(change);   // takes itself back
     }
 }
@@ -327,22 +343,29 @@ void MaskController::trace()
     if (trace_.isRunning() || !canEdit()) {
         return;
     }
-    startedFrom_ = document_.state();
+    endStroke();
     stopWished_ = false;
     tracedStrokes_ = draft_->strokes();
-    lent_ = draft_;
-    lent_->lendOut();
+    tracedDraft_ = draft_;
+    tracedDraft_->lendOut();
+    isReading_ = true;
     ui_.strip.showBusy(tr("Tracing the mask …"));
     trace_.start([mask = std::shared_ptr<const VoxelMask>(draft_->mask()),
                   options = options_()](JobLink<double>& link) { return traceOf(*mask, options, link); });
     showState();
 }
 
+/// The worker has its copy.
+void MaskController::stopReading()
+{
+    if (std::exchange(isReading_, false)) {
+        tracedDraft_->takeBack();
+    }
+}
+
 void MaskController::traceEnded()
 {
-    if (lent_) {
-        std::exchange(lent_, nullptr)->takeBack();
-    }
+    stopReading();
     ui_.strip.showIdle(tr("Ready"));
     showState();
 }
@@ -350,8 +373,8 @@ void MaskController::traceEnded()
 void MaskController::takeTrace(const VesselTrace& traced)
 {
     traceEnded();
-    if (document_.state().caseNumber != startedFrom_.caseNumber || !draft_) {
-        return;   // another case has been opened since
+    if (std::exchange(tracedDraft_, nullptr) != draft_ || !draft_) {
+        return;   // another scan or case has been opened since
     }
     draft_->standFor(traced.lumen, tracedStrokes_);
     const TracedTree tree{{}, traced.input, traced.lumen, traced.tree, LumenOrigin::Edited};

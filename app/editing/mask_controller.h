@@ -58,6 +58,7 @@ private:
     void cut(core::MaskCut cut);
     void takeCut(const core::VoxelPlaces& found);
     void takeTrace(const VesselTrace& traced);
+    void stopReading();
     void traceEnded();
     void showState();
     int openStrokes() const;
@@ -73,12 +74,13 @@ private:
     std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< that steps of undo know
     core::VoxelPlaces stroke_;   ///< of the stroke under way
     core::MaskAim strokeAim_ = core::MaskAim::Paint;
-    std::shared_ptr<MaskDraft> lent_;   ///< to the cut or the trace under way
-    CaseState startedFrom_;
+    std::shared_ptr<MaskDraft> cutDraft_;   ///< that the cut under way reads
+    std::shared_ptr<MaskDraft> tracedDraft_;   ///< of the trace under way
+    bool isReading_ = false;   ///< that trace has no copy of it yet
     int caseNumber_ = 0;   ///< that the drafts belong to
     std::shared_ptr<const core::VoxelMask> copied_;   ///< of the copy under way
     bool stopWished_ = false;
-    int tracedStrokes_ = 0;
+    MaskDraft::Strokes tracedStrokes_;
     Job<std::shared_ptr<core::VoxelMask>> copy_;
     Job<core::VoxelPlaces> cut_;
     Job<VesselTrace> trace_;

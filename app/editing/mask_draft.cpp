@@ -1,5 +1,6 @@
 #include "app/editing/mask_draft.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace angiopose::app {
@@ -25,13 +26,19 @@ void MaskDraft::takeBack()
     }
 }
 
-void MaskDraft::countStrokes(int by)
+void MaskDraft::noteMade(int stroke)
 {
-    strokes_ += by;
+    strokes_.push_back(stroke);
     emit strokesChanged();
 }
 
-void MaskDraft::standFor(const std::shared_ptr<const core::VoxelMask>& lumen, int strokes)
+void MaskDraft::noteUndone()
+{
+    strokes_.pop_back();
+    emit strokesChanged();
+}
+
+void MaskDraft::standFor(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes)
 {
     stands_.push_back({lumen, lumen == nullptr, strokes});
 }
@@ -40,14 +47,19 @@ std::optional<int> MaskDraft::strokesSince(const std::shared_ptr<const core::Vox
 {
     for (const Stand& stand : stands_) {
         if (lumen ? stand.lumen.lock() == lumen : stand.isNone) {
-            return std::abs(strokes_ - stand.strokes);
+            const auto [own, its] = std::ranges::mismatch(strokes_, stand.strokes);
+            return static_cast<int>((strokes_.end() - own) + (stand.strokes.end() - its));
         }
     }
     return std::nullopt;
 }
 
-EditMask::EditMask(std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name)
-    : NamedEdit(std::move(name)), draft_(std::move(draft)), change_(std::move(change))
+EditMask::EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name)
+    : NamedEdit(std::move(name)),
+      document_(document),
+      draft_(std::move(draft)),
+      change_(std::move(change)),
+      stroke_(draft_->newStroke())
 {
 }
 
@@ -56,13 +68,15 @@ void EditMask::redo()
     if (!std::exchange(isMade_, false)) {
         draft_->apply(change_);
     }
-    draft_->countStrokes(1);
+    draft_->noteMade(stroke_);
+    document_.noteChange();
 }
 
 void EditMask::undo()
 {
     draft_->apply(change_);
-    draft_->countStrokes(-1);
+    draft_->noteUndone();
+    document_.noteChange();
 }
 
 }   // namespace angiopose::app

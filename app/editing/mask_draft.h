@@ -23,10 +23,13 @@ public:
     void takeBack();
     bool isLent() const { return isLent_; }
 
-    void countStrokes(int by);
-    int strokes() const { return strokes_; }
-    /// The lumen was copied from it, or it from the lumen, when so many strokes had been made; null: no lumen.
-    void standFor(const std::shared_ptr<const core::VoxelMask>& lumen, int strokes);
+    using Strokes = std::vector<int>;   ///< by their numbers, in the order in which they were made
+    int newStroke() { return ++lastStroke_; }   ///< a number of its own
+    void noteMade(int stroke);
+    void noteUndone();
+    const Strokes& strokes() const { return strokes_; }
+    /// The lumen was copied from it, or it from the lumen, when these strokes had been made; null: no lumen.
+    void standFor(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes);
     /// How many strokes it has more or less than that lumen; nothing: it does not stand for it.
     std::optional<int> strokesSince(const std::shared_ptr<const core::VoxelMask>& lumen) const;
 
@@ -38,25 +41,28 @@ private:
     struct Stand {
         std::weak_ptr<const core::VoxelMask> lumen;
         bool isNone = false;
-        int strokes = 0;
+        Strokes strokes;
     };
     std::shared_ptr<core::VoxelMask> mask_;
     std::vector<core::MaskChange> waiting_;
     std::vector<Stand> stands_;
     bool isLent_ = false;
-    int strokes_ = 0;
+    Strokes strokes_;
+    int lastStroke_ = 0;
 };
 
 /// One stroke or cut as a step of undo. It was made before it is pushed. Keeps the voxels that changed, in runs.
 class EditMask : public NamedEdit {
 public:
-    EditMask(std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name);
+    EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name);
     void redo() override;
     void undo() override;
 
 private:
+    CaseDocument& document_;
     std::shared_ptr<MaskDraft> draft_;
     core::MaskChange change_;
+    int stroke_;
     bool isMade_ = true;
 };
 

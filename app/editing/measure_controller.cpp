@@ -64,7 +64,8 @@ void MeasureController::connectTool(MeasurementKind kind, QAction& action)
     connect(tool, &ui::MeasureTool::pointMoved, this, [this](int measurement, int point, const Eigen::Vector2d& pixel) {
         movePoint(static_cast<std::size_t>(measurement), static_cast<std::size_t>(point), pixel);
     });
-    connect(tool, &ui::MeasureTool::removeRequested, this, &MeasureController::removeChosenOrLast);
+    connect(tool, &ui::MeasureTool::removeRequested, this,
+            [this] { removeChosenOrLast(0, static_cast<int>(measurements().size())); });
 }
 
 void MeasureController::connectPanel()
@@ -93,11 +94,18 @@ void MeasureController::connectSlices()
     connect(&slices_, &SliceMeasureController::pointMoved, this,
             [this](int measurement, int point, const Eigen::Vector3d& pointInPatient) {
                 std::vector<SliceMeasurement> all = inSlices();
-                all.at(static_cast<std::size_t>(measurement)).pointsInPatient.at(static_cast<std::size_t>(point)) =
-                    pointInPatient;
+                const auto of = static_cast<std::size_t>(measurement);
+                const auto at = static_cast<std::size_t>(point);
+                if (of >= all.size() || at >= all[of].pointsInPatient.size()) {
+                    return;   // gone meanwhile
+                }
+                all[of].pointsInPatient[at] = pointInPatient;
                 changeInSlices(std::move(all), [] { return tr("Move point of measurement"); });
             });
-    connect(&slices_, &SliceMeasureController::removeRequested, this, &MeasureController::removeChosenOrLast);
+    connect(&slices_, &SliceMeasureController::removeRequested, this, [this] {
+        const auto first = static_cast<int>(measurements().size());
+        removeChosenOrLast(first, first + static_cast<int>(inSlices().size()));
+    });
 }
 
 const std::vector<SliceMeasurement>& MeasureController::inSlices() const
@@ -201,11 +209,15 @@ void MeasureController::remove(const std::set<int>& places)
     show();
 }
 
-void MeasureController::removeChosenOrLast()
+/// Of those from `first` to before `end`: of the image or of the slices, whichever the key was pressed over.
+void MeasureController::removeChosenOrLast(int first, int end)
 {
-    const std::set<int> chosen = ui_.panel.chosen();
-    const std::size_t count = measurements().size() + inSlices().size();
-    remove(chosen.empty() ? std::set<int>{static_cast<int>(count) - 1} : chosen);
+    std::set<int> gone = ui_.panel.chosen();
+    std::erase_if(gone, [&](int place) { return place < first || place >= end; });
+    if (gone.empty() && end > first) {
+        gone.insert(end - 1);
+    }
+    remove(gone);
 }
 
 void MeasureController::pickPlane(MeasurementPlane plane)

@@ -47,7 +47,7 @@ private:
     void remove(const std::set<int>& places);
     void pickPlane(core::MeasurementPlane plane);
     void typeScale(double mmPerPx);
-    void removeChosenOrLast();
+    void removeChosenOrLast(int first, int end);
     void change(std::vector<core::ImageMeasurement> measurements, const ui::Words& name);
     void changeInSlices(std::vector<core::SliceMeasurement> measurements, const ui::Words& name);
     void goToChosen();

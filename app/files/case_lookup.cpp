@@ -40,6 +40,15 @@ std::string contentOf(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// See storeCasePicture.
+bool isOfSameTime(const std::string& casePath, const std::string& picturePath)
+{
+    std::error_code failed, alsoFailed;
+    const auto ofCase = std::filesystem::last_write_time(casePath, failed);
+    const auto ofPicture = std::filesystem::last_write_time(picturePath, alsoFailed);
+    return !failed && !alsoFailed && ofCase == ofPicture;
+}
+
 }   // namespace
 
 CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath)
@@ -50,7 +59,8 @@ CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath)
     }
     const auto missing = io::missingInputs(casePath);   // a case that cannot be read says so when it is opened
     const bool isWhole = !missing || missing.value().empty();
-    return {isWhole ? CasePresence::Present : CasePresence::InputsMissing, contentOf(picturePath)};
+    return {isWhole ? CasePresence::Present : CasePresence::InputsMissing,
+            isOfSameTime(casePath, picturePath) ? contentOf(picturePath) : std::string()};
 }
 
 /// What the threads and the window share; outlives both.

@@ -10,6 +10,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <filesystem>
+
 namespace angiopose::app {
 namespace {
 
@@ -43,6 +45,16 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     return std::make_shared<const core::Angiogram>(std::move(shown));
 }
 
+/// The picture takes the time of its case: another case at the same path, as on another stick, has another one.
+void markAsOf(const std::string& picturePath, const std::string& casePath)
+{
+    std::error_code failed;
+    const auto time = std::filesystem::last_write_time(casePath, failed);
+    if (!failed) {
+        std::filesystem::last_write_time(picturePath, time, failed);   // else it is not shown
+    }
+}
+
 }   // namespace
 
 QString casePicturePath(const QString& casePath)
@@ -65,7 +77,10 @@ bool storeCasePicture(const core::Case& theCase, const QString& casePath)
         return false;
     }
     QFile::setPermissions(folderName(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    return static_cast<bool>(io::writePng(picture.value(), casePicturePath(casePath).toStdString()));
+    const std::string path = casePicturePath(casePath).toStdString();
+    const bool isWritten = static_cast<bool>(io::writePng(picture.value(), path));
+    markAsOf(path, casePath.toStdString());
+    return isWritten;
 }
 
 QImage casePicture(const QString& casePath)

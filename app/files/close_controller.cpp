@@ -93,7 +93,8 @@ void CloseController::answerClose(Closing closing)
 void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
-        const auto goOn = [this] { close(); };
+        // What a mask or an edit made meanwhile is not in the file: asked about again, not thrown away.
+        const auto goOn = [this] { save_.holdsWork() ? requestClose(closed_) : close(); };
         if (save_.savable() == SaveController::Savable::Vessels) {
             save_.saveVessels(goOn);
         } else {

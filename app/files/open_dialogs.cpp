@@ -262,7 +262,7 @@ void OpenDialogs::askToReplace()
         if (index == keep) {
             open_.abandon();
         } else if (index == 0) {
-            save_.save([this] { open_.replaceOpenCase(); });
+            save_.save([this] { askToReplace(); });   // at once where nothing is left unsaved
         } else {
             open_.replaceOpenCase();
         }

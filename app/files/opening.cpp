@@ -29,7 +29,7 @@ QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const 
 
 QStringList joinCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
 {
-    if (document.isEmpty()) {
+    if (document.isEmpty() && document.undoStack().count() == 0) {   // else a mask painted on a scan alone would go
         document.replace(wanted, {});
     } else {
         document.push(joinInputs(

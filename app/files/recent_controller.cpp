@@ -140,12 +140,13 @@ void RecentController::pictureOpened()
     }
     pictures_.run(
         [snapshot = document_.current(), path]() -> core::Result<QString> {
-            if (!casePicture(path).isNull() || !storeCasePicture(snapshot, path)) {
+            if (!storeCasePicture(snapshot, path)) {
                 return core::Error(says::notShown());
             }
             return path;
         },
         [this](const core::Result<QString>& stored) {
+            keepCasePictures(settings::recentPictures.read() ? recentCases() : QStringList());   // as is wanted by now
             if (stored) {
                 fill();
             }

@@ -85,13 +85,13 @@ QImage pictureBeside(const QFileInfo& page, const QString& name)
 /// Puts marks where the template names pictures, and reads these.
 core::Status takePictures(ReportTemplate& page, const QString& path)
 {
-    static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)')"),
+    static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'|([^\\s\"'>]+))"),
                                            QRegularExpression::CaseInsensitiveOption);
     QString html;
     qsizetype done = 0;
     for (auto found = source.globalMatch(page.html); found.hasNext();) {
         const QRegularExpressionMatch match = found.next();
-        const QString name = match.captured(1) + match.captured(2);
+        const QString name = match.captured(1) + match.captured(2) + match.captured(3);
         QImage picture =
             name.startsWith(QLatin1String("data:image/")) ? pictureWithin(name) : pictureBeside(QFileInfo(path), name);
         if (picture.isNull()) {
@@ -150,6 +150,12 @@ core::Result<ReportTemplate> readReportTemplate(const QString& path)
     static const QRegularExpression comment(QStringLiteral("<!--.*?(?:-->|\\z)"),
                                             QRegularExpression::DotMatchesEverythingOption);
     ReportTemplate page{QString(*text).remove(comment), {}};
+    static const QRegularExpression fetching(
+        QStringLiteral("<\\s*(script|link|iframe|object|embed|base)\\b|\\bsrcset\\s*=|\\burl\\s*\\(|@import"),
+        QRegularExpression::CaseInsensitiveOption);
+    if (const auto found = fetching.match(page.html); found.hasMatch()) {
+        return core::Error(says::reportTemplateFetches(found.captured().trimmed().toStdString()));
+    }
     if (const auto checked = checkMarks(page.html); !checked) {
         return checked.error();
     }

@@ -143,6 +143,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
                 return;
             }
             take(path, state);
+            keepCasePictures(settings::recentPictures.read() ? recentCases() : QStringList());   // as is wanted by now
             if (whenSaved) {
                 whenSaved();
             }

@@ -19,6 +19,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 700;   // a folder with one series is read within it and opens without a list
+constexpr int restShare = 10;   // of the time that making the list takes
 constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // sharp at 200 %
 
 std::vector<const io::StudySeries*> usableOf(const io::StudyTree& tree)
@@ -103,6 +104,8 @@ void StudyController::makeBrowser()
 
 void StudyController::start(io::StudyReach reach)
 {
+    isComplete_ = false;
+    reach_ = reach;
     browser_->showProgress(0, 0);
     ui_.strip.showBusy(tr("Looking through %1 …").arg(QFileInfo(place_).fileName()));
     job_.start(place_, reach);
@@ -136,8 +139,13 @@ void StudyController::follow(const io::StudyProgress& progress)
         return;
     }
     browser_->showProgress(static_cast<qsizetype>(progress.read), static_cast<qsizetype>(progress.found));
-    if (progress.tree && progress.tree != tree_) {
+    const bool isDue = !shown_.isValid() || shown_.elapsed() > restShare * showingMs_;   // long lists are shown seldom
+    if (progress.tree && progress.tree != tree_ && reach_ == io::StudyReach::Listed && isDue) {
+        QElapsedTimer took;
+        took.start();
         showTree(progress.tree);
+        showingMs_ = took.elapsed();
+        shown_.start();
         if (usableOf(*tree_).size() > 1) {
             showBrowser();
         }
@@ -151,9 +159,12 @@ void StudyController::take(const SharedStudies& tree)
     }
     patience_.stop();
     ui_.strip.showIdle(tr("Ready"));
+    isComplete_ = !tree->isStopped;
     showTree(tree);
     const auto usable = usableOf(*tree);
-    const bool isAllRead = !tree->isStopped && (!tree->directory || tree->directory->unlistedFiles == 0);
+    const auto& directory = tree->directory;
+    const bool isAsListed = !directory || (directory->unlistedFiles == 0 && directory->missingFiles == 0);
+    const bool isAllRead = !tree->isStopped && !tree->isCutOff && tree->damaged.empty() && isAsListed;
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
         notices_.showProblem(tr("Could not open the folder"),
@@ -182,7 +193,8 @@ void StudyController::take(const SharedStudies& tree)
 void StudyController::showTree(const SharedStudies& tree)
 {
     tree_ = tree;
-    browser_->showRows(studyRows(*tree, ui_.hideIdentity.isChecked() ? IdentityShown::No : IdentityShown::Yes));
+    browser_->showRows(studyRows(*tree, ui_.hideIdentity.isChecked() ? IdentityShown::No : IdentityShown::Yes,
+                                 isComplete_ ? Numbering::Final : Numbering::Passing));
 }
 
 /// How much was read, what is damaged, what lies beside a DICOMDIR.
@@ -232,6 +244,12 @@ bool StudyController::isBrowserShown() const
     return browser_ && browser_->isVisible();
 }
 
+QString StudyController::placeFolder() const
+{
+    const QFileInfo place(place_);
+    return place.isDir() ? place_ : place.absolutePath();
+}
+
 const io::StudySeries* StudyController::find(const QString& key) const
 {
     for (const io::StudyPatient& patient : tree_->patients) {
@@ -260,7 +278,8 @@ void StudyController::open(const QString& vessels, const QStringList& views)
 {
     StudyChoice choice;
     if (const io::StudySeries* series = find(vessels)) {
-        choice.folder = QString::fromStdString(series->place);
+        // Of a series that was not read to its end, slices may lie anywhere below the place.
+        choice.folder = isComplete_ ? QString::fromStdString(series->place) : placeFolder();
         choice.seriesId = QString::fromStdString(series->series.id);
     }
     for (const QString& key : views) {

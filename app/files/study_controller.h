@@ -5,6 +5,7 @@
 #include "app/jobs/study_job.h"
 #include "app/showing/notices.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 #include <QTimer>
@@ -43,6 +44,7 @@ private:
     void follow(const io::StudyProgress& progress);
     void take(const SharedStudies& tree);
     void showTree(const SharedStudies& tree);
+    QString placeFolder() const;
     void showEnd();
     void showBrowser();
     bool isBrowserShown() const;
@@ -56,6 +58,10 @@ private:
     QString place_;
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
+    io::StudyReach reach_ = io::StudyReach::Listed;
+    bool isComplete_ = false;   ///< all files of the reach are read
+    QElapsedTimer shown_;   ///< since the list was made anew
+    qint64 showingMs_ = 0;   ///< that took
     QTimer patience_;   ///< the browser is shown when it ends, whatever was found
     StudyJob job_;
     SeriesPictures pictures_;

@@ -100,7 +100,7 @@ ui::StudySeriesRow::Use useOf(io::SeriesUse use)
     return ui::StudySeriesRow::Use::None;
 }
 
-ui::StudySeriesRow rowOf(const io::StudySeries& each)
+ui::StudySeriesRow rowOf(const io::StudySeries& each, Numbering numbering)
 {
     ui::StudySeriesRow row;
     row.key = keyOf(each);
@@ -112,6 +112,10 @@ ui::StudySeriesRow rowOf(const io::StudySeries& each)
     row.size = sizeOf(each.series);
     row.bodyPart = QString::fromStdString(each.bodyPart);
     addPace(each, row);
+    if (each.series.part && numbering == Numbering::Passing) {
+        row.use = ui::StudySeriesRow::Use::None;
+        row.notes << StudyWords::tr("Not all files were read: which part of the series this is is known then.");
+    }
     if (each.reason) {
         row.notes << ui::messageText(each.reason);
     }
@@ -128,10 +132,12 @@ ui::StudySeriesRow rowOf(const io::StudySeries& each)
 
 QString keyOf(const io::StudySeries& each)
 {
-    return QString::fromStdString(each.series.id + "|" + each.series.identity.modality + "|" + each.place);
+    // Parts change their places while more is read: a tick must not slide from one to another.
+    const std::string size = each.series.part ? "|" + std::to_string(each.series.slices.size()) : std::string();
+    return QString::fromStdString(each.series.id + "|" + each.series.identity.modality + "|" + each.place + size);
 }
 
-std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown shown)
+std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown shown, Numbering numbering)
 {
     std::vector<ui::PatientRow> rows;
     for (const io::StudyPatient& patient : tree.patients) {
@@ -146,7 +152,7 @@ std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown s
                                                study.identity.accessionNumber);
             added.words = studyWords(study, shown);
             for (const io::StudySeries& series : study.series) {
-                added.series.push_back(rowOf(series));
+                added.series.push_back(rowOf(series, numbering));
             }
         }
     }

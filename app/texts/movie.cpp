@@ -26,11 +26,10 @@ OverlayPictureOptions steadyLook(const core::Case& theCase, OverlayPictureOption
     } else if (!options.range) {
         options.range = core::displayRange(run.frames[static_cast<std::size_t>(theCase.shown().frame)]);
     }
-    if (plan.content != MovieContent::Convergence && options.coloring == OverlayColoring::Residuals) {
-        options.coloring = OverlayColoring::Branches;
-    }
-    if (plan.content == MovieContent::Turn) {
-        options.coloring = OverlayColoring::Branches;
+    if (plan.content != MovieContent::Convergence) {
+        options.coloring = OverlayColoring::Branches;   // other frames have other traces, or none
+    } else if (options.coloring == OverlayColoring::Motion) {
+        options.coloring = OverlayColoring::Residuals;   // one scale for all its pictures
     }
     return options;
 }

@@ -9,6 +9,8 @@
 namespace angiopose::core {
 namespace {
 
+constexpr double withinSlice = 0.499;   // of its thickness: the slice beside begins there
+
 std::uint32_t placeOf(const VolumeGeometry& geometry, const Eigen::Vector3i& voxel)
 {
     return static_cast<std::uint32_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
@@ -28,8 +30,7 @@ public:
     Collector(const VoxelMask& mask, const MaskBrush& brush)
         : mask_(mask), brush_(brush), wanted_(brush.aim == MaskAim::Paint)
     {
-        hasSameVoxels_ = brush.scan && brush.scan->geometry.size == mask.geometry.size &&
-                         brush.scan->geometry.originInPatient == mask.geometry.originInPatient;
+        hasSameVoxels_ = brush.scan && isSameGrid(brush.scan->geometry, mask.geometry);
     }
     void take(const Eigen::Vector3i& voxel, const Eigen::Vector3d& pointInPatient)
     {
@@ -102,8 +103,8 @@ private:
     std::vector<std::uint8_t> inside_;
 };
 
-/// Those that the slice shows.
-VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
+/// Those that the slice shows as its pixels.
+VoxelPlaces cutInPixels(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
 {
     const Eigen::Affine3d voxelFromPatient = mask.geometry.patientFromVoxel().inverse();
     VoxelPlaces found;
@@ -122,7 +123,7 @@ VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& s
     return found;
 }
 
-VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
+VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& sides, double halfDepthMm)
 {
     const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
     VoxelPlaces found;
@@ -132,7 +133,7 @@ VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& s
         }
         const Eigen::Vector3d point = patientFromVoxel * mask.geometry.voxelAt(place).cast<double>();
         const Eigen::Vector2d pixel = cut.slice.pixelOf(point);
-        if (std::abs(cut.slice.distanceMm(point)) <= cut.halfDepthMm &&
+        if (std::abs(cut.slice.distanceMm(point)) <= halfDepthMm &&
             sides.at(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y()))) == cut.side) {
             found.push_back(static_cast<std::uint32_t>(place));
         }
@@ -140,7 +141,101 @@ VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& s
     return found;
 }
 
+/// A mask finer than the slice has voxels between its pixels, one coarser has them beside the slice.
+VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
+{
+    VoxelPlaces found = cutInPixels(mask, cut, sides);
+    const VoxelPlaces between = cutInDepth(mask, cut, sides, withinSlice * cut.slice.thicknessMm);
+    found.insert(found.end(), between.begin(), between.end());
+    std::ranges::sort(found);
+    const auto twice = std::ranges::unique(found);
+    found.erase(twice.begin(), twice.end());
+    return found;
+}
+
+/// Where a row of voxels runs inside the step of a ball: indices from first to last, none where first > last.
+struct RowRange {
+    int first = 0;
+    int last = -1;
+};
+
+/// The row is `start + i * along`. A capsule is convex: the least and the greatest place in its ends and its middle.
+RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vector3d& start,
+                        const Eigen::Vector3d& along, int count)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    const auto widen = [&](double i) {
+        low = std::min(low, i);
+        high = std::max(high, i);
+    };
+    for (const Eigen::Vector3d& end : {step.fromInPatient, step.toInPatient}) {
+        const Eigen::Vector3d away = start - end;
+        const double half = away.dot(along) / along.squaredNorm();
+        const double rest = half * half - (away.squaredNorm() - radiusMm * radiusMm) / along.squaredNorm();
+        if (rest >= 0.0) {
+            widen(-half - std::sqrt(rest));
+            widen(-half + std::sqrt(rest));
+        }
+    }
+    const Eigen::Vector3d way = step.toInPatient - step.fromInPatient;
+    const double length2 = way.squaredNorm();
+    if (length2 > 0.0) {
+        const auto across = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - v.dot(way) / length2 * way); };
+        const Eigen::Vector3d a = across(start - step.fromInPatient);
+        const Eigen::Vector3d d = across(along);
+        const double half = d.squaredNorm() > 0.0 ? a.dot(d) / d.squaredNorm() : 0.0;
+        const double rest =
+            d.squaredNorm() > 0.0 ? half * half - (a.squaredNorm() - radiusMm * radiusMm) / d.squaredNorm() : -1.0;
+        for (const double sign : {-1.0, 1.0}) {
+            const double i = -half + sign * std::sqrt(std::max(rest, 0.0));
+            const double share = (start + i * along - step.fromInPatient).dot(way) / length2;
+            if (rest >= 0.0 && share >= 0.0 && share <= 1.0) {
+                widen(i);
+            }
+        }
+    }
+    if (low > high) {
+        return {};
+    }
+    constexpr double hair = 1e-9;   // voxels that lie on the rim are in it
+    return {std::max(0, static_cast<int>(std::ceil(std::max(low, -1.0) - hair))),
+            static_cast<int>(std::floor(std::min(high, count - 1.0) + hair))};
+}
+
+/// The part of a brush's step that a slice cuts of voxels between its pixels.
+void takeBetween(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step,
+                 Collector& collector)
+{
+    const double half = withinSlice * slice.thicknessMm;
+    const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
+    const Eigen::Affine3d voxelFromPatient = patientFromVoxel.inverse();
+    const Eigen::Vector3d from = voxelFromPatient * step.fromInPatient;
+    const Eigen::Vector3d to = voxelFromPatient * step.toInPatient;
+    const Eigen::Vector3d reach = (brush.radiusMm + half) * mask.geometry.spacingMm.cwiseInverse();
+    const Eigen::Array3i low = (from.cwiseMin(to) - reach).array().floor().cast<int>().max(0);
+    const Eigen::Array3i high =
+        (from.cwiseMax(to) + reach).array().ceil().cast<int>().min(mask.geometry.size.array() - 1);
+    for (int k = low.z(); k <= high.z(); ++k) {
+        for (int j = low.y(); j <= high.y(); ++j) {
+            for (int i = low.x(); i <= high.x(); ++i) {
+                const Eigen::Vector3d point = patientFromVoxel * Eigen::Vector3d(i, j, k);
+                const double before = slice.distanceMm(point);
+                if (std::abs(before) <= half && distanceToStep(step, point - before * slice.normal) <= brush.radiusMm) {
+                    collector.take({i, j, k}, point);
+                }
+            }
+        }
+    }
+}
+
 }   // namespace
+
+bool isSameGrid(const VolumeGeometry& a, const VolumeGeometry& b)
+{
+    return a.size == b.size && a.originInPatient == b.originInPatient && a.spacingMm == b.spacingMm &&
+           a.direction == b.direction;
+}
 
 std::size_t MaskChange::voxelCount() const
 {
@@ -227,6 +322,7 @@ VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const 
             }
         }
     }
+    takeBetween(mask, slice, brush, step, collector);
     return std::move(collector.found);
 }
 
@@ -240,14 +336,14 @@ VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const 
     const Eigen::Array3i low = (from.cwiseMin(to) - reach).array().floor().cast<int>().max(0);
     const Eigen::Array3i high =
         (from.cwiseMax(to) + reach).array().ceil().cast<int>().min(mask.geometry.size.array() - 1);
+    const Eigen::Vector3d along = patientFromVoxel.linear().col(0);
     Collector collector(mask, brush);
     for (int k = low.z(); k <= high.z(); ++k) {
         for (int j = low.y(); j <= high.y(); ++j) {
-            for (int i = low.x(); i <= high.x(); ++i) {
-                const Eigen::Vector3d point = patientFromVoxel * Eigen::Vector3d(i, j, k);
-                if (distanceToStep(step, point) <= brush.radiusMm) {
-                    collector.take({i, j, k}, point);
-                }
+            const Eigen::Vector3d start = patientFromVoxel * Eigen::Vector3d(0, j, k);
+            const RowRange range = rangeInCapsule(step, brush.radiusMm, start, along, mask.geometry.size.x());
+            for (int i = range.first; i <= range.last; ++i) {
+                collector.take({i, j, k}, start + i * along);
             }
         }
     }
@@ -257,7 +353,7 @@ VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const 
 VoxelPlaces cutVoxels(const VoxelMask& mask, const MaskCut& cut)
 {
     const Sides sides(cut);
-    return cut.halfDepthMm > 0.0 ? cutInDepth(mask, cut, sides) : cutInSlice(mask, cut, sides);
+    return cut.halfDepthMm > 0.0 ? cutInDepth(mask, cut, sides, cut.halfDepthMm) : cutInSlice(mask, cut, sides);
 }
 
 }   // namespace angiopose::core

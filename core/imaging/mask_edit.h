@@ -7,6 +7,9 @@
 
 namespace angiopose::core {
 
+/// The same voxels at the same places.
+bool isSameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
+
 /// Places of voxels in a mask.
 using VoxelPlaces = std::vector<std::uint32_t>;
 
@@ -50,7 +53,8 @@ struct BrushStep {
     Eigen::Vector3d toInPatient;
 };
 
-/// The voxels that are not yet as the brush wants them: those that the slice shows, or those in space.
+/// The voxels that are not yet as the brush wants them: those whose part of space the slice cuts and those that it
+/// shows (of a mask coarser than the slice), or those in space.
 VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush,
                            const BrushStep& step);
 VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);

@@ -6,6 +6,7 @@
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace angiopose::io {
@@ -38,6 +39,20 @@ void readScan(Vessels& vessels, core::Messages& warnings)
     }
 }
 
+/// The mask that was made by hand, beside a tree that was edited, too: without it the next save would lose it.
+void readEditedLumen(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
+{
+    auto read = readLabels(vessels.file.path, observe);
+    if (!read) {
+        warnings.push_back(read.error().message);
+        return;
+    }
+    auto lumen = std::make_shared<core::VoxelMask>(read.value().geometry);
+    std::ranges::transform(read.value().voxels, lumen->voxels.begin(),
+                           [](std::uint16_t label) { return static_cast<std::uint8_t>(label != 0 ? 1 : 0); });
+    vessels.lumen = std::move(lumen);
+}
+
 /// What an edited tree came from: its scan is read for the slices. The tree is the case's own, so that it opens
 /// without.
 void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
@@ -51,6 +66,9 @@ void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& 
         } else {
             warnings.push_back(read.error().message);
         }
+    }
+    if (vessels.isLumenEdited) {
+        readEditedLumen(vessels, warnings, observe);
     }
     const core::InputFile noted = vessels.file;
     if (const auto checked = checkHash(vessels.file, sha256OfVesselInput(path, vessels.input), warnings); !checked) {

@@ -54,7 +54,7 @@ bool isBlank(const core::View& view)
 core::Status completeFiles(core::Case& hashed, const std::string& path)
 {
     core::Vessels& vessels = hashed.vessels;
-    if (vessels.isLumenEdited && vessels.lumen) {
+    if (vessels.isLumenEdited) {
         auto mask = keepEditedMask(vessels, path);
         if (!mask) {
             return mask.error();

@@ -100,6 +100,7 @@ private:
     std::int64_t waitingFrom_ = 0;
     core::ColorImage waiting_;   ///< its delay is known once the next one comes
     core::ColorImage before_;   ///< as it is in the file
+    core::ColorImage late_;   ///< came too soon after the one that waits
     std::unique_ptr<GifFileType, GifCloser> gif_;   ///< goes first: it writes its end
 };
 
@@ -143,9 +144,15 @@ core::Status GifMovie::add(const core::ColorImage& picture, double ms)
         waiting_ = picture;
         return core::Done{};
     }
-    if (from - waitingFrom_ < leastDelay || waiting_.rgb == picture.rgb) {
+    if (waiting_.rgb == picture.rgb) {
+        late_ = {};
         return core::Done{};   // stays longer
     }
+    if (from - waitingFrom_ < leastDelay) {
+        late_ = picture;   // shown if none comes after it
+        return core::Done{};
+    }
+    late_ = {};
     const bool isWritten = putWaiting(from);
     before_ = std::exchange(waiting_, picture);
     waitingFrom_ = from;
@@ -192,6 +199,14 @@ core::Status GifMovie::finish()
 {
     if (waiting_.rgb.empty()) {
         return fileError(path_, says::movieNotMade());
+    }
+    if (!late_.rgb.empty()) {   // the last picture is the one that matters
+        const std::int64_t from = waitingFrom_ + leastDelay;
+        if (!putWaiting(from)) {
+            return statusOf(false);
+        }
+        before_ = std::exchange(waiting_, std::move(late_));
+        waitingFrom_ = from;
     }
     if (!putWaiting(clock_.now()) || EGifCloseFile(gif_.release(), nullptr) != GIF_OK) {
         return statusOf(false);

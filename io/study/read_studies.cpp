@@ -41,29 +41,44 @@ public:
     core::Status find()
     {
         std::error_code failed;
-        fs::recursive_directory_iterator at(folder_, fs::directory_options::skip_permission_denied, failed);
-        if (failed) {
+        if (fs::directory_iterator(folder_, failed); failed) {
             return fileError(folder_, says::folderNotRead(failed.message()));
         }
-        for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
-            if (failed || files_.size() >= maxFiles) {
-                tree_.isCutOff = true;
-                break;
-            }
-            if (at.depth() >= maxFolderDepth) {
-                at.disable_recursion_pending();
-            }
-            std::error_code unknown;
-            if (at->is_regular_file(unknown)) {
-                files_.push_back(at->path().string());
-                tree_.foundFiles = files_.size();
-                if (files_.size() % 64 == 0 && isStopped()) {
-                    break;
-                }
-            }
-        }
+        walk(folder_, 0);
         std::ranges::sort(files_);
         return core::Done{};
+    }
+
+    /// A folder that a scratched disc does not give is named, and those beside it are read.
+    void walk(const fs::path& folder, int depth)
+    {
+        std::error_code failed;
+        fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed);
+        for (; !failed && at != fs::directory_iterator() && !isEnough_; at.increment(failed)) {
+            std::error_code unknown;
+            if (at->is_directory(unknown) && !at->is_symlink(unknown)) {
+                if (depth < maxFolderDepth) {
+                    walk(at->path(), depth + 1);
+                }
+            } else if (at->is_regular_file(unknown)) {
+                note(at->path().string());
+            }
+        }
+        if (failed) {
+            tree_.damaged.push_back({folder.string(), says::folderNotReadToEnd()});
+        }
+    }
+
+    void note(const std::string& path)
+    {
+        if (files_.size() >= maxFiles) {
+            tree_.isCutOff = true;
+            isEnough_ = true;
+            return;
+        }
+        files_.push_back(path);
+        tree_.foundFiles = files_.size();
+        isEnough_ = files_.size() % 64 == 0 && isStopped();
     }
 
     /// Leaves those that the DICOMDIR lists and takes note of what is missing or not listed.
@@ -172,6 +187,7 @@ private:
     std::string folder_;
     const StudyObserver& observe_;
     std::vector<std::string> files_;
+    bool isEnough_ = false;   ///< stopped, or as many as are listed
     StudyCollector collector_;
     StudyTree tree_;
     std::shared_ptr<const StudyTree> shown_;

@@ -100,7 +100,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
         }
         const FileStart& start = read.value();
         if (start.bytes.starts_with("\x1f\x8b")) {
-            return readPacked(path);
+            return extensionOf(path) == ".nii.gz" ? std::nullopt : readPacked(path);
         }
         if (!looksLikeDicom(start.bytes)) {
             return std::optional<StudyFile>();

@@ -6018,6 +6018,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Berichtsvorlage enthält %1, das durch nichts ausgefüllt wird. Bekannt sind %2.</translation>
     </message>
     <message>
+        <source>The report template has “%1”, by which a report could fetch or run something. Take it out.</source>
+        <comment>report.template-fetches</comment>
+        <translation>Die Berichtsvorlage enthält „%1“, womit ein Bericht etwas laden oder ausführen könnte. Das entfernen.</translation>
+    </message>
+    <message>
         <source>The picture %1 of the report template cannot be read. Put it beside the template, as PNG or JPEG of at most 16 MB and 8192 pixels a side.</source>
         <comment>report.template-picture</comment>
         <translation>Das Bild %1 der Berichtsvorlage ist nicht lesbar. Es neben die Vorlage legen, als PNG oder JPEG von höchstens 16 MB und 8192 Pixeln je Seite.</translation>
@@ -10664,6 +10669,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Files that the DICOMDIR lists and that are missing: %1.</source>
         <translation>Dateien, die das DICOMDIR nennt und die fehlen: %1.</translation>
+    </message>
+    <message>
+        <source>Not all files were read: which part of the series this is is known then.</source>
+        <translation>Nicht alle Dateien wurden gelesen: Welcher Teil der Serie dies ist, steht erst dann fest.</translation>
     </message>
 </context>
 <context>

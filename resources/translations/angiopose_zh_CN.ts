@@ -6018,6 +6018,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>报告模板含有 %1，没有内容可填入。已知的有 %2。</translation>
     </message>
     <message>
+        <source>The report template has “%1”, by which a report could fetch or run something. Take it out.</source>
+        <comment>report.template-fetches</comment>
+        <translation>报告模板含有“%1”，报告可能借此加载或运行其他内容。请将其删除。</translation>
+    </message>
+    <message>
         <source>The picture %1 of the report template cannot be read. Put it beside the template, as PNG or JPEG of at most 16 MB and 8192 pixels a side.</source>
         <comment>report.template-picture</comment>
         <translation>无法读取报告模板的图片 %1。请将其放在模板旁边，格式为 PNG 或 JPEG，不超过 16 MB，每边不超过 8192 像素。</translation>
@@ -10663,6 +10668,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Files that the DICOMDIR lists and that are missing: %1.</source>
         <translation>DICOMDIR 列出但缺失的文件：%1。</translation>
+    </message>
+    <message>
+        <source>Not all files were read: which part of the series this is is known then.</source>
+        <translation>并非所有文件都已读取：读完后才知道这是序列的哪一部分。</translation>
     </message>
 </context>
 <context>

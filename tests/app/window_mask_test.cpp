@@ -215,6 +215,83 @@ TEST_F(WindowMask, TheScanCanBeTracedAgainAfterwards)
     EXPECT_EQ(model().mask(), w.current().vessels.lumen.get()) << "the new lumen is shown";
 }
 
+/// Undo comes while the button is down: of the stroke itself.
+TEST_F(WindowMask, UndoInTheMiddleOfAStrokeTakesItBackAndNothingElse)
+{
+    model().setCrosshair({0, 0, 20});
+    QApplication::processEvents();
+    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    begin(Qt::Key_D);
+    dragAlong(BodyPlane::Axial, {{10, 8, z}, {14, 8, z}});
+    const std::vector<std::uint8_t> before = model().mask()->voxels;
+    ui::SliceView& axial = view(BodyPlane::Axial);
+    const auto moveTo = [&](const Eigen::Vector3d& point) {
+        const QPointF at(placeOf(BodyPlane::Axial, point));
+        QMouseEvent move(QEvent::MouseMove, at, axial.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&axial, &move);
+    };
+    QTest::mousePress(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {10, 0, z}));
+    moveTo({14, 0, z});
+    ASSERT_NE(model().mask()->voxels, before);
+    QTest::keyClick(&axial, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(model().mask()->voxels, before);
+    moveTo({10, 0, z});
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {10, 0, z}));
+    const std::vector<std::uint8_t> after = model().mask()->voxels;
+    QTest::keyClick(&axial, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(model().mask()->voxels, before);
+    QTest::keyClick(&axial, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(model().mask()->voxels, after);
+}
+
+/// The first stroke after a trace, which undo takes away under it.
+TEST_F(WindowMask, TheLumenMayGoWhileItIsPainted)
+{
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_T, Qt::ControlModifier);
+    ASSERT_TRUE(waitForTrace());
+    model().setCrosshair({0, 0, 20});
+    QApplication::processEvents();
+    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    begin(Qt::Key_D);
+    ui::SliceView& axial = view(BodyPlane::Axial);
+    QTest::mousePress(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {10, 0, z}));
+    w.controller.document().replace({}, {});
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {12, 0, z}));
+    EXPECT_EQ(w.history().count(), 0);
+}
+
+TEST_F(WindowMask, AnotherStrokeInItsPlaceIsAChange)
+{
+    model().setCrosshair({0, 0, 20});
+    QApplication::processEvents();
+    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    begin(Qt::Key_D);
+    dragAlong(BodyPlane::Axial, {{10, 0, z}, {14, 0, z}});
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_U, Qt::ControlModifier);
+    ASSERT_TRUE(mask().isRunning());
+    QTest::qWait(1);
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Z, Qt::ControlModifier);
+    dragAlong(BodyPlane::Axial, {{10, 8, z}, {14, 8, z}});
+    ASSERT_TRUE(waitForMask());
+    if (w.current().vessels.isLumenEdited) {   // a quick worker had its copy before the undo
+        EXPECT_TRUE(w.window.actions()[Command::TraceMask]->isEnabled()) << "the vessels know the other stroke";
+    }
+}
+
+TEST_F(WindowMask, AStrokeIsWorkThatClosingAsksAbout)
+{
+    model().setCrosshair({0, 0, 20});
+    QApplication::processEvents();
+    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const auto revision = w.controller.document().state().revision;
+    begin(Qt::Key_D);
+    dragAlong(BodyPlane::Axial, {{10, 0, z}, {14, 0, z}});
+    EXPECT_NE(w.controller.document().state().revision, revision);
+    w.window.actions()[Command::CloseCase]->trigger();
+    ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
+    w.dialogs("closeQuestion").front()->close();
+}
+
 TEST_F(WindowMask, OpacityIsRemembered)
 {
     panel().findChild<QSlider*>()->setValue(70);

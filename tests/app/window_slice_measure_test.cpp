@@ -1,3 +1,4 @@
+#include "app/document/edit_case.h"
 #include "app/files/report_measures.h"
 #include "core/measuring/measure_slice.h"
 #include "io/measurement_table.h"
@@ -50,6 +51,48 @@ TEST_F(WindowSliceMeasure, ALengthIsDrawnListedAndUndone)
     EXPECT_TRUE(model().measured().empty());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(measurements().size(), 1U);
+}
+
+TEST_F(WindowSliceMeasure, AMeasurementMayGoWhileItsPointIsHeld)
+{
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_D, Qt::ShiftModifier);
+    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    dragLength(BodyPlane::Axial, {-10, 0, z}, {10, 5, z});
+    ui::SliceView& axial = view(BodyPlane::Axial);
+    QTest::mousePress(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {10, 5, z}));
+    QTest::mouseMove(&axial, placeOf(BodyPlane::Axial, {12, 9, z}));
+    QTest::keyClick(&axial, Qt::Key_Z, Qt::ControlModifier);
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {12, 9, z}));
+    EXPECT_TRUE(measurements().empty());
+}
+
+TEST_F(WindowSliceMeasure, APointStaysInItsSlice)
+{
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_D, Qt::ShiftModifier);
+    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    dragLength(BodyPlane::Axial, {-10, 0, z}, {10, 5, z});
+    const auto drawn = measurements();
+    ui::SliceView& axial = view(BodyPlane::Axial);
+    QTest::mousePress(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {10, 5, z}));
+    QTest::mouseMove(&axial, placeOf(BodyPlane::Axial, {12, 9, z}));
+    wheel(BodyPlane::Axial, 2, Qt::NoModifier);
+    QTest::mouseRelease(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {12, 9, z}));
+    EXPECT_EQ(measurements(), drawn);
+}
+
+TEST_F(WindowSliceMeasure, DeleteOverSlicesTakesNoneOfTheImage)
+{
+    core::ImageMeasurement inImage;
+    inImage.kind = core::MeasurementKind::Length;
+    inImage.pixels = {{10, 10}, {20, 20}};
+    w.controller.document().push(std::make_unique<ChangeMeasurements>(
+        w.controller.document(),
+        ChangeMeasurements::Values{std::vector<core::ImageMeasurement>{inImage}, std::vector<core::SliceMeasurement>{}},
+        [] { return QString(); }));
+    ASSERT_EQ(w.current().shown().measurements.size(), 1U);
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_D, Qt::ShiftModifier);
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Delete);
+    EXPECT_EQ(w.current().shown().measurements.size(), 1U);
 }
 
 TEST_F(WindowSliceMeasure, AClickInTheListShowsItsSlice)

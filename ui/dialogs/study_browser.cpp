@@ -127,6 +127,7 @@ void StudyBrowser::showPicture(const QString& key, const QImage& picture)
 void StudyBrowser::showProgress(qsizetype read, qsizetype found)
 {
     const QLocale locale;
+    isReading_ = true;
     progress_->show();
     stop_->show();
     offer_->hide();
@@ -141,6 +142,7 @@ void StudyBrowser::showProgress(qsizetype read, qsizetype found)
 
 void StudyBrowser::showEnd(const QString& words, const QStringList& damaged, const QString& offer)
 {
+    isReading_ = false;
     progress_->hide();
     stop_->hide();
     status_->setText(words);
@@ -151,6 +153,7 @@ void StudyBrowser::showEnd(const QString& words, const QStringList& damaged, con
     offer_->setText(offer);
     offer_->setVisible(!offer.isEmpty());
     allFiles_->setVisible(!offer.isEmpty());
+    showChoice();
 }
 
 void StudyBrowser::choose(const QString& key)
@@ -161,7 +164,10 @@ void StudyBrowser::choose(const QString& key)
 /// What is ticked, in words, and what there is to know about the row.
 void StudyBrowser::showChoice()
 {
-    const auto nameOf = [this](const QString& key) { return list_->rowOf(key)->description; };
+    const auto nameOf = [this](const QString& key) {
+        const StudySeriesRow* row = list_->rowOf(key);
+        return row ? row->description : QString();
+    };
     QStringList views;
     for (const QString& key : list_->chosenViews()) {
         views << nameOf(key);
@@ -181,12 +187,15 @@ void StudyBrowser::showChoice()
     const bool hasNotes = current && !current->notes.isEmpty();
     notes_->setText(hasNotes ? QStringLiteral("%1: %2").arg(current->description, joinedSentences(current->notes))
                              : QString());
-    open_->setEnabled(hasChoice || (current && current->use != StudySeriesRow::Use::None));
+    open_->setEnabled(!isReading_ && (hasChoice || (current && current->use != StudySeriesRow::Use::None)));
 }
 
-/// What is ticked; the row that is selected where nothing is.
+/// What is ticked; the row that is selected where nothing is. While files are read a series may lack some of its own.
 void StudyBrowser::takeChoice()
 {
+    if (isReading_) {
+        return;
+    }
     if (list_->chosenVessels().isEmpty() && list_->chosenViews().isEmpty()) {
         if (const StudySeriesRow* current = list_->currentRow()) {
             list_->choose(current->key);

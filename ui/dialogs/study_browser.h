@@ -47,6 +47,7 @@ private:
     void showChoice();
     void takeChoice();
 
+    bool isReading_ = false;
     QLineEdit* search_;
     StudyList* list_;
     QLabel* choice_;

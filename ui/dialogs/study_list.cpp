@@ -180,6 +180,7 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
 /// Series change their names while more of them is found.
 void StudyList::removeOthers(const std::set<QString>& kept)
 {
+    const QSignalBlocker quiet(this);   // rows are half gone; choiceChanged follows
     for (const QString& key : items_.keys()) {
         QTreeWidgetItem* item = kept.contains(key) ? nullptr : items_.value(key);
         if (item) {   // else it went with what it belonged to

@@ -37,6 +37,7 @@ MarkShape shapeOf(const SliceMeasurement& measurement)
 SliceMeasureTool::SliceMeasureTool(MeasurementKind kind, SliceModel& model) : SliceTool(model), kind_(kind)
 {
     next_.kind = kind;
+    connect(&model, &SliceModel::scanChanged, this, &SliceMeasureTool::drop);   // half of it lies in another scan
 }
 
 QString SliceMeasureTool::caption() const
@@ -63,7 +64,7 @@ std::optional<SliceMeasureTool::Held> SliceMeasureTool::heldAt(const SlicePointe
             const double away = awayPx(pointer.view.widgetFromPatient(each.pointsInPatient[p]), pointer.position);
             if (away < nearestPx && isInSlice(each, pointer.view.plane(), pointer.view.grid())) {
                 nearestPx = away;
-                nearest = Held{m, p, each.pointsInPatient[p]};
+                nearest = Held{m, p, each.pointsInPatient[p], each};
             }
         }
     }
@@ -98,6 +99,13 @@ void SliceMeasureTool::drag(const SlicePointer& pointer)
 void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
 {
     if (const auto held = std::exchange(held_, std::nullopt)) {
+        const bool isThere = isStillThere(*held);
+        const bool isInPlace = isThere && isInSlice(model().measured()[held->measurement].measurement,
+                                                    pointer.view.plane(), pointer.view.grid());
+        if (!isInPlace) {   // undone or scrolled away under the mouse
+            drop();
+            return;
+        }
         emit pointMoved(static_cast<int>(held->measurement), static_cast<int>(held->point), pointer.pointInPatient);
     } else if (std::exchange(isDrawing_, false)) {
         addPoint(pointer);
@@ -105,6 +113,13 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
     } else {
         click(pointer);   // a hand that shook between press and release
     }
+}
+
+/// The measurement is the one whose point was taken hold of.
+bool SliceMeasureTool::isStillThere(const Held& held) const
+{
+    const auto& there = model().measured();
+    return held.measurement < there.size() && there[held.measurement].measurement == held.whole;
 }
 
 void SliceMeasureTool::addPoint(const SlicePointer& pointer)
@@ -210,7 +225,7 @@ void SliceMeasureTool::drop()
 
 SliceMeasurement SliceMeasureTool::seen() const
 {
-    if (held_ && held_->measurement < model().measured().size()) {
+    if (held_ && isStillThere(*held_)) {
         SliceMeasurement moved = model().measured()[held_->measurement].measurement;
         moved.pointsInPatient.at(held_->point) = held_->at;
         return moved;

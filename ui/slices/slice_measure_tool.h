@@ -43,8 +43,10 @@ private:
         std::size_t measurement = 0;
         std::size_t point = 0;
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
+        core::SliceMeasurement whole;   ///< as it was when it was taken hold of
     };
     std::optional<Held> heldAt(const SlicePointer& pointer) const;
+    bool isStillThere(const Held& held) const;
     bool isOfShownSlice(SliceView& view) const;
     void addPoint(const SlicePointer& pointer);
     void finish();

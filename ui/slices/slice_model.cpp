@@ -78,7 +78,7 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         window_ = isHounsfield_ ? windowPresets().front().window : windowOfValues(*volume_);
     }
     const core::VolumeGeometry* now = geometry();
-    const bool isSamePlace = now && kept.size == now->size && kept.originInPatient == now->originInPatient;
+    const bool isSamePlace = now && core::isSameGrid(kept, *now);
     if (now && !isSamePlace) {
         crosshair_ = core::centreOf(*now);
     }

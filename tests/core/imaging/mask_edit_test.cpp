@@ -85,6 +85,64 @@ TEST(MaskEdit, ADiscStaysInItsSliceAlongItsPath)
     EXPECT_NEAR(box.lowInPatient.x(), -7.25, 0.51);
 }
 
+/// All voxels that lie within the radius of a step, one by one.
+std::size_t withinStep(const VoxelMask& mask, double radiusMm, const BrushStep& step)
+{
+    std::size_t count = 0;
+    for (std::size_t place = 0; place < mask.voxels.size(); ++place) {
+        const Eigen::Vector3d at = mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(place).cast<double>();
+        const Eigen::Vector3d way = step.toInPatient - step.fromInPatient;
+        const double share =
+            way.squaredNorm() > 0 ? std::clamp((at - step.fromInPatient).dot(way) / way.squaredNorm(), 0.0, 1.0) : 0.0;
+        count += (at - step.fromInPatient - share * way).norm() <= radiusMm ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(MaskEdit, ABallOnItsWayTakesAllThatLiesWithinItsRadius)
+{
+    VoxelMask mask(unequalVoxels());
+    mask.geometry.direction = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    const Eigen::Vector3d centre = centreOf(mask.geometry);
+    for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(9, 4, -7), Eigen::Vector3d(0, 12, 0),
+                                       Eigen::Vector3d(40, 0, 0), Eigen::Vector3d(0.1, 0, 20)}) {
+        const BrushStep step{centre - 0.3 * way, centre + 0.7 * way};
+        for (const double radiusMm : {0.7, 3.3, 30.0}) {
+            EXPECT_EQ(brushedInSpace(mask, {MaskAim::Paint, radiusMm}, step).size(), withinStep(mask, radiusMm, step))
+                << way.transpose() << ", " << radiusMm;
+        }
+    }
+    mask.geometry.direction = Eigen::Matrix3d::Identity();
+    const BrushStep alongRows{centre - Eigen::Vector3d(5, 0, 0), centre + Eigen::Vector3d(3, 0, 0)};
+    EXPECT_EQ(brushedInSpace(mask, {MaskAim::Paint, 2.2}, alongRows).size(), withinStep(mask, 2.2, alongRows));
+}
+
+TEST(MaskEdit, AMaskFinerThanTheSliceIsPaintedAndCutWithoutGaps)
+{
+    VoxelMask fine(unequalVoxels());
+    VolumeGeometry scan = fine.geometry;
+    scan.size = {20, 15, 10};
+    scan.spacingMm *= 2.0;
+    const SliceGrid slice = sliceThrough(scan, BodyPlane::Axial, centreOf(scan));
+    const Eigen::Vector3d at = slice.pointAt({10.0, 7.0});
+    flip(fine, changeOf(brushedInSlice(fine, slice, {MaskAim::Paint, 3.0}, {at, at})));
+    for (std::size_t place = 0; place < fine.voxels.size(); ++place) {
+        const Eigen::Vector3d point = fine.geometry.patientFromVoxel() * fine.geometry.voxelAt(place).cast<double>();
+        const double before = slice.distanceMm(point);
+        const double away = (point - before * slice.normal - at).norm();
+        if (std::abs(before) < 1.9 && away < 2.9) {
+            ASSERT_EQ(fine.voxels[place], 1) << point.transpose();
+        } else if (std::abs(before) > 2.1 || away > 3.6) {
+            ASSERT_EQ(fine.voxels[place], 0) << point.transpose();
+        }
+    }
+    MaskCut cut;
+    cut.slice = slice;
+    cut.outline = {{1.5, 1.5}, {18.5, 1.5}, {18.5, 13.5}, {1.5, 13.5}};
+    flip(fine, changeOf(cutVoxels(fine, cut)));
+    EXPECT_EQ(setVoxels(fine), 0U) << "no remnants between the pixels";
+}
+
 TEST(MaskEdit, AboveAValueAlone)
 {
     VoxelMask mask(unequalVoxels());

@@ -88,4 +88,48 @@ TEST(CaseMask, OfTheSameCaseIsReplacedAndNoOther)
     EXPECT_TRUE(std::filesystem::exists(small.path("other.mask.nrrd"))) << "each case has its own";
 }
 
+TEST(CaseMask, AfterUndoTheMaskOfThenIsSavedAgain)
+{
+    SmallCase small;
+    ASSERT_TRUE(io::saveCase(withEditedMask(small), small.path("saved.angiopose")));
+    const core::Case first = io::loadCase(small.path("saved.angiopose"), small.warnings).value();
+    core::Case second = first;
+    auto less = std::make_shared<core::VoxelMask>(*first.vessels.lumen);
+    less->at(60, 35, 90) = 0;
+    second.vessels.lumen = less;
+    second.vessels.file = {};
+    ASSERT_TRUE(io::saveCase(second, small.path("saved.angiopose")));
+    ASSERT_TRUE(io::saveCase(first, small.path("saved.angiopose")));   // undone in the window, which keeps its path
+    small.warnings.clear();
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again.value().vessels.lumen->voxels, first.vessels.lumen->voxels);
+    for (const core::Message& warning : small.warnings) {
+        EXPECT_EQ(warning.text().find("mask"), std::string::npos) << warning.text();
+    }
+}
+
+TEST(CaseMask, IsReadBesideATreeThatWasEditedAndGoesAlong)
+{
+    SmallCase small;
+    core::Case edited = withEditedMask(small);
+    auto tree = std::make_shared<core::VesselTree>(*edited.vessels.tree);
+    tree->branches.front().name = "LAD";
+    edited.vessels.tree = tree;
+    edited.vessels.isTreeEdited = true;
+    ASSERT_TRUE(io::saveCase(edited, small.path("saved.angiopose")));
+    const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
+    ASSERT_TRUE(again) << again.error().message;
+    ASSERT_TRUE(again.value().vessels.lumen) << "or the next save would lose it";
+    EXPECT_EQ(again.value().vessels.lumen->voxels, edited.vessels.lumen->voxels);
+    EXPECT_EQ(again.value().vessels.tree->branches.front().name, "LAD");
+
+    core::Case unread = again.value();
+    unread.vessels.lumen.reset();   // as where the mask cannot be read
+    ASSERT_TRUE(io::saveCase(unread, small.path("other.angiopose")));
+    const auto labels = io::readLabels(small.path("other.mask.nrrd"));
+    ASSERT_TRUE(labels) << "a copy of its own";
+    EXPECT_EQ(labels.value().at(60, 35, 90), 1);
+}
+
 }   // namespace
