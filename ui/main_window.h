@@ -127,6 +127,7 @@ private:
     void showInRightColumn(QWidget* panel);
     void giveRightColumnRoom();
     bool takesKey(QObject* watched) const;
+    static bool isOfSlices(QObject* watched, const QEvent& event);
     bool filterKey(QEvent* event);
 
     WindowActions* actions_;

@@ -1,6 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/places/view_window.h"
+#include "ui/slices/slice_view.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>
@@ -77,7 +78,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
         case QEvent::ShortcutOverride:
         case QEvent::KeyPress:
         case QEvent::KeyRelease:
-            if (takesKey(watched) && filterKey(event)) {
+            if (takesKey(watched) && !isOfSlices(watched, *event) && filterKey(event)) {
                 return true;
             }
             break;
@@ -96,6 +97,13 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
             break;
     }
     return QMainWindow::eventFilter(watched, event);
+}
+
+/// A slice's tool goes before the image's, which is in the same mode.
+bool MainWindow::isOfSlices(QObject* watched, const QEvent& event)
+{
+    const auto* slice = qobject_cast<const SliceView*>(watched);
+    return slice && event.type() != QEvent::KeyRelease && slice->wantsToolKey(static_cast<const QKeyEvent&>(event));
 }
 
 bool MainWindow::filterKey(QEvent* event)

@@ -82,6 +82,11 @@ void addPace(const io::StudySeries& each, ui::StudySeriesRow& row)
     }
 }
 
+QString passingWords()
+{
+    return StudyWords::tr("Not all files were read: which part of the series this is is known then.");
+}
+
 QString missingWords(std::size_t files)
 {
     return StudyWords::tr("Files that the DICOMDIR lists and that are missing: %1.").arg(files);
@@ -114,7 +119,7 @@ ui::StudySeriesRow rowOf(const io::StudySeries& each, Numbering numbering)
     addPace(each, row);
     if (each.series.part && numbering == Numbering::Passing) {
         row.use = ui::StudySeriesRow::Use::None;
-        row.notes << StudyWords::tr("Not all files were read: which part of the series this is is known then.");
+        row.notes << passingWords();
     }
     if (each.reason) {
         row.notes << ui::messageText(each.reason);

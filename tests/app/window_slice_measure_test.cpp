@@ -91,6 +91,7 @@ TEST_F(WindowSliceMeasure, DeleteOverSlicesTakesNoneOfTheImage)
         [] { return QString(); }));
     ASSERT_EQ(w.current().shown().measurements.size(), 1U);
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_D, Qt::ShiftModifier);
+    ASSERT_EQ(w.current().shown().measurements.size(), 1U);
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Delete);
     EXPECT_EQ(w.current().shown().measurements.size(), 1U);
 }

@@ -27,6 +27,7 @@ public:
     QPointF widgetFromPatient(const Eigen::Vector3d& pointInPatient) const;
     Eigen::Vector3d patientFromWidget(const QPointF& position) const;   ///< in the plane of the slice
     const core::SliceGrid& grid();   ///< of the slice shown
+    bool wantsToolKey(const QKeyEvent& event) const;   ///< the mode takes it before any shortcut
     QSize sizeHint() const override { return {320, 320}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
 

@@ -30,6 +30,12 @@ bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
 }
 
 /// Esc takes back, then ends the mode; other keys are the mode's where it wants them.
+bool SliceView::wantsToolKey(const QKeyEvent& event) const
+{
+    const SliceTool* tool = model_.tool();
+    return tool && model_.hasScan() && tool->takesKey(event);
+}
+
 bool SliceView::filterToolKey(QKeyEvent& event)
 {
     SliceTool* tool = model_.tool();
