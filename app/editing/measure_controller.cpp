@@ -209,11 +209,11 @@ void MeasureController::remove(const std::set<int>& places)
     show();
 }
 
-/// Of those from `first` to before `end`: of the image or of the slices, whichever the key was pressed over.
+/// What is chosen in the list, else the last from `first` to before `end`: of the image or of the slices, whichever the
+/// key was pressed over.
 void MeasureController::removeChosenOrLast(int first, int end)
 {
     std::set<int> gone = ui_.panel.chosen();
-    std::erase_if(gone, [&](int place) { return place < first || place >= end; });
     if (gone.empty() && end > first) {
         gone.insert(end - 1);
     }
