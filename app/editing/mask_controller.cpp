@@ -2,7 +2,6 @@
 
 #include "app/document/edit_case.h"
 #include "app/preferences/settings.h"
-#include "core/tracing/volume/trace_vessels.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/slices/slice_model.h"
@@ -58,28 +57,6 @@ std::shared_ptr<VoxelMask> startOf(const std::shared_ptr<const VoxelMask>& lumen
     return mask;
 }
 
-/// The mask as it is goes to the case; its vessels by the last stages of tracing.
-core::Result<VesselTrace> traceOf(const VoxelMask& draft, const core::VesselTracingOptions& options,
-                                  JobLink<double>& link)
-{
-    const auto mask = std::make_shared<const VoxelMask>(draft);
-    link.tell(0.0);   // from here on the draft may change again
-    auto traced = core::traceMask(*mask, options, [&link](const core::TracingReport& report) {
-        return link.tell(std::max(report.progress, 0.001));
-    });
-    if (!traced) {
-        return traced.error();
-    }
-    core::TracedVessels vessels = std::move(traced).value();
-    VesselTrace found;
-    found.input.kind = core::VesselInputKind::Segmentation;
-    found.input.tracing = options;
-    found.lumen = mask;
-    found.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
-    found.warnings = std::move(vessels.warnings);
-    return found;
-}
-
 }   // namespace
 
 MaskController::MaskController(CaseDocument& document, Options options, const Ui& ui, QObject* parent)
@@ -101,21 +78,7 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
                     draft->takeBack();
                 }
                 emit failed(ui::messageText(error.message));
-            }}),
-      trace_({[this](const VesselTrace& traced) { takeTrace(traced); },
-              [this](const core::Error& error) {
-                  traceEnded();
-                  if (stopWished_) {
-                      emit told(tr("Stopped: the vessels are as they were"));
-                  } else {
-                      emit failed(ui::messageText(error.message));
-                  }
-              },
-              [this](double fraction) {
-                  stopReading();
-                  ui_.strip.showProgress(tr("Tracing the mask … %1 %").arg(ui::numberText(100.0 * fraction, 0)),
-                                         fraction);
-              }})
+            }})
 {
     brushes_ = {new ui::MaskBrushTool(MaskAim::Paint, ui.slices), new ui::MaskBrushTool(MaskAim::Erase, ui.slices)};
     connectTools();
@@ -125,10 +88,8 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
                *actions[ui::Command::TraceMask], *actions[ui::Command::ExportMask]);
     connect(&panel, &ui::MaskPanel::settingsEdited, this, &MaskController::takeSettings);
     connect(actions[ui::Command::TraceMask], &QAction::triggered, this, &MaskController::trace);
-    connect(&ui_.strip, &ui::BottomStrip::stopRequested, this, [this] {
-        stopWished_ = isRunning();
-        trace_.requestStop();
-    });
+    connect(&ui_.strip, &ui::BottomStrip::stopRequested, &tracing_, &MaskTracing::requestStop);
+    connectTracing();
     connect(&document, &CaseDocument::aboutToStep, this, &MaskController::endStroke);
     connect(&document, &CaseDocument::changed, this, &MaskController::followDocument);
     connect(&document, &CaseDocument::stateChanged, this, &MaskController::showState);
@@ -136,6 +97,20 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
     panel.showSettings(settings_);
     ui::speak(this, [this] { showState(); });
     followDocument();
+}
+
+void MaskController::connectTracing()
+{
+    connect(&tracing_, &MaskTracing::advanced, this, [this](double fraction) {
+        ui_.strip.showProgress(tr("Tracing the mask … %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+    });
+    connect(&tracing_, &MaskTracing::ended, this, [this] {
+        ui_.strip.showIdle(tr("Ready"));
+        showState();
+    });
+    connect(&tracing_, &MaskTracing::traced, this, &MaskController::takeTrace);
+    connect(&tracing_, &MaskTracing::stopped, this, [this] { emit told(tr("Stopped: the vessels are as they were")); });
+    connect(&tracing_, &MaskTracing::failed, this, &MaskController::failed);
 }
 
 void MaskController::connectTools()
@@ -340,43 +315,22 @@ void MaskController::takeCut(const core::VoxelPlaces& found)
 
 void MaskController::trace()
 {
-    if (trace_.isRunning() || !canEdit()) {
+    if (isRunning() || !canEdit()) {
         return;
     }
     endStroke();
-    stopWished_ = false;
-    tracedStrokes_ = draft_->strokes();
-    tracedDraft_ = draft_;
-    tracedDraft_->lendOut();
-    isReading_ = true;
     ui_.strip.showBusy(tr("Tracing the mask …"));
-    trace_.start([mask = std::shared_ptr<const VoxelMask>(draft_->mask()),
-                  options = options_()](JobLink<double>& link) { return traceOf(*mask, options, link); });
+    tracing_.start(draft_, options_());
     showState();
 }
 
-/// The worker has its copy.
-void MaskController::stopReading()
+void MaskController::takeTrace(const VesselTrace& traced, const std::shared_ptr<MaskDraft>& draft,
+                               const MaskDraft::Strokes& strokes)
 {
-    if (std::exchange(isReading_, false)) {
-        tracedDraft_->takeBack();
-    }
-}
-
-void MaskController::traceEnded()
-{
-    stopReading();
-    ui_.strip.showIdle(tr("Ready"));
-    showState();
-}
-
-void MaskController::takeTrace(const VesselTrace& traced)
-{
-    traceEnded();
-    if (std::exchange(tracedDraft_, nullptr) != draft_ || !draft_) {
+    if (!draft_ || draft != draft_) {
         return;   // another scan or case has been opened since
     }
-    draft_->standFor(traced.lumen, tracedStrokes_);
+    draft_->standFor(traced.lumen, strokes);
     const TracedTree tree{{}, traced.input, traced.lumen, traced.tree, LumenOrigin::Edited};
     if (!document_.push(app::takeTrace(document_, tree, [] { return tr("Trace the edited mask"); }))) {
         return;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/editing/mask_draft.h"
+#include "app/editing/mask_tracing.h"
 #include "app/jobs/job.h"
-#include "app/jobs/vessel_trace_job.h"
 #include "ui/slices/mask_panel.h"
 #include "ui/slices/mask_tools.h"
 
@@ -33,7 +33,7 @@ public:
     using Options = std::function<core::VesselTracingOptions()>;   ///< as the panel has them
     MaskController(CaseDocument& document, Options options, const Ui& ui, QObject* parent = nullptr);
 
-    bool isRunning() const { return trace_.isRunning(); }
+    bool isRunning() const { return tracing_.isRunning(); }
     bool isPreparing() const { return copy_.isRunning() || cut_.isRunning(); }
     void trace();
     /// The case was saved: what the vessels do not know of the mask is not in it.
@@ -44,6 +44,7 @@ signals:
     void failed(const QString& reason);
 
 private:
+    void connectTracing();
     void connectTools();
     void connectTool(QAction& action, ui::SliceTool& tool);
     void takeSettings(const ui::MaskSettings& settings);
@@ -57,9 +58,8 @@ private:
     void endStroke();
     void cut(core::MaskCut cut);
     void takeCut(const core::VoxelPlaces& found);
-    void takeTrace(const VesselTrace& traced);
-    void stopReading();
-    void traceEnded();
+    void takeTrace(const VesselTrace& traced, const std::shared_ptr<MaskDraft>& draft,
+                   const MaskDraft::Strokes& strokes);
     void showState();
     int openStrokes() const;
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return document_.current().vessels.lumen; }
@@ -75,15 +75,11 @@ private:
     core::VoxelPlaces stroke_;   ///< of the stroke under way
     core::MaskAim strokeAim_ = core::MaskAim::Paint;
     std::shared_ptr<MaskDraft> cutDraft_;   ///< that the cut under way reads
-    std::shared_ptr<MaskDraft> tracedDraft_;   ///< of the trace under way
-    bool isReading_ = false;   ///< that trace has no copy of it yet
     int caseNumber_ = 0;   ///< that the drafts belong to
     std::shared_ptr<const core::VoxelMask> copied_;   ///< of the copy under way
-    bool stopWished_ = false;
-    MaskDraft::Strokes tracedStrokes_;
     Job<std::shared_ptr<core::VoxelMask>> copy_;
     Job<core::VoxelPlaces> cut_;
-    Job<VesselTrace> trace_;
+    MaskTracing tracing_;
 };
 
 }   // namespace angiopose::app

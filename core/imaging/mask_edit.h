@@ -13,6 +13,11 @@ bool isSameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 /// Places of voxels in a mask.
 using VoxelPlaces = std::vector<std::uint32_t>;
 
+inline std::uint32_t placeOf(const VolumeGeometry& geometry, const Eigen::Vector3i& voxel)
+{
+    return static_cast<std::uint32_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
+}
+
 /// Voxels that go into a mask or out of it, in runs along the order in which they are stored: small, however large the
 /// volume. The same change takes them back.
 struct MaskChange {
@@ -37,39 +42,10 @@ struct TouchedBox {
 /// Around all voxels of a change, which must not be empty.
 TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change);
 
-enum class MaskAim { Paint, Erase };
-
-/// What a brush does on its way: of a path, all that lies within the radius.
-struct MaskBrush {
-    MaskAim aim = MaskAim::Paint;
-    double radiusMm = 2.0;
-    const Volume* scan = nullptr;   ///< only voxels whose value in it is not below `leastValue`; null: all
-    double leastValue = 0.0;
-};
-
-/// The part of a stroke between two places of the pointer.
-struct BrushStep {
-    Eigen::Vector3d fromInPatient;
-    Eigen::Vector3d toInPatient;
-};
-
-/// The voxels that are not yet as the brush wants them: those whose part of space the slice cuts and those that it
-/// shows (of a mask coarser than the slice), or those in space.
-VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush,
-                           const BrushStep& step);
-VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);
-
-enum class CutSide { Inside, Outside };
-
-/// A closed outline drawn in a slice, cut through what lies within so many mm before and behind it.
-struct MaskCut {
-    SliceGrid slice;
-    std::vector<Eigen::Vector2d> outline;   ///< pixels of the slice
-    CutSide side = CutSide::Inside;   ///< what is removed
-    double halfDepthMm = 0.0;   ///< 0: the slice alone
-};
-
-/// The voxels of the mask that it removes.
-VoxelPlaces cutVoxels(const VoxelMask& mask, const MaskCut& cut);
+/// Half of the thickness of a slice in which voxels are the slice's own: the slice beside begins there.
+inline double halfOf(const SliceGrid& slice)
+{
+    return 0.499 * slice.thicknessMm;
+}
 
 }   // namespace angiopose::core

@@ -2,6 +2,8 @@
 // window's thread, which must stay below 16 ms, and of all threads together, which share the cutting and painting. Run
 // it on a screen or under xvfb-run -a -s "-screen 0 1920x1200x24".
 //   slice_benchmark [columns=512] [slices=300]
+#include "core/imaging/mask_brush.h"
+#include "core/imaging/mask_cut.h"
 #include "core/simulation/simulate_cta.h"
 #include "ui/slices/slices_page.h"
 

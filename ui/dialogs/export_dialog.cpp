@@ -2,6 +2,7 @@
 
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
+#include "ui/dialogs/dialog_buttons.h"
 #include "ui/words/language.h"
 #include "ui/words/number.h"
 
@@ -57,7 +58,7 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     layout->setSpacing(14);
     layout->addLayout(makeForm());
     layout->addWidget(notice);
-    layout->addLayout(makeButtons());
+    layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export …"))));
     connect(size_, &QComboBox::currentIndexChanged, this, &ExportDialog::showSize);
     connect(part_, &QComboBox::currentIndexChanged, this, &ExportDialog::showPart);
     connect(resolution_, &NumberField::edited, this, &ExportDialog::showSize);
@@ -84,21 +85,6 @@ QFormLayout* ExportDialog::makeForm()
     }
     english_->setVisible(currentLanguage() != languages().front());
     return form;
-}
-
-QHBoxLayout* ExportDialog::makeButtons()
-{
-    auto* cancel = new QPushButton(tr("Cancel"));
-    auto* exportButton = new QPushButton(tr("Export …"));
-    exportButton->setProperty("role", "primary");
-    exportButton->setDefault(true);
-    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(exportButton, &QPushButton::clicked, this, &QDialog::accept);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(cancel);
-    buttons->addWidget(exportButton);
-    return buttons;
 }
 
 void ExportDialog::offerCutout(bool hasCutout)

@@ -47,7 +47,6 @@ signals:
 
 private:
     QFormLayout* makeForm();
-    QHBoxLayout* makeButtons();
     void showSize();
     void showPart();
 

@@ -2,6 +2,7 @@
 
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
+#include "ui/dialogs/dialog_buttons.h"
 #include "ui/words/language.h"
 #include "ui/words/number.h"
 
@@ -54,7 +55,7 @@ MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
     layout->setSpacing(14);
     layout->addLayout(makeForm());
     layout->addWidget(notice);
-    layout->addLayout(makeButtons());
+    layout->addLayout(dialogButtons(*this, tr("Cancel"), *export_));
     connect(part_, &QComboBox::currentIndexChanged, this, &MovieDialog::showUsualRate);
     connect(format_, &QComboBox::currentIndexChanged, this, &MovieDialog::showOutcome);
     connect(width_, &NumberField::edited, this, &MovieDialog::showOutcome);
@@ -89,20 +90,6 @@ QFormLayout* MovieDialog::makeForm()
     }
     english_->setVisible(currentLanguage() != languages().front());
     return form;
-}
-
-QHBoxLayout* MovieDialog::makeButtons()
-{
-    auto* cancel = new QPushButton(tr("Cancel"));
-    export_->setProperty("role", "primary");
-    export_->setDefault(true);
-    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(export_, &QPushButton::clicked, this, &QDialog::accept);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(cancel);
-    buttons->addWidget(export_);
-    return buttons;
 }
 
 void MovieDialog::showChoice(const MovieChoice& choice)

@@ -52,7 +52,6 @@ signals:
 private:
     void fillParts();
     QFormLayout* makeForm();
-    QHBoxLayout* makeButtons();
     void showUsualRate();
     void showOutcome();
 

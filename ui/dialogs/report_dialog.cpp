@@ -2,6 +2,7 @@
 
 #include "ui/controls/elided_label.h"
 #include "ui/controls/section.h"
+#include "ui/dialogs/dialog_buttons.h"
 
 #include <QCheckBox>
 #include <QFileInfo>
@@ -41,7 +42,7 @@ ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(14);
     layout->addLayout(form);
-    layout->addLayout(makeButtons());
+    layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export …"))));
     connect(builtIn_, &QPushButton::clicked, this, [this] { showTemplate({}); });
     connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
     showTemplate(choice.templatePath);
@@ -60,21 +61,6 @@ QHBoxLayout* ReportDialog::makeTemplateButtons()
     }
     connect(choose, &QPushButton::clicked, this, &ReportDialog::templateWanted);
     connect(copy, &QPushButton::clicked, this, &ReportDialog::copyWanted);
-    return buttons;
-}
-
-QHBoxLayout* ReportDialog::makeButtons()
-{
-    auto* cancel = new QPushButton(tr("Cancel"));
-    auto* write = new QPushButton(tr("Export …"));
-    write->setProperty("role", "primary");
-    write->setDefault(true);
-    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(write, &QPushButton::clicked, this, &QDialog::accept);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(cancel);
-    buttons->addWidget(write);
     return buttons;
 }
 

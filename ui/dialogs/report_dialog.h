@@ -30,7 +30,6 @@ signals:
 
 private:
     QHBoxLayout* makeTemplateButtons();
-    QHBoxLayout* makeButtons();
 
     QString templatePath_;
     ElidedLabel* template_;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/imaging/mask_edit.h"
+#include "core/imaging/mask_brush.h"
+#include "core/imaging/mask_cut.h"
 #include "ui/slices/slice_tool.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
-#include "core/imaging/mask_edit.h"
+#include "core/imaging/mask_brush.h"
+#include "core/imaging/mask_cut.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,92 @@
+#include "app/editing/mask_tracing.h"
+
+#include "core/tracing/volume/trace_vessels.h"
+#include "ui/words/message_text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+using core::VoxelMask;
+
+/// The mask as it is goes to the case; its vessels by the last stages of tracing.
+core::Result<VesselTrace> traceOf(const VoxelMask& draft, const core::VesselTracingOptions& options,
+                                  JobLink<double>& link)
+{
+    const auto mask = std::make_shared<const VoxelMask>(draft);
+    link.tell(0.0);   // from here on the draft may change again
+    auto traced = core::traceMask(*mask, options, [&link](const core::TracingReport& report) {
+        return link.tell(std::max(report.progress, 0.001));
+    });
+    if (!traced) {
+        return traced.error();
+    }
+    core::TracedVessels vessels = std::move(traced).value();
+    VesselTrace found;
+    found.input.kind = core::VesselInputKind::Segmentation;
+    found.input.tracing = options;
+    found.lumen = mask;
+    found.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
+    found.warnings = std::move(vessels.warnings);
+    return found;
+}
+
+}   // namespace
+
+MaskTracing::MaskTracing(QObject* parent)
+    : QObject(parent),
+      job_({[this](const VesselTrace& trace) { take(trace); }, [this](const core::Error& error) { fail(error); },
+            [this](double fraction) {
+                giveBack();
+                emit advanced(fraction);
+            }})
+{
+}
+
+void MaskTracing::start(const std::shared_ptr<MaskDraft>& draft, const core::VesselTracingOptions& options)
+{
+    draft_ = draft;
+    strokes_ = draft->strokes();
+    stopWished_ = false;
+    isReading_ = true;
+    draft_->lendOut();
+    job_.start([mask = std::shared_ptr<const VoxelMask>(draft->mask()), options](JobLink<double>& link) {
+        return traceOf(*mask, options, link);
+    });
+}
+
+void MaskTracing::requestStop()
+{
+    stopWished_ = isRunning();
+    job_.requestStop();
+}
+
+void MaskTracing::giveBack()
+{
+    if (std::exchange(isReading_, false)) {
+        draft_->takeBack();
+    }
+}
+
+void MaskTracing::take(const VesselTrace& trace)
+{
+    giveBack();
+    emit ended();
+    emit traced(trace, std::exchange(draft_, nullptr), strokes_);
+}
+
+void MaskTracing::fail(const core::Error& error)
+{
+    giveBack();
+    draft_.reset();
+    emit ended();
+    if (stopWished_) {
+        emit stopped();
+    } else {
+        emit failed(ui::messageText(error.message));
+    }
+}
+
+}   // namespace angiopose::app

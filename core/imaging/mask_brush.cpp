@@ -1,0 +1,194 @@
+#include "core/imaging/mask_brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+double distanceToStep(const BrushStep& step, const Eigen::Vector3d& point)
+{
+    const Eigen::Vector3d way = step.toInPatient - step.fromInPatient;
+    const double length2 = way.squaredNorm();
+    const double share = length2 > 0.0 ? std::clamp((point - step.fromInPatient).dot(way) / length2, 0.0, 1.0) : 0.0;
+    return (point - step.fromInPatient - share * way).norm();
+}
+
+/// Takes the voxels that the brush would change.
+class Collector {
+public:
+    Collector(const VoxelMask& mask, const MaskBrush& brush)
+        : mask_(mask), brush_(brush), wanted_(brush.aim == MaskAim::Paint)
+    {
+        hasSameVoxels_ = brush.scan && isSameGrid(brush.scan->geometry, mask.geometry);
+    }
+    void take(const Eigen::Vector3i& voxel, const Eigen::Vector3d& pointInPatient)
+    {
+        const std::uint32_t place = placeOf(mask_.geometry, voxel);
+        if ((mask_.voxels[place] != 0) != wanted_ && isAllowed(place, pointInPatient)) {
+            found.push_back(place);
+        }
+    }
+
+    VoxelPlaces found;
+
+private:
+    bool isAllowed(std::uint32_t place, const Eigen::Vector3d& pointInPatient) const
+    {
+        if (!brush_.scan) {
+            return true;
+        }
+        const auto value =
+            hasSameVoxels_ ? std::optional(brush_.scan->value(place)) : valueAt(*brush_.scan, pointInPatient);
+        return value && *value >= brush_.leastValue;
+    }
+
+    const VoxelMask& mask_;
+    const MaskBrush& brush_;
+    bool wanted_;
+    bool hasSameVoxels_ = false;
+};
+
+/// Where a brush's step may change voxels: a box of their indices.
+struct VoxelBox {
+    Eigen::Array3i low;
+    Eigen::Array3i high;
+};
+
+VoxelBox boxAround(const BrushStep& step, double reachMm, const VolumeGeometry& geometry)
+{
+    const Eigen::Affine3d voxelFromPatient = geometry.patientFromVoxel().inverse();
+    const Eigen::Vector3d from = voxelFromPatient * step.fromInPatient;
+    const Eigen::Vector3d to = voxelFromPatient * step.toInPatient;
+    const Eigen::Vector3d reach = reachMm * geometry.spacingMm.cwiseInverse();
+    return {(from.cwiseMin(to) - reach).array().floor().cast<int>().max(0),
+            (from.cwiseMax(to) + reach).array().ceil().cast<int>().min(geometry.size.array() - 1)};
+}
+
+/// The places `start + i * along` at which a line comes within `radius` of a point, or of an axis after the part along
+/// it is taken out: none, or where it enters and where it leaves.
+std::optional<std::pair<double, double>> crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& along,
+                                                   double radius)
+{
+    const double step2 = along.squaredNorm();
+    if (step2 <= 0.0) {
+        return {};
+    }
+    const double middle = -start.dot(along) / step2;
+    const double rest = middle * middle - (start.squaredNorm() - radius * radius) / step2;
+    return rest < 0.0 ? std::nullopt : std::optional(std::pair(middle - std::sqrt(rest), middle + std::sqrt(rest)));
+}
+
+/// A row of voxels, `start + i * along`, inside the step of a ball: from first to last, none where first > last.
+struct RowRange {
+    double first = std::numeric_limits<double>::infinity();
+    double last = -first;
+
+    void widen(double i)
+    {
+        first = std::min(first, i);
+        last = std::max(last, i);
+    }
+};
+
+/// The step is a capsule and convex: the row enters and leaves it at one of its balls or at the tube between them.
+RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vector3d& start,
+                        const Eigen::Vector3d& along)
+{
+    RowRange range;
+    for (const Eigen::Vector3d& end : {step.fromInPatient, step.toInPatient}) {
+        if (const auto ball = crossings(start - end, along, radiusMm)) {
+            range.widen(ball->first);
+            range.widen(ball->second);
+        }
+    }
+    const Eigen::Vector3d way = step.toInPatient - step.fromInPatient;
+    const double length2 = way.squaredNorm();
+    if (length2 <= 0.0) {
+        return range;
+    }
+    const auto across = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - v.dot(way) / length2 * way); };
+    if (const auto tube = crossings(across(start - step.fromInPatient), across(along), radiusMm)) {
+        for (const double i : {tube->first, tube->second}) {
+            const double share = (start + i * along - step.fromInPatient).dot(way) / length2;
+            if (share >= 0.0 && share <= 1.0) {
+                range.widen(i);
+            }
+        }
+    }
+    return range;
+}
+
+/// Voxels between the pixels of a slice that is coarser than the mask.
+void takeBetween(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step,
+                 Collector& collector)
+{
+    const double half = halfOf(slice);
+    const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
+    const VoxelBox box = boxAround(step, brush.radiusMm + half, mask.geometry);
+    for (int k = box.low.z(); k <= box.high.z(); ++k) {
+        for (int j = box.low.y(); j <= box.high.y(); ++j) {
+            for (int i = box.low.x(); i <= box.high.x(); ++i) {
+                const Eigen::Vector3d point = patientFromVoxel * Eigen::Vector3d(i, j, k);
+                const double before = slice.distanceMm(point);
+                if (std::abs(before) <= half && distanceToStep(step, point - before * slice.normal) <= brush.radiusMm) {
+                    collector.take({i, j, k}, point);
+                }
+            }
+        }
+    }
+}
+
+}   // namespace
+
+VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step)
+{
+    const Eigen::Vector2d from = slice.pixelOf(step.fromInPatient);
+    const Eigen::Vector2d to = slice.pixelOf(step.toInPatient);
+    const Eigen::Vector2d reach(brush.radiusMm / slice.columnStep.norm(), brush.radiusMm / slice.rowStep.norm());
+    const Eigen::Array2i low = (from.cwiseMin(to) - reach).array().floor().cast<int>().max(0);
+    const Eigen::Array2i high =
+        (from.cwiseMax(to) + reach).array().ceil().cast<int>().min(Eigen::Array2i(slice.width - 1, slice.height - 1));
+    const Eigen::Affine3d voxelFromPatient = mask.geometry.patientFromVoxel().inverse();
+    Collector collector(mask, brush);
+    for (int row = low.y(); row <= high.y(); ++row) {
+        for (int column = low.x(); column <= high.x(); ++column) {
+            const Eigen::Vector3d point = slice.pointAt({column, row});
+            const Eigen::Vector3i voxel = (voxelFromPatient * point).array().round().cast<int>();
+            if (distanceToStep(step, point) <= brush.radiusMm && mask.geometry.contains(voxel)) {
+                collector.take(voxel, point);
+            }
+        }
+    }
+    takeBetween(mask, slice, brush, step, collector);
+    return std::move(collector.found);
+}
+
+VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step)
+{
+    constexpr double hair = 1e-9;   // voxels that lie on the rim are in it
+    const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
+    const Eigen::Vector3d along = patientFromVoxel.linear().col(0);
+    const VoxelBox box = boxAround(step, brush.radiusMm, mask.geometry);
+    Collector collector(mask, brush);
+    for (int k = box.low.z(); k <= box.high.z(); ++k) {
+        for (int j = box.low.y(); j <= box.high.y(); ++j) {
+            const Eigen::Vector3d start = patientFromVoxel * Eigen::Vector3d(0, j, k);
+            const RowRange range = rangeInCapsule(step, brush.radiusMm, start, along);
+            if (range.first > range.last) {
+                continue;
+            }
+            const int first = static_cast<int>(std::ceil(std::max(range.first - hair, 1.0 * box.low.x())));
+            const int last = static_cast<int>(std::floor(std::min(range.last + hair, 1.0 * box.high.x())));
+            for (int i = first; i <= last; ++i) {
+                collector.take({i, j, k}, start + i * along);
+            }
+        }
+    }
+    return std::move(collector.found);
+}
+
+}   // namespace angiopose::core
