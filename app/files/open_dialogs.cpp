@@ -88,7 +88,7 @@ void OpenDialogs::askFiles()
 
 void OpenDialogs::askFolder()
 {
-    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open DICOM folder"), settings::lastFolder.read());
+    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open folder or disc"), settings::lastFolder.read());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);

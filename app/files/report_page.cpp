@@ -137,7 +137,10 @@ Rows originRows(const ReportedView& view)
 {
     const auto& result = view.theCase.shown().result;
     if (!result) {
-        return {{ReportWords::tr("Method"), ReportWords::tr("pose set by hand")}};
+        const auto start = core::startPoseOf(view.theCase);
+        const bool isStart = start && start.value().matrix() == view.theCase.shown().cameraFromPatient.matrix();
+        return {{ReportWords::tr("Method"),
+                 isStart ? ReportWords::tr("none: this is the start pose") : ReportWords::tr("pose set by hand")}};
     }
     Rows rows{{ReportWords::tr("Method"), methodWordsOf(*result)}};
     const QDateTime found = QDateTime::fromString(fromCore(result->provenance.time), Qt::ISODate).toLocalTime();

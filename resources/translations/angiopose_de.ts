@@ -171,6 +171,10 @@
         <translation>Methode</translation>
     </message>
     <message>
+        <source>none: this is the start pose</source>
+        <translation>keine: dies ist die Startlage</translation>
+    </message>
+    <message>
         <source>pose set by hand</source>
         <translation>Lage von Hand gesetzt</translation>
     </message>
@@ -897,8 +901,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Open DICOM folder</source>
-        <translation>DICOM-Ordner öffnen</translation>
+        <source>Open folder or disc</source>
+        <translation>Ordner oder CD öffnen</translation>
     </message>
     <message>
         <source>Add a view</source>
@@ -6758,8 +6762,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Öffnen …</translation>
     </message>
     <message>
-        <source>Open DICOM folder …</source>
-        <translation>DICOM-Ordner öffnen …</translation>
+        <source>Open folder or disc …</source>
+        <translation>Ordner oder CD öffnen …</translation>
     </message>
     <message>
         <source>Open sample case</source>

@@ -171,6 +171,10 @@
         <translation>方法</translation>
     </message>
     <message>
+        <source>none: this is the start pose</source>
+        <translation>无：这是初始位姿</translation>
+    </message>
+    <message>
         <source>pose set by hand</source>
         <translation>手动设定的位姿</translation>
     </message>
@@ -897,8 +901,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>打开</translation>
     </message>
     <message>
-        <source>Open DICOM folder</source>
-        <translation>打开 DICOM 文件夹</translation>
+        <source>Open folder or disc</source>
+        <translation>打开文件夹或光盘</translation>
     </message>
     <message>
         <source>Add a view</source>
@@ -6758,8 +6762,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>打开……</translation>
     </message>
     <message>
-        <source>Open DICOM folder …</source>
-        <translation>打开 DICOM 文件夹……</translation>
+        <source>Open folder or disc …</source>
+        <translation>打开文件夹或光盘……</translation>
     </message>
     <message>
         <source>Open sample case</source>

@@ -69,12 +69,20 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
         << "before and after";
 }
 
+TEST_F(WindowReport, CallsTheStartPoseSo)
+{
+    w.openSample();
+    w.waitForJudgement();
+    EXPECT_TRUE(written("start.html").contains("none: this is the start pose"));
+}
+
 TEST_F(WindowReport, IsAPdfAndJudgesAPoseSetByHand)
 {
     w.openSample();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
     ASSERT_FALSE(w.current().shown().result);
+    EXPECT_TRUE(written("moved.html").contains("pose set by hand"));
     const QByteArray page = written("report.pdf");
     EXPECT_TRUE(page.startsWith("%PDF"));
     EXPECT_GT(page.size(), 20000) << "the pictures are in it";

@@ -16,7 +16,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::Open, QT_TR_NOOP("Open …"), "Ctrl+O"},
-        {Command::OpenFolder, QT_TR_NOOP("Open DICOM folder …"), "Ctrl+Shift+O"},
+        {Command::OpenFolder, QT_TR_NOOP("Open folder or disc …"), "Ctrl+Shift+O"},
         {Command::OpenSample, QT_TR_NOOP("Open sample case")},
         {Command::NewWindow, QT_TR_NOOP("New window"), "Ctrl+N"},
         {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
