@@ -18,7 +18,7 @@ step "Release: build"
 cmake --preset release -DBUILD_TESTING=ON >/dev/null
 cmake --build build/release
 step "Release: tests"
-ctest --preset release
+ctest --preset release --parallel "$(nproc)"
 
 if [ "$mode" = full ]; then
     step "Address and undefined-behaviour sanitizers: build"
