@@ -13,24 +13,36 @@ constexpr double tiltDeg = 30.0;
 constexpr double shiftMm = 1.0;
 const Eigen::Vector3d middle(7.5, 0.0, 12.5);
 
+/// As it is printed, in one plane with the source, or tilted out of that plane (variants T-A and T-B of
+/// ALGORITHMS §4.1).
+enum class SquareView { Literal, Tilted };
+
 struct ToySetting {
     Condition condition;
     int segmentsPerEdge = 0;
     double rotationDeg = 0.0;   ///< of the start pose, about the source
+    SquareView view = SquareView::Tilted;
 };
+
+/// One row for each number of points.
+void addToySettings(const std::string& variant, const std::string& disturbance, const ToySetting& like,
+                    std::vector<ToySetting>& rows)
+{
+    for (const int segments : {2, 11, 21, 31, 41}) {
+        const std::string points = std::to_string(4 * segments);
+        ToySetting row = like;
+        row.condition = {variant + "-" + points, points + " points, " + disturbance, true};
+        row.segmentsPerEdge = segments;
+        rows.push_back(std::move(row));
+    }
+}
 
 std::vector<ToySetting> makeToySettings()
 {
     std::vector<ToySetting> rows;
-    for (const double rotationDeg : {0.0, 1.0}) {
-        for (const int segments : {2, 11, 21, 31, 41}) {
-            const std::string points = std::to_string(4 * segments);
-            rows.push_back({{(rotationDeg > 0.0 ? "b2-" : "b1-") + points,
-                             points + " points, shift 1" + (rotationDeg > 0.0 ? " and 1°" : ""), true},
-                            segments,
-                            rotationDeg});
-        }
-    }
+    addToySettings("b1", "shift 1", {}, rows);
+    addToySettings("b2", "shift 1 and 1°", {{}, 0, 1.0, SquareView::Tilted}, rows);
+    addToySettings("a", "as printed, shift 1", {{}, 0, 0.0, SquareView::Literal}, rows);
     return rows;
 }
 
@@ -56,15 +68,21 @@ VesselTree makeSquare(int segmentsPerEdge)
     return square;
 }
 
-/// Variant T-B of ALGORITHMS §4.1: tilted out of the line that the printed pose shows.
-Phantom makeToy(int segmentsPerEdge)
+RigidTransform poseOf(SquareView view)
+{
+    if (view == SquareView::Literal) {
+        return {};
+    }
+    const Eigen::Matrix3d tilt = expSo3(Eigen::Vector3d(tiltDeg * radiansPerDegree, 0.0, 0.0));
+    return {tilt, Eigen::Vector3d(0.0, 0.0, middle.z()) - tilt * middle};
+}
+
+Phantom makeToy(const ToySetting& setting)
 {
     Phantom toy;
-    toy.tree = makeSquare(segmentsPerEdge);
+    toy.tree = makeSquare(setting.segmentsPerEdge);
     toy.camera = {520.0, 520.0, 512.0, 512.0, 1024, 1024};
-    toy.trueCameraFromPatient.rotation = expSo3(Eigen::Vector3d(tiltDeg * radiansPerDegree, 0.0, 0.0));
-    toy.trueCameraFromPatient.translation =
-        Eigen::Vector3d(0.0, 0.0, middle.z()) - toy.trueCameraFromPatient.rotation * middle;
+    toy.trueCameraFromPatient = poseOf(setting.view);
     toy.exactTarget = projectTree(toy.tree, toy.camera, toy.trueCameraFromPatient);
     toy.target = toy.exactTarget;   // the number of points is what the experiment varies
     return toy;
@@ -73,7 +91,7 @@ Phantom makeToy(int segmentsPerEdge)
 TrialMaker prepareToy(std::size_t condition, std::uint64_t seed)
 {
     const ToySetting& setting = toySettings()[condition];
-    const auto toy = std::make_shared<const SharedPhantom>(makeToy(setting.segmentsPerEdge));
+    const auto toy = std::make_shared<const SharedPhantom>(makeToy(setting));
     return [toy, rotationDeg = setting.rotationDeg, seed](std::uint64_t number) {
         CounterRandom random = trialRandom(toyNumber, seed, number);
         const Eigen::Vector3d shift = randomDirection(shiftMm, random);
@@ -89,7 +107,8 @@ TrialMaker prepareToy(std::size_t condition, std::uint64_t seed)
 Protocol toyProtocol()
 {
     return {"toy",
-            "A tilted square of equally spaced points, shifted by 1 in a random direction (ALGORITHMS 4.1).",
+            "A square of equally spaced points, tilted and as printed, shifted by 1 in a random direction (ALGORITHMS "
+            "4.1).",
             100,
             1,
             Success::ProjectionWithin1Px,

@@ -3,6 +3,7 @@
 #include "core/evaluation/report/result_table.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <atomic>
 
 using namespace angiopose;
@@ -115,6 +116,22 @@ TEST(RunExperiment, CountsAnUnusableTrialAsAFailureAtTheStart)
     EXPECT_EQ(runs.runs.front().hasResult, 0.0);
     EXPECT_EQ(runs.runs.front().trustworthy, 0.0);
     EXPECT_EQ(runs.runs.front().meanPx, runs.runs.front().startMeanPx);
+}
+
+// From the square as printed no pose follows: whatever method laid it onto its line, its pose is not trusted.
+TEST(TablesOf, TheSquareAsPrintedIsDoubtedInEveryRun)
+{
+    ExperimentPlan plan = smallPlan("toy", "a-44,a-84", 3);
+    plan.contestants = contestantsFrom("angiopose,iterative-pnp").value();
+    const std::vector<ResultTable> tables = tablesOf(runExperiment(plan).runs);
+    const auto doubted = std::ranges::find(tables, "toy-a-doubted", &ResultTable::id);
+    ASSERT_NE(doubted, tables.end());
+    ASSERT_EQ(doubted->rows.size(), 2u);
+    for (const ResultTable::Row& row : doubted->rows) {
+        EXPECT_EQ(row.cells[1], "3 of 3") << row.cells[0];
+        EXPECT_EQ(row.cells[2], "3 of 3") << row.cells[0];
+    }
+    EXPECT_TRUE(std::ranges::none_of(tables, [](const ResultTable& table) { return table.id == "toy-a-failures"; }));
 }
 
 TEST(TablesOf, EveryRowHasACellPerColumn)

@@ -94,6 +94,21 @@ TEST(ToyProtocol, ShowsATiltedSquareShiftedByOne)
     EXPECT_NEAR(height, 520.0 * 1.25 * (1.0 / 10.335 + 1.0 / 14.665), 0.1);
 }
 
+TEST(ToyProtocol, ShowsTheSquareAsPrintedAsOneLine)
+{
+    const Trial trial = makeTrial("toy", "a-44", 3);
+    EXPECT_EQ(trial.trueCameraFromPatient.matrix(), Eigen::Matrix4d::Identity());
+    EXPECT_NEAR(poseError(centroidInPatient(*trial.tree), startOf(trial)).centroidMm, 1.0, 1e-9);
+    double farthest = 0.0;
+    for (const Curve2d& curve : trial.input.target.curves) {
+        for (const Eigen::Vector2d& point : curve.pointsPx) {
+            EXPECT_NEAR(point.y(), 512.0, 1e-9);
+            farthest = std::max(farthest, point.x());
+        }
+    }
+    EXPECT_NEAR(farthest, 512.0 + 520.0 * 10.0 / 10.0, 1e-9);   // beyond the image's last column
+}
+
 TEST(SimulationProtocol, DisturbsAboutSourceOrCentroid)
 {
     const Protocol& simulation = *findProtocol("simulation");
