@@ -70,10 +70,7 @@ private:
         int node, tracedNode;
         CentroidPose pose;
     };
-    int budget() const
-    {
-        return options_.graph.hypotheses + static_cast<int>(graphFinalists) * kernelFinishIterations;
-    }
+    int budget() const { return options_.graph.hypotheses + static_cast<int>(graphFinalists) * kernelFinishIterations; }
     const TreeSamples& tree() const { return problem_.tree; }
     std::size_t pointAt(const EdgeEnd& branch, std::size_t step) const;
     Eigen::Vector3d nodePlace(int node) const;   ///< mm from the centroid
@@ -197,7 +194,8 @@ CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
     return problem_.freedom.held(pose);
 }
 
-/// Pairs of nodes of the same kind, bifurcations or ends, near enough at the start; those that suit the whole tree best.
+/// Pairs of nodes of the same kind, bifurcations or ends, near enough at the start; those that suit the whole tree
+/// best.
 std::vector<GraphSearch::Root> GraphSearch::roots()
 {
     struct Near {

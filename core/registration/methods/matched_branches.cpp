@@ -78,8 +78,8 @@ Messages lettingMove(const RegistrationProblem& problem, const BranchMatching& m
         search.tick();
         return search.isStopped();
     };
-    const PairBend bend = bendOntoPairs(problem, matching.tree(), search.best(),
-                                        matching.pairs(search.best(), reachPx), isStopped);
+    const PairBend bend =
+        bendOntoPairs(problem, matching.tree(), search.best(), matching.pairs(search.best(), reachPx), isStopped);
     return bend.largestMm > 0.0 && !search.isStopped() ? Messages{whatMoved(bend)} : Messages();
 }
 

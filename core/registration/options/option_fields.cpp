@@ -298,9 +298,9 @@ std::vector<OptionField> flowFields()
                              {"cvoDecay", "Kernel decay",
                               "Factor by which the kernel narrows with each step after the first thirty."},
                              {"", 0.5, 0.999, 3})),
-        onlyFor({"cvo"}, count<&Options::cvo, &CvoOptions::iterations>(
-                             {"cvoIterations", "Flow steps at most", "Steps along the flow, at all widths together."},
-                             1, 5000)),
+        onlyFor({"cvo"},
+                count<&Options::cvo, &CvoOptions::iterations>(
+                    {"cvoIterations", "Flow steps at most", "Steps along the flow, at all widths together."}, 1, 5000)),
         onlyFor({"cvo"}, toggle<&Options::cvo, &CvoOptions::directions>(
                              {"cvoDirections", "Directions count",
                               "Points attract each other the more, the more alike the vessels run there."})),
@@ -325,9 +325,9 @@ std::vector<OptionField> graphFields()
                     {"branchMotion", "Let vessels move",
                      "Moves the branches onto their partners after the rigid fit, lengths kept, and tells how far; the "
                      "pose stays."})),
-        onlyFor({"graph-matching"}, count<&Options::graph, &GraphOptions::hypotheses>(
-                                        {"graphHypotheses", "Hypotheses", "Sequences of matched branches tried at most."},
-                                        10, 20000)),
+        onlyFor({"graph-matching"},
+                count<&Options::graph, &GraphOptions::hypotheses>(
+                    {"graphHypotheses", "Hypotheses", "Sequences of matched branches tried at most."}, 10, 20000)),
         onlyFor({"graph-matching"},
                 number<&Options::graph, &GraphOptions::reachPx>(
                     {"graphReachPx", "Reach of the roots",

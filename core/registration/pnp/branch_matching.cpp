@@ -77,8 +77,8 @@ std::optional<BranchMatching::Seen> BranchMatching::look(std::size_t point, cons
 }
 
 /// Mean over the edge of the best closeness to each curve.
-BranchMatching::Candidates BranchMatching::closenessOf(const VesselEdge& edge, const CentroidPose& pose,
-                                                       double reachPx, const BinGrid& near) const
+BranchMatching::Candidates BranchMatching::closenessOf(const VesselEdge& edge, const CentroidPose& pose, double reachPx,
+                                                       const BinGrid& near) const
 {
     const TargetSamples& target = problem_.target;
     const std::size_t stride = std::max<std::size_t>(1, edge.size() / samplesPerEdge);

@@ -47,6 +47,13 @@ std::vector<Link> linksOf(const TreeSamples& tree, const VesselGraph& graph)
 
 /// The energy of all motions at once, three numbers per tree point.
 class BendEnergy {
+    /// The three numbers of one point.
+    template <class Vector>
+    static auto part(Vector& all, std::size_t point)
+    {
+        return all.template segment<3>(3 * static_cast<Eigen::Index>(point));
+    }
+
 public:
     BendEnergy(const RegistrationProblem& problem, const VesselGraph& graph, const CentroidPose& pose,
                const std::vector<BranchPair>& pairs)
@@ -66,8 +73,8 @@ public:
             if (pixel) {
                 const Eigen::Vector2d gap = *pixel - pair.pixel;
                 sum += gap.squaredNorm();
-                part(gradient, pair.point) += 2.0 * pose_.rotation.transpose() *
-                                              (projectionJacobian(problem_.camera, place).transpose() * gap);
+                part(gradient, pair.point) +=
+                    2.0 * pose_.rotation.transpose() * (projectionJacobian(problem_.camera, place).transpose() * gap);
             }
         }
         for (const Link& link : links_) {
@@ -90,12 +97,6 @@ public:
     }
 
 private:
-    template <class Vector>
-    static auto part(Vector& all, std::size_t point)
-    {
-        return all.template segment<3>(3 * static_cast<Eigen::Index>(point));
-    }
-
     Eigen::Vector3d inCamera(const Eigen::VectorXd& motion, std::size_t point) const
     {
         return pose_.rotation * (problem_.tree.points[point] - problem_.tree.centroid + part(motion, point)) +
