@@ -170,18 +170,27 @@ core::ScanWish ScanController::look() const
 
 void ScanController::askRough()
 {
-    if (job_.isReady() && ui_.treeView.isVisible()) {
+    if (request(look(), roughPx, ScanDetail::Rough)) {
         asked_ = look();
-        job_.request({asked_, ui_.treeView.scene().sight(roughPx), ScanDetail::Rough});
         rest_.start();
     }
 }
 
 void ScanController::askFine()
 {
-    if (job_.isReady() && ui_.treeView.isVisible()) {
-        job_.request({asked_, ui_.treeView.scene().sight(finePx), ScanDetail::Fine});
+    request(asked_, finePx, ScanDetail::Fine);
+}
+
+bool ScanController::request(const core::ScanWish& wish, int mostPx, ScanDetail detail)
+{
+    if (!job_.isReady() || !ui_.treeView.isVisible()) {
+        return false;
     }
+    const core::ParallelSight sight = ui_.treeView.scene().sight(mostPx);
+    if (sight.isPlaced()) {   // not where nothing can be drawn
+        job_.request({wish, sight, detail});
+    }
+    return sight.isPlaced();
 }
 
 void ScanController::show(const CastPicture& picture)

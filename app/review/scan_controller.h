@@ -42,6 +42,8 @@ private:
     core::ScanWish look() const;
     void askRough();
     void askFine();
+    /// False: nothing can be seen now.
+    bool request(const core::ScanWish& wish, int mostPx, ScanDetail detail);
     void show(const CastPicture& picture);
     void showState();
     void setStrength(double strength);

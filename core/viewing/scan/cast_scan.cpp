@@ -257,8 +257,11 @@ std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look
     if (!goesOn()) {
         return std::nullopt;
     }
+    Image2d<Rgba> picture(std::max(0, sight.width), std::max(0, sight.height));
+    if (!sight.isPlaced()) {
+        return picture;
+    }
     const Caster caster(scan, look, sight, stepShare);
-    Image2d<Rgba> picture(sight.width, sight.height);
     const bool isWhole = parallelFor(
         static_cast<std::size_t>(sight.height), threadCount(0),
         [&](std::size_t y) { caster.castRow(static_cast<int>(y), picture); }, [&](double) { return goesOn(); });

@@ -4,6 +4,7 @@
 #include "core/viewing/scan/scan_look.h"
 #include "core/viewing/scan/seen_scan.h"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -19,14 +20,20 @@ struct ParallelSight {
     int height = 0;
 
     Eigen::Vector3d toViewer() const { return right.cross(up); }
+    /// Whether it tells where: the view of a window that cannot draw does not.
+    bool isPlaced() const
+    {
+        return centreInPatient.allFinite() && right.allFinite() && up.allFinite() && toViewer().norm() > 0.0 &&
+               std::isfinite(mmPerPx) && mmPerPx > 0.0 && width > 0 && height > 0;
+    }
     bool operator==(const ParallelSight&) const = default;
 };
 
 using Rgba = std::array<std::uint8_t, 4>;
 
 /// The scan as seen: the lowest row first, colours multiplied by their opacity. Light comes from the viewer, so that
-/// surfaces show their form. `stepShare`: of the narrowest side of a voxel, from sample to sample. Nothing once
-/// `goesOn` says no.
+/// surfaces show their form. `stepShare`: of the narrowest side of a voxel, from sample to sample. Of a
+/// sight that is nowhere nothing is seen. No picture once `goesOn` says no.
 std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight,
                                       double stepShare, const std::function<bool()>& goesOn);
 

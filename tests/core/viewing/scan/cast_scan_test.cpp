@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace angiopose::core {
@@ -70,6 +71,23 @@ TEST(CastScan, ShowsABallWhereItLies)
     EXPECT_NEAR(mass, M_PI * 64.0, 20.0);
     EXPECT_GT(picture->at(39, 14)[3], 250);
     EXPECT_EQ(picture->at(10, 30)[3], 0);
+}
+
+/// As the view of a window has it that was never drawn.
+TEST(CastScan, ShowsNothingToASightThatIsNowhere)
+{
+    const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
+    ASSERT_TRUE(scan);
+    ParallelSight sight = seenFromTheFront();
+    sight.mmPerPx = 1.0 / 0.0;
+    const auto far = castScan(*scan, solid(5.0), sight, 0.5, always);
+    ASSERT_TRUE(far);
+    EXPECT_TRUE(std::ranges::all_of(far->pixels, [](const Rgba& pixel) { return pixel == Rgba{}; }));
+    sight = seenFromTheFront();
+    sight.up = Eigen::Vector3d::Constant(std::nan(""));
+    EXPECT_TRUE(castScan(*scan, solid(5.0), sight, 0.5, always));
+    sight.width = 0;
+    EXPECT_TRUE(castScan(*scan, solid(5.0), sight, 0.5, always));
 }
 
 /// Opacity of a way of a known length, however long the steps are.
