@@ -130,17 +130,22 @@ StepState registration(const core::Case& current, const StepFacts& facts)
 
 StepState review(const core::Case& current)
 {
-    if (!current.shown().result) {
+    const auto& last = current.shown().result;
+    if (!last) {
         return {};
     }
-    if (!current.shown().result->trustworthy) {
-        const auto& warnings = current.shown().result->warnings;
+    const core::RegistrationResult* const result = core::resultOfShownFrame(current.shown());
+    if (!result) {
+        return {StepMark::Look, StepWords::tr("other frame"),
+                StepWords::tr("This pose was found in frame %1. R registers in the one that is shown.")
+                    .arg(last->provenance.frame.value_or(0))};
+    }
+    if (!result->trustworthy) {
+        const auto& warnings = result->warnings;
         return {StepMark::Look, StepWords::tr("look closely"),
                 warnings.empty() ? QString() : ui::messageText(warnings.front())};
     }
-    return {StepMark::Done,
-            StepWords::tr("%1 mm median").arg(ui::numberText(current.shown().result->metrics.medianMm, 2)),
-            {}};
+    return {StepMark::Done, StepWords::tr("%1 mm median").arg(ui::numberText(result->metrics.medianMm, 2)), {}};
 }
 
 }   // namespace

@@ -34,7 +34,7 @@ void nameBranches(Json& branches, const core::Case& theCase)
 }
 
 /// File names only: results are passed around, and folders may name patients.
-Json inputsJson(const core::Case& theCase)
+Json inputsJson(const core::Case& theCase, const core::RegistrationResult& result)
 {
     Json inputs = Json::object();
     const auto add = [&](const char* key, const core::InputFile& file) {
@@ -48,7 +48,7 @@ Json inputsJson(const core::Case& theCase)
     add("vessel", theCase.vessels.file);
     add("angiogram", theCase.shown().imageFile);
     add("centerline", exportedFileOf(theCase.shown().target));
-    inputs["frame"] = theCase.shown().frame;
+    inputs["frame"] = result.provenance.frame.value_or(theCase.shown().frame);
     return inputs;
 }
 
@@ -72,7 +72,7 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     nameBranches(root["perBranch"], theCase);
     nameBranches(root["unfilled"], theCase);
     root["warnings"] = sentencesOf(result.warnings);
-    root["inputs"] = inputsJson(theCase);
+    root["inputs"] = inputsJson(theCase, result);
     if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }

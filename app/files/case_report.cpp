@@ -1,6 +1,7 @@
 #include "app/files/case_report.h"
 
 #include "app/files/report_page.h"
+#include "app/texts/word_of_run.h"
 #include "core/case/registration_input.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -12,6 +13,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::app {
 namespace {
@@ -22,14 +24,17 @@ constexpr int markPx = 96;
 
 core::Result<core::RegistrationResult> judgementOfView(const core::Case& theCase, const core::Centerline2d& target)
 {
-    if (theCase.shown().result) {
-        return *theCase.shown().result;
-    }
     const auto input = core::registrationInputOf(theCase, target);
     if (!input) {
         return input.error();
     }
-    return core::evaluatePose(input.value(), theCase.shown().cameraFromPatient);
+    auto judged = core::evaluatePose(input.value(), theCase.shown().cameraFromPatient);
+    if (!judged) {
+        return judged.error();
+    }
+    core::RegistrationResult result = std::move(judged).value();
+    takeWordOfRun(result, theCase.shown());
+    return result;
 }
 
 core::Result<ReportedView> judgedView(const core::Case& theCase, const core::Result<core::Centerline2d>& target,

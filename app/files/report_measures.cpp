@@ -15,6 +15,9 @@ struct MeasureReportWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
 };
 
+/// A few per cent are how a lumen is read, not a narrowing of it.
+constexpr double leastNarrowingPercent = 10.0;
+
 }   // namespace
 
 ReportRows measuredRows(const core::Case& theCase)
@@ -52,10 +55,11 @@ QString widthWords(const core::VesselBranch& branch)
     }
     const core::BranchProfile& along = profile.value();
     const QString mean = QStringLiteral(" · ⌀ %1 mm").arg(ui::numberText(*along.meanDiameterMm, 1));
-    return along.narrowing ? mean + MeasureReportWords::tr(", narrowest %1 mm (−%2 %)")
-                                        .arg(ui::numberText(along.narrowing->diameterMm, 1),
-                                             ui::numberText(along.narrowing->percent, 0))
-                           : mean;
+    const bool isNarrowed = along.narrowing && along.narrowing->percent >= leastNarrowingPercent;
+    return isNarrowed ? mean + MeasureReportWords::tr(", narrowest %1 mm (−%2 %)")
+                                   .arg(ui::numberText(along.narrowing->diameterMm, 1),
+                                        ui::numberText(along.narrowing->percent, 0))
+                      : mean;
 }
 
 }   // namespace angiopose::app

@@ -150,6 +150,11 @@ Rows originRows(const ReportedView& view)
                           ui::languageLocale().toString(found, QLocale::ShortFormat) +
                               (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
     }
+    if (!core::resultOfShownFrame(view.theCase.shown())) {
+        rows.emplace_back(ReportWords::tr("Found in"), ReportWords::tr("frame %1; picture and figures are of frame %2")
+                                                           .arg(result->provenance.frame.value_or(0))
+                                                           .arg(view.theCase.shown().frame));
+    }
     return rows;
 }
 

@@ -69,16 +69,14 @@ core::Case caseOf(const core::SimulatedCase& simulated, ui::FitExample example)
 core::Result<QString> fitExamplePicture(ui::FitExample example)
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
-                      QStringLiteral("/fit-examples-" ANGIOPOSE_VERSION));
+                      QStringLiteral("/fit-pictures-" ANGIOPOSE_VERSION));
     const QString path = folder.filePath(QStringLiteral("%1.png").arg(static_cast<int>(example)));
     if (QFileInfo::exists(path)) {
         return path;
     }
     folder.mkpath(QStringLiteral("."));
     const core::SimulatedCase simulated = core::simulateCase(exampleSeed, {}, imageOf(example));
-    OverlayPictureOptions look;
-    look.widthPx = widthPx;
-    const auto picture = drawOverlay(caseOf(simulated, example), simulated.trueTarget, look);
+    const auto picture = drawThumbnail(caseOf(simulated, example), widthPx, &simulated.trueTarget);
     if (!picture) {
         return picture.error();
     }

@@ -1,6 +1,5 @@
 #include "app/review/judgement_controller.h"
 
-#include "app/messages/says.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
 #include "ui/panels/result_sentences.h"
@@ -30,32 +29,6 @@ std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
 }
 
 constexpr auto restBetween = std::chrono::milliseconds(60);   ///< a drag is judged as it moves, but drawn first
-
-/// The run knows more than a second look at its pose: other solutions, why it stopped, how long it took.
-void takeOverFromRun(core::RegistrationResult& judged, const core::RegistrationResult& run)
-{
-    judged.warnings = run.warnings;
-    judged.trustworthy = run.trustworthy;
-    judged.probabilityWithin2Mm = run.probabilityWithin2Mm;
-    judged.uncertainty = run.uncertainty;
-    judged.stopReason = run.stopReason;
-    judged.time = run.time;
-    if (!run.unfilled.empty()) {   // its figures are about what the image shows of the tree
-        judged.unfilled = run.unfilled;
-        judged.metrics = run.metrics;
-        judged.branches = run.branches;
-    }
-}
-
-/// The newest run that left exactly this pose behind, or null.
-const core::PoseSnapshot* runThatFound(const core::View& view)
-{
-    const auto isOfRun = [&view](const core::PoseSnapshot& snapshot) {
-        return !snapshot.method.empty() && snapshot.cameraFromPatient.matrix() == view.cameraFromPatient.matrix();
-    };
-    const auto found = std::ranges::find_if(view.snapshots.rbegin(), view.snapshots.rend(), isOfRun);
-    return found == view.snapshots.rend() ? nullptr : &*found;
-}
 
 }   // namespace
 
@@ -126,25 +99,23 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
     const double shownDepthMm = std::max(depthMm, core::minProjectableDepthMm);
     ui::JudgedPose judged;
     judged.result = judgement_->result;
-    if (current.shown().result) {
-        judged.source = ui::PoseSource::Run;
-        takeOverFromRun(judged.result, *current.shown().result);
-    } else {
-        const core::PoseSnapshot* const run = runThatFound(current.shown());
-        judged.source = isFollowed()                  ? ui::PoseSource::Followed
-                        : run                         ? ui::PoseSource::EarlierRun
-                        : on_.pose.isMovedFromStart() ? ui::PoseSource::Edited
-                                                      : ui::PoseSource::Start;
-        if (run && run->metrics && !run->metrics->isTrustworthy) {   // nothing that was distrusted turns green
-            judged.result.trustworthy = false;
-            judged.result.warnings.push_back(says::runDistrusted());
-        }
-    }
+    judged.source = sourceOf(takeWordOfRun(judged.result, current.shown()));
     judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
     judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;
     judged.residualsMm =
         residualsMm(current.vessels.excludedBranchIds, judged.result.unfilled, *judgement_, judged.millimetresPerPixel);
     return judged;
+}
+
+ui::PoseSource JudgementController::sourceOf(FoundBy found) const
+{
+    if (found == FoundBy::ItsRun) {
+        return ui::PoseSource::Run;
+    }
+    return isFollowed()                     ? ui::PoseSource::Followed
+           : found == FoundBy::AnEarlierRun ? ui::PoseSource::EarlierRun
+           : on_.pose.isMovedFromStart()    ? ui::PoseSource::Edited
+                                            : ui::PoseSource::Start;
 }
 
 bool JudgementController::isFollowed() const

@@ -8,6 +8,7 @@
 #include "app/review/look_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/showing/view_sync.h"
+#include "app/texts/word_of_run.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/result_panel.h"
 
@@ -52,6 +53,7 @@ signals:
 private:
     ui::JudgedPose judgedPose(const core::ProjectionCamera& camera) const;
     void showNothing();
+    ui::PoseSource sourceOf(FoundBy found) const;
     bool isFollowed() const;
 
     Parts on_;

@@ -1,6 +1,7 @@
 #include "app/review/snapshot_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/texts/word_of_run.h"
 #include "app/words/snapshot_texts.h"
 #include "core/support/utc_time.h"
 #include "ui/actions/window_actions.h"
@@ -76,11 +77,13 @@ const core::PoseSnapshot* SnapshotController::find(int snapshotId) const
 std::optional<core::SnapshotMetrics> SnapshotController::metricsOfPose() const
 {
     const core::Case& current = document_.current();
-    if (current.shown().result) {
-        return core::metricsOf(*current.shown().result);
+    if (const core::RegistrationResult* const result = core::resultOfShownFrame(current.shown())) {
+        return core::metricsOf(*result);
     }
     if (judgement_ && isSnapshotPose(judgement_->result.cameraFromPatient, current.shown().cameraFromPatient)) {
-        return core::metricsOf(judgement_->result);
+        core::RegistrationResult judged = judgement_->result;
+        takeWordOfRun(judged, current.shown());
+        return core::metricsOf(judged);
     }
     return std::nullopt;
 }

@@ -284,7 +284,7 @@ core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& theCase, co
     return drawAs<ui::VectorPicture>(theCase, target, options);
 }
 
-core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx)
+core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx, const core::Centerline2d* target)
 {
     const auto& angiogram = theCase.shown().angiogram;
     if (!theCase.vessels.tree || !angiogram || theCase.shown().frame >= angiogram->frameCount()) {
@@ -295,10 +295,14 @@ core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widt
         return camera.error();
     }
     ui::OverlayScene scene;
-    dressScene(scene, theCase, camera.value(), shownVessels(theCase, VesselShape::Bent).tree);
+    const DrawnVessels drawn = shownVessels(theCase, VesselShape::Bent);
+    dressScene(scene, theCase, camera.value(), drawn.tree);
+    if (target) {
+        colorVessels(scene, theCase, *target, {}, drawn);
+    }
     const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
     const int height = std::max(1, widthPx * frame.height / frame.width);
-    scene.setLineWidthPx(std::max(1.0, widthPx / 80.0));
+    scene.setLineWidthPx(std::max(1.0, widthPx / (target ? 200.0 : 80.0)));   // colours tell more than width
     return ui::renderOffscreen(scene, widthPx, height, wholeImage(frame));
 }
 
@@ -313,10 +317,13 @@ std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
     };
     if (const auto& result = theCase.shown().result) {
         texts["Method"] = result->method;
-        texts["Trustworthy"] = result->trustworthy ? "yes" : "no";
+        if (core::resultOfShownFrame(theCase.shown())) {
+            texts["Trustworthy"] = result->trustworthy ? "yes" : "no";
+        }
         for (const core::Message& warning : result->warnings) {
             texts["Warnings"] += warning.text() + "\n";
         }
+        texts["Found in"] = "frame " + std::to_string(result->provenance.frame.value_or(theCase.shown().frame));
         texts["Found"] = result->provenance.time;
         texts["Found by"] = result->provenance.author;
     }

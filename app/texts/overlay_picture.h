@@ -47,8 +47,10 @@ core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core
 core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& theCase, const core::Centerline2d& target,
                                                    const OverlayPictureOptions& options = {});
 
-/// The same small, without colours of residuals and texts: the tree at the case's pose over the image.
-core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx);
+/// The same small, without texts: the tree at the case's pose over the image, in the colours of its residuals where a
+/// target is given.
+core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx,
+                                             const core::Centerline2d* target = nullptr);
 
 /// Where the picture comes from (inputs with hashes, version, method, pose, notice), for the PNG's text chunks.
 std::map<std::string, std::string> provenanceTexts(const core::Case& theCase);

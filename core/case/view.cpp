@@ -5,6 +5,11 @@
 
 namespace angiopose::core {
 
+const RegistrationResult* resultOfShownFrame(const View& view)
+{
+    return view.result && view.result->provenance.frame.value_or(view.frame) == view.frame ? &*view.result : nullptr;
+}
+
 Result<ProjectionCamera> cameraOf(const View& view)
 {
     if (const auto& camera = view.geometry.cameraOverride) {

@@ -64,6 +64,10 @@ struct View {
     std::string extraKeys;   ///< JSON object with the keys of the file about this view that this version does not know
 };
 
+/// The result, where it was found in the frame that is shown: what it says of the fit holds for that one alone. Else
+/// null.
+const RegistrationResult* resultOfShownFrame(const View& view);
+
 /// The camera of a view: the override, which must be of the image size, or what follows from the C-arm and that size.
 Result<ProjectionCamera> cameraOf(const View& view);
 

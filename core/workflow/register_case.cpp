@@ -96,9 +96,10 @@ struct RunNotes {
     double readMs;
     std::vector<double> traceMs;   ///< of each registered view
 
-    void addTo(RegistrationResult& result, std::size_t number) const
+    void addTo(RegistrationResult& result, std::size_t number, const View& view) const
     {
         result.provenance = provenance;
+        result.provenance.frame = view.frame;
         result.time.readMs = readMs;
         result.time.traceMs = traceMs[number];
     }
@@ -115,7 +116,7 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, const IterationOb
         return found.error();
     }
     RegistrationResult result = std::move(found).value();
-    notes.addTo(result, 0);
+    notes.addTo(result, 0, run.theCase.shown());
     takeOver(run.theCase.shown(), std::move(result));
     return Done{};
 }
@@ -140,7 +141,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
-        notes.addTo(result, k);
+        notes.addTo(result, k, run.theCase.views[run.places[k]]);
         RegistrationResult kept = k == 0 ? resultOfAll(*run.joint) : result;
         if (run.joint->bent) {
             kept.bent = std::make_shared<const DeformableResult>(seenFirst(*run.joint->bent, k));

@@ -1,5 +1,6 @@
 #include "app/files/report_template.h"
 #include "app/preferences/settings.h"
+#include "core/case/registration_input.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 #include "ui/dialogs/report_dialog.h"
@@ -67,6 +68,34 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
         picture.width(),
         2 * picture.height() * w.current().shown().angiogram->width() / w.current().shown().angiogram->height() - 1)
         << "before and after";
+}
+
+/// What a run says of its frame is not said of another one.
+TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
+{
+    w.openSample();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    w.waitForJudgement();
+    const int foundIn = w.current().shown().frame;
+    const double thereMm = w.current().shown().result->metrics.medianMm;
+    w.press(Qt::Key_Up);
+    ASSERT_NE(w.current().shown().frame, foundIn);
+    ASSERT_TRUE(w.current().shown().result) << "kept: one step back it holds again";
+    EXPECT_EQ(w.current().shown().result->provenance.frame, foundIn);
+    w.waitForJudgement();
+    const auto target = core::targetOf(w.current().shown());
+    const auto here = core::evaluatePose(core::registrationInputOf(w.current(), target.value()).value(),
+                                         w.current().shown().cameraFromPatient);
+    const auto words = [](double mm) { return QByteArray::number(mm, 'f', 2) + " mm ("; };
+    ASSERT_NE(words(here.value().metrics.medianMm), words(thereMm)) << "or this test could not fail";
+    const QByteArray page = written("other.html");
+    EXPECT_TRUE(page.contains(words(here.value().metrics.medianMm)));
+    EXPECT_FALSE(page.contains(words(thereMm)));
+    EXPECT_TRUE(page.contains(QStringLiteral("frame %1; picture and figures are of frame %2")
+                                  .arg(foundIn)
+                                  .arg(w.current().shown().frame)
+                                  .toUtf8()));
 }
 
 TEST_F(WindowReport, CallsTheStartPoseSo)

@@ -140,6 +140,7 @@ struct Provenance {
     std::string time;   ///< ISO 8601, UTC; empty: not known
     std::string programVersion;   ///< empty: not known
     RegistrationOptions options;
+    std::optional<int> frame{};   ///< of the angiogram, counts from 0: what is said of the fit holds for it alone
 };
 
 struct RegistrationResult {

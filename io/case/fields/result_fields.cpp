@@ -217,6 +217,12 @@ StoredField<core::View> resultField()
 {
     StoredFields<RegistrationResult> rows = resultFields();
     rows.push_back(bentField());
+    rows.push_back(storedThrough<RegistrationResult>(
+        [](auto& result) -> auto& { return result.provenance; },
+        storedIfSet("frame",
+                    about(Json{{"type", "integer"}, {"minimum", 0}},
+                          "In which it was found, counts from 0; absent: in the one that is shown."),
+                    &Provenance::frame)));
     rows.push_back(
         storedList("history", Json::object(), &RegistrationResult::history, Json::object(), iterationFields()));
     Json schema = objectSchema(propertiesOf(rows),

@@ -71,6 +71,7 @@ core::RegistrationResult richResult(const core::Case& theCase)
     result.time = {1.0, 2.0, 3.0, 6.5};
     result.provenance = {"Ada", "2026-05-04T12:30:00Z", "0.1.0", theCase.options};
     result.provenance.options.maxIterations = 33;
+    result.provenance.frame = 0;
     core::IterationReport report;
     report.iteration = 3;
     report.stage = "refine";
@@ -139,6 +140,7 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     EXPECT_EQ(is.provenance.author, "Ada");
     EXPECT_EQ(is.provenance.time, was.provenance.time);
     EXPECT_EQ(is.provenance.options, was.provenance.options);
+    EXPECT_EQ(is.provenance.frame, 0);
     ASSERT_EQ(is.history.size(), 2U);
     EXPECT_EQ(is.history[0].stage, "refine");
     EXPECT_EQ(is.history[0].medianDistancePx, was.history[0].medianDistancePx);
