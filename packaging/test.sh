@@ -21,6 +21,8 @@ step "Release: tests"
 ctest --preset release --parallel "$(nproc)"
 
 if [ "$mode" = full ]; then
+    step "Release: benchmarks"
+    cmake --build build/release --target benchmarks
     step "Address and undefined-behaviour sanitizers: build"
     cmake --preset asan >/dev/null
     cmake --build build/asan
