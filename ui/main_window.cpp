@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/controls/screen_room.h"
 #include "ui/controls/wheel_guard.h"
 #include "ui/places/folding_column.h"
 #include "ui/places/side_by_side.h"
@@ -131,7 +132,7 @@ void MainWindow::layOut()
     layout->addWidget(strip_);
     setCentralWidget(central);
     setMinimumSize(900, 560);
-    resize(1440, 900);
+    resizeOnScreen(*this, {1440, 900});
     setColumns({});
 }
 

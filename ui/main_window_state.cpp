@@ -1,4 +1,5 @@
 // How MainWindow remembers its layout: place, widths, folded parts, views in windows of their own.
+#include "ui/controls/screen_room.h"
 #include "ui/main_window.h"
 #include "ui/places/folding_column.h"
 #include "ui/places/view_frame.h"
@@ -24,21 +25,6 @@ QStringList foldedSections(const QWidget& window)
         }
     }
     return names;
-}
-
-/// A window that was left on a larger screen, or at a smaller scale, is whole on this one. At 200 % a screen has half
-/// as many points as at 100 %.
-void fitInto(const QRect& room, QWidget& window)
-{
-    if (window.isMaximized() || window.isFullScreen() || room.contains(window.geometry())) {
-        return;
-    }
-    QRect place(window.pos(), window.size().boundedTo(room.size()));
-    place.moveRight(std::min(place.right(), room.right()));
-    place.moveBottom(std::min(place.bottom(), room.bottom()));
-    place.moveLeft(std::max(place.left(), room.left()));
-    place.moveTop(std::max(place.top(), room.top()));
-    window.setGeometry(place);
 }
 
 /// Shares of the height, as a splitter wants them.

@@ -54,7 +54,9 @@ ExportController::ExportController(CaseDocument& document, TargetProvider& targe
 
 void ExportController::askFile(const FileQuestion& question, const Write& write, const Then& then)
 {
-    askPath(question, [this, write, then](const QString& path) { writeFile(path, write, then); });
+    askPath(question, [this, write, then, isOfCase = question.isOfCase](const QString& path) {
+        run(path, write, then, isOfCase);
+    });
 }
 
 void ExportController::askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use)
@@ -72,6 +74,11 @@ void ExportController::askPath(const FileQuestion& question, const std::function
 
 void ExportController::writeFile(const QString& path, const Write& write, const Then& then)
 {
+    run(path, write, then, true);
+}
+
+void ExportController::run(const QString& path, const Write& write, const Then& then, bool isOfCase)
+{
     emit started();
     files_.run(
         [path, write]() -> core::Result<QString> {
@@ -80,13 +87,16 @@ void ExportController::writeFile(const QString& path, const Write& write, const 
             }
             return path;
         },
-        [this, then](const core::Result<QString>& written) {
-            if (!written) {
-                emit failed(ui::messageText(written.error().message));
+        [this, then, isOfCase](const core::Result<QString>& outcome) {
+            if (!outcome) {
+                emit failed(ui::messageText(outcome.error().message));
                 return;
             }
-            rememberSaveFolder(written.value());
-            emit exported(written.value());
+            rememberSaveFolder(outcome.value());
+            emit written(outcome.value());
+            if (isOfCase) {
+                emit exported();
+            }
             if (then) {
                 then();
             }

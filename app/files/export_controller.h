@@ -30,13 +30,14 @@ public:
         QString title;
         QString filter;
         QString suffix;   ///< also the end of the suggested name
+        bool isOfCase = true;   ///< else written beside it, as a template
     };
     /// Writes one file on a worker; gets all it needs by value.
     using Write = std::function<core::Status(const QString& path)>;
     using Then = std::function<void()>;   ///< called once it is written
     void askFile(const FileQuestion& question, const Write& write, const Then& then = {});
     void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
-    void writeFile(const QString& path, const Write& write, const Then& then = {});   ///< returns at once
+    void writeFile(const QString& path, const Write& write, const Then& then = {});   ///< of the case; returns at once
 
     void askOverlay();
     OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
@@ -52,12 +53,14 @@ public:
 
 signals:
     void started();
-    void exported(const QString& path);
+    void written(const QString& path);
+    void exported();   ///< what was written is of the case
     void failed(const QString& reason);
 
 private:
     static FileQuestion questionFor(ui::PictureFormat format);
     Write overlayWriter(const ui::ExportChoice& choice) const;
+    void run(const QString& path, const Write& write, const Then& then, bool isOfCase);
 
     CaseDocument& document_;
     TargetProvider& target_;

@@ -297,7 +297,7 @@ void OpenController::admit(const Opening& opening)
         return;
     }
     waiting_ = opening;
-    emit mismatchNeedsConsent(namesOf(opening.paths), mismatch);
+    emit mismatchNeedsConsent(namesOf(opening.paths), mismatch, wanted.value());
 }
 
 void OpenController::carryOut(const Opening& opening)

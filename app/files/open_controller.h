@@ -67,7 +67,7 @@ signals:
     /// `replaceImage` or nothing.
     void viewChoiceNeeded(const QString& name);
     /// What was opened seems to be of another patient, or of the other side; answer with `openMismatched` or nothing.
-    void mismatchNeedsConsent(const QString& names, const core::Messages& mismatch);
+    void mismatchNeedsConsent(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
     void opened(const QStringList& notes);   ///< what to know about the files, in words
     void failed(const QString& reason, const QStringList& paths);
     /// Asked before the open case, with unsaved changes, is replaced; answer with `replaceOpenCase` or nothing.

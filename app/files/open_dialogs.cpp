@@ -4,6 +4,7 @@
 #include "app/files/sample_case.h"
 #include "app/files/series_rows.h"
 #include "app/preferences/settings.h"
+#include "app/words/patient_words.h"
 #include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/missing_inputs.h"
@@ -140,11 +141,14 @@ void OpenDialogs::askWhichView(const QString& name)
     question->open();
 }
 
-void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mismatch)
+void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mismatch, const core::Case& wanted)
 {
+    const bool isHidden = ui_.actions[ui::Command::HideIdentity]->isChecked();
+    const QString patients =
+        isHidden ? QString() : QStringLiteral("\n\n") + patientLines(wanted).join(QLatin1Char('\n'));
     auto* question = new ui::QuestionDialog(
         {tr("Not the same patient?"),
-         ui::messagesText(mismatch) + QStringLiteral("\n\n") +
+         ui::messagesText(mismatch) + patients + QStringLiteral("\n\n") +
              tr("If “%1” is opened all the same, every picture and report of the case will say so.").arg(names),
          {}},
         {tr("Do not open it"), tr("Open it all the same")}, &ui_.dialogParent);

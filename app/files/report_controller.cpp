@@ -56,7 +56,7 @@ void ReportController::askTemplate(ui::ReportDialog& dialog)
 
 void ReportController::askCopy()
 {
-    exporting_.askFile({tr("Save report template"), tr("Templates (*.html)"), QStringLiteral("template.html")},
+    exporting_.askFile({tr("Save report template"), tr("Templates (*.html)"), QStringLiteral("template.html"), false},
                        [](const QString& path) { return writeBytes(builtInReportTemplate(), path); });
 }
 

@@ -235,7 +235,7 @@ QString SaveController::saveState() const
         const qint64 seconds = when->secsTo(QDateTime::currentDateTime());
         return seconds < 90 ? tr("Autosaved %1 s ago").arg(seconds) : tr("Autosaved %1 min ago").arg(seconds / 60);
     }
-    return tr("Unsaved changes");
+    return document_.holdsWork() ? tr("Unsaved changes") : tr("Not saved yet");
 }
 
 }   // namespace angiopose::app

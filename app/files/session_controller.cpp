@@ -106,7 +106,11 @@ void SessionController::connectOpening()
         save_.noteOpened(open_.openedCopy());
         recent_.fill();
         recent_.pictureOpened();
-        notices_.showNote(notes.isEmpty() ? tr("Opened") : ui::joinedSentences(notes));
+        if (notes.isEmpty()) {
+            notices_.showNote(tr("Opened"));
+        } else {
+            notices_.showWarnings(ui::joinedSentences(notes));
+        }
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
@@ -146,10 +150,9 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportMask], &QAction::triggered, &export_, &ExportController::askMask);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
-    connect(&export_, &ExportController::exported, this, [this](const QString& path) {
-        emit exported();
-        notices_.showNote(tr("Written: %1").arg(QFileInfo(path).fileName()));
-    });
+    connect(&export_, &ExportController::exported, this, &SessionController::exported);
+    connect(&export_, &ExportController::written, this,
+            [this](const QString& path) { notices_.showNote(tr("Written: %1").arg(QFileInfo(path).fileName())); });
     const auto showFailure = [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); };
     connect(&export_, &ExportController::failed, this, showFailure);
     connect(&report_, &ReportController::failed, this, showFailure);

@@ -25,7 +25,7 @@ TitleController::TitleController(CaseDocument& document, SaveController& saving,
 void TitleController::show()
 {
     const QString name = QString::fromStdString(document_.current().title);
-    const QString star = document_.isModified() ? QStringLiteral("*") : QString();
+    const QString star = document_.holdsWork() ? QStringLiteral("*") : QString();
     const QString shown = document_.isEmpty() ? QString() : (name.isEmpty() ? tr("Untitled case") : name) + star;
     window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
                                            : tr("%1 · AngioPose · not for clinical use").arg(shown));

@@ -31,6 +31,12 @@ void Notices::showNote(const QString& note)
     noteTimer_.start(6s);
 }
 
+void Notices::showWarnings(const QString& warnings)
+{
+    showNote(warnings);
+    noteTimer_.stop();
+}
+
 void Notices::showProblem(const QString& heading, const QString& reason, const QStringList& paths)
 {
     strip_.remember(QStringLiteral("%1: %2").arg(heading, reason));

@@ -23,6 +23,7 @@ public:
     Notices(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy, QObject* parent = nullptr);
 
     void showNote(const QString& note);   ///< in the strip, for a while
+    void showWarnings(const QString& warnings);   ///< in the strip, until something else is to be told
     void showProblem(const QString& heading, const QString& reason, const QStringList& paths = {});
 
 private:

@@ -1,5 +1,6 @@
 #include "app/showing/patient_controller.h"
 
+#include "app/words/patient_words.h"
 #include "core/case/case_patients.h"
 #include "ui/words/spoken.h"
 
@@ -12,48 +13,6 @@ namespace {
 struct PatientWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
 };
-
-QString readableName(const std::string& name)
-{
-    return QString::fromStdString(name).replace(u'^', u' ').simplified();
-}
-
-/// "scan, view 1, view 2"; of a case with one view "scan, angiogram"
-QString inputsOf(const core::CasePatient& patient, std::size_t viewCount)
-{
-    QStringList inputs;
-    if (patient.isOfScan) {
-        inputs << PatientWords::tr("scan");
-    }
-    for (const std::size_t place : patient.views) {
-        inputs << (viewCount > 1 ? PatientWords::tr("view %1").arg(place + 1) : PatientWords::tr("angiogram"));
-    }
-    return inputs.join(QStringLiteral(", "));
-}
-
-QString detailsOf(const core::CasePatient& patient)
-{
-    const core::StudyIdentity& identity = patient.identity;
-    QStringList parts;
-    if (!identity.patientId.empty()) {
-        parts << PatientWords::tr("ID %1").arg(QString::fromStdString(identity.patientId));
-    }
-    if (!identity.birthDate.empty()) {
-        parts << PatientWords::tr("born %1").arg(QString::fromStdString(identity.birthDate));
-    }
-    if (!identity.sex.empty()) {
-        parts << QString::fromStdString(identity.sex);
-    }
-    return parts.join(QStringLiteral(" · "));
-}
-
-/// "Doe Jane · ID 0815 · born 1950-01-02 · F (scan)"
-QString oneOfSeveral(const core::CasePatient& patient, std::size_t viewCount)
-{
-    QStringList parts{readableName(patient.identity.patientName), detailsOf(patient)};
-    parts.removeAll(QString());
-    return QStringLiteral("%1 (%2)").arg(parts.join(QStringLiteral(" · ")), inputsOf(patient, viewCount));
-}
 
 auto lineOf(const core::Case& theCase, bool isHidden)
 {
@@ -76,11 +35,7 @@ auto lineOf(const core::Case& theCase, bool isHidden)
         line.details =
             details.isEmpty() ? QStringLiteral("(%1)").arg(inputs) : QStringLiteral("%1 (%2)").arg(details, inputs);
     } else {
-        QStringList all;
-        for (const core::CasePatient& patient : patients) {
-            all << oneOfSeveral(patient, theCase.views.size());
-        }
-        line.details = all.join(QStringLiteral("   "));
+        line.details = patientLines(theCase).join(QStringLiteral("   "));
     }
     return line;
 }

@@ -1,6 +1,7 @@
 #include "app/words/mark_words.h"
 
 #include "core/messages/says.h"
+#include "ui/words/language.h"
 #include "ui/words/message_text.h"
 
 #include <QCoreApplication>
@@ -66,7 +67,7 @@ QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCoun
     if (viewCount > 1 || checked.views.empty()) {
         sentences << ui::messagesText(core::spaceSentences(checked));
     }
-    return sentences.join(QLatin1Char(' '));
+    return ui::joinedSentences(sentences);
 }
 
 ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::CheckedPoint>& checked, std::size_t shownView)
@@ -83,7 +84,7 @@ ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::Checke
     const auto label = core::labelOf(*found, shownView);
     const std::size_t views = found->views.size() + (found->views.size() == 1 && found->meeting ? 1 : 0);
     return {name, label ? ui::messageText(*label) : QStringLiteral("–"),
-            checkedSentences(*found, std::max<std::size_t>(views, 1)) + QLatin1Char(' ') + placeWords(mark),
+            ui::joinedSentences({checkedSentences(*found, std::max<std::size_t>(views, 1)), placeWords(mark)}),
             isMoreThanClaimed(*found, shownView)};
 }
 

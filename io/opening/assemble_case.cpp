@@ -1,9 +1,19 @@
 #include "io/opening/assemble_case.h"
 
+#include "io/support/input_bytes.h"
+
+#include <algorithm>
 #include <filesystem>
 
 namespace angiopose::io {
 namespace {
+
+/// "chest.nii.gz" is the chest.
+std::string nameAlone(const std::string& path)
+{
+    const std::string name = std::filesystem::path(path).filename().string();
+    return name.substr(0, name.size() - std::min(name.size(), extensionOf(path).size()));
+}
 
 /// The scan of the case stays beside vessels that come from elsewhere but lie in it.
 void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
@@ -110,7 +120,7 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         const std::string& path = view.angiogram ? view.imageFile.path
                                   : vessels.tree ? vessels.file.path
                                                  : vessels.scanFile.path;
-        base.title = std::filesystem::path(path).stem().string();
+        base.title = nameAlone(path);
     }
     return base;
 }

@@ -175,6 +175,14 @@
         <translation>keine: dies ist die Startlage</translation>
     </message>
     <message>
+        <source>Found in</source>
+        <translation>Gefunden in</translation>
+    </message>
+    <message>
+        <source>frame %1; picture and figures are of frame %2</source>
+        <translation>Bild %1; Ansicht und Zahlen sind von Bild %2</translation>
+    </message>
+    <message>
         <source>pose set by hand</source>
         <translation>Lage von Hand gesetzt</translation>
     </message>
@@ -1384,6 +1392,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
         <source>A blind trial is under way. End it before saving.</source>
         <translation>Ein Blindversuch läuft. Vor dem Speichern beenden.</translation>
     </message>
@@ -1715,6 +1727,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>look closely</source>
         <translation>genau ansehen</translation>
+    </message>
+    <message>
+        <source>other frame</source>
+        <translation>anderes Bild</translation>
+    </message>
+    <message>
+        <source>This pose was found in frame %1. R registers in the one that is shown.</source>
+        <translation>Diese Lage wurde in Bild %1 gefunden. R registriert im gezeigten.</translation>
     </message>
     <message>
         <source>%1 mm median</source>
@@ -2755,6 +2775,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>C-Bogen-Winkel</translation>
     </message>
     <message>
+        <source>Blue: seen at full length and clear of other vessels. Amber: foreshortened or hidden.</source>
+        <translation>Blau: in ganzer Länge und frei von anderen Gefäßen zu sehen. Orange: verkürzt oder verdeckt.</translation>
+    </message>
+    <message>
         <source>Where the gantry stood for this image.</source>
         <translation>Wo der C-Bogen bei diesem Bild stand.</translation>
     </message>
@@ -2962,9 +2986,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist eine zweite 2-D-Mittellinie. Nur eine auf einmal öffnen.</translation>
     </message>
     <message>
-        <source>%1 is a second angiogram. Open one angiogram at a time.</source>
+        <source>%1 is a second angiogram. Open one at a time; others join it as views.</source>
         <comment>open.second-angiogram</comment>
-        <translation>%1 ist ein zweites Angiogramm. Nur eines auf einmal öffnen.</translation>
+        <translation>%1 ist ein zweites Angiogramm. Nur eines auf einmal öffnen; weitere kommen als Ansichten dazu.</translation>
     </message>
     <message>
         <source>%1 has moved and was found as %2. Save the case to remember.</source>

@@ -175,6 +175,14 @@
         <translation>无：这是初始位姿</translation>
     </message>
     <message>
+        <source>Found in</source>
+        <translation>求得于</translation>
+    </message>
+    <message>
+        <source>frame %1; picture and figures are of frame %2</source>
+        <translation>第 %1 帧；图像与数值来自第 %2 帧</translation>
+    </message>
+    <message>
         <source>pose set by hand</source>
         <translation>手动设定的位姿</translation>
     </message>
@@ -248,11 +256,11 @@
     </message>
     <message>
         <source>traced from a lumen mask edited by hand</source>
-        <translation>由手工编辑的管腔掩模提取</translation>
+        <translation>由手工编辑的管腔掩膜提取</translation>
     </message>
     <message>
         <source>Lumen mask</source>
-        <translation>管腔掩模</translation>
+        <translation>管腔掩膜</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -453,7 +461,7 @@
     </message>
     <message>
         <source>Export lumen mask</source>
-        <translation>导出管腔掩模</translation>
+        <translation>导出管腔掩膜</translation>
     </message>
     <message>
         <source>Label images (*.nrrd *.nii.gz *.nii *.mha)</source>
@@ -1384,6 +1392,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有未保存的更改</translation>
     </message>
     <message>
+        <source>Not saved yet</source>
+        <translation>尚未保存</translation>
+    </message>
+    <message>
         <source>A blind trial is under way. End it before saving.</source>
         <translation>盲法试验进行中。保存前请结束。</translation>
     </message>
@@ -1715,6 +1727,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>look closely</source>
         <translation>请仔细核对</translation>
+    </message>
+    <message>
+        <source>other frame</source>
+        <translation>其他帧</translation>
+    </message>
+    <message>
+        <source>This pose was found in frame %1. R registers in the one that is shown.</source>
+        <translation>该位姿由第 %1 帧求得。按 R 在当前帧中配准。</translation>
     </message>
     <message>
         <source>%1 mm median</source>
@@ -2158,7 +2178,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>How far the mask reaches beyond the projected vessels.</source>
-        <translation>掩模超出投影血管的距离。</translation>
+        <translation>掩膜超出投影血管的距离。</translation>
     </message>
     <message>
         <source>How far the search reaches in LAO/RAO and CRA/CAU.</source>
@@ -2258,7 +2278,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Mask margin</source>
-        <translation>掩模边距</translation>
+        <translation>掩膜边距</translation>
     </message>
     <message>
         <source>Matching and choosing a pose end after so many rounds.</source>
@@ -2386,7 +2406,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Share of the mask that the rank correlation is taken over; at least 2000 pixels.</source>
-        <translation>秩相关所用掩模比例；至少 2000 像素。</translation>
+        <translation>秩相关所用掩膜比例；至少 2000 像素。</translation>
     </message>
     <message>
         <source>Smoothing under the gradients of the image.</source>
@@ -2755,6 +2775,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>C 臂角度</translation>
     </message>
     <message>
+        <source>Blue: seen at full length and clear of other vessels. Amber: foreshortened or hidden.</source>
+        <translation>蓝色：全长可见且不与其他血管重叠。琥珀色：缩短或被遮挡。</translation>
+    </message>
+    <message>
         <source>Where the gantry stood for this image.</source>
         <translation>拍摄此图像时 C 臂的位置。</translation>
     </message>
@@ -2962,9 +2986,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 是第二条二维中心线。一次只能打开一条二维中心线。</translation>
     </message>
     <message>
-        <source>%1 is a second angiogram. Open one angiogram at a time.</source>
+        <source>%1 is a second angiogram. Open one at a time; others join it as views.</source>
         <comment>open.second-angiogram</comment>
-        <translation>%1 是第二个血管造影。一次只能打开一个血管造影。</translation>
+        <translation>%1 是第二个血管造影。一次只能打开一个；其余的可作为视图加入。</translation>
     </message>
     <message>
         <source>%1 has moved and was found as %2. Save the case to remember.</source>
@@ -3849,7 +3873,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The vessel mask has no vessel of at least %1 in it. Draw longer vessels, or lower the shortest length.</source>
         <comment>frame.mask-without-vessels</comment>
-        <translation>血管掩模中没有至少 %1 的血管。请画更长的血管或降低最短长度。</translation>
+        <translation>血管掩膜中没有至少 %1 的血管。请画更长的血管或降低最短长度。</translation>
     </message>
     <message>
         <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
@@ -4764,12 +4788,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
         <comment>centreline.is-other</comment>
-        <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩模。</translation>
+        <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩膜。</translation>
     </message>
     <message>
         <source>this is not a mask of two levels. Draw the vessels white on black.</source>
         <comment>centreline.no-mask</comment>
-        <translation>这不是二值掩模。请以黑底白色画血管。</translation>
+        <translation>这不是二值掩膜。请以黑底白色画血管。</translation>
     </message>
     <message>
         <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
@@ -5914,7 +5938,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>In the plane of the slice: legs that leave it make another angle in space.</source>
         <comment>measure.basis-scan-angle</comment>
-        <translation>位于断层平面内：离开该平面的边在空间中形成的角度不同。</translation>
+        <translation>位于切片平面内：离开该平面的边在空间中形成的角度不同。</translation>
     </message>
     <message>
         <source>it is a report, not an image.</source>
@@ -7271,7 +7295,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export bent vessels …</source>
-        <translation>导出弯曲血管…</translation>
+        <translation>导出弯曲血管……</translation>
     </message>
     <message>
         <source>Export report …</source>
@@ -7319,27 +7343,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export check points …</source>
-        <translation>导出检查点…</translation>
+        <translation>导出检查点……</translation>
     </message>
     <message>
         <source>Export lumen mask …</source>
-        <translation>导出管腔掩模…</translation>
+        <translation>导出管腔掩膜……</translation>
     </message>
     <message>
         <source>Paint into the lumen mask</source>
-        <translation>在管腔掩模中绘制</translation>
+        <translation>在管腔掩膜中绘制</translation>
     </message>
     <message>
         <source>Erase from the lumen mask</source>
-        <translation>从管腔掩模中擦除</translation>
+        <translation>从管腔掩膜中擦除</translation>
     </message>
     <message>
         <source>Cut the lumen mask by a lasso</source>
-        <translation>用套索裁剪管腔掩模</translation>
+        <translation>用套索裁剪管腔掩膜</translation>
     </message>
     <message>
         <source>Trace the edited mask</source>
-        <translation>提取编辑后的掩模</translation>
+        <translation>提取编辑后的掩膜</translation>
     </message>
     <message>
         <source>Scan in the 3-D view</source>
@@ -7375,7 +7399,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export movie …</source>
-        <translation>导出影片 …</translation>
+        <translation>导出影片……</translation>
     </message>
 </context>
 <context>
@@ -7478,7 +7502,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Lasso</source>
-        <translation>Lasso</translation>
+        <translation>套索</translation>
     </message>
     <message>
         <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
@@ -7616,7 +7640,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>The picture says “Not for clinical use” (grey values of 16 bit in their text fields alone) and carries inputs, method and pose.</source>
-        <translation>图像注明“非临床用途”（16 位灰度值仅写在文本字段中），并附输入、方法与位姿。</translation>
+        <translation>图像注明“不得用于临床”（16 位灰度值仅写在文本字段中），并附输入、方法与位姿。</translation>
     </message>
     <message>
         <source>Width</source>
@@ -10198,7 +10222,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Table …</source>
-        <translation>表格…</translation>
+        <translation>表格……</translation>
     </message>
     <message>
         <source>Remove the chosen marks: Delete</source>
@@ -10330,7 +10354,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Tracing the mask … %1 %</source>
-        <translation>正在提取掩模… %1 %</translation>
+        <translation>正在提取掩膜…… %1 %</translation>
     </message>
     <message>
         <source>Open a scan or a label image first.</source>
@@ -10342,23 +10366,23 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Paint into the mask</source>
-        <translation>在掩模中绘制</translation>
+        <translation>在掩膜中绘制</translation>
     </message>
     <message>
         <source>Erase from the mask</source>
-        <translation>从掩模中擦除</translation>
+        <translation>从掩膜中擦除</translation>
     </message>
     <message>
         <source>Nothing of the mask lies there.</source>
-        <translation>该处没有掩模。</translation>
+        <translation>该处没有掩膜。</translation>
     </message>
     <message>
         <source>Cut the mask</source>
-        <translation>裁剪掩模</translation>
+        <translation>裁剪掩膜</translation>
     </message>
     <message>
         <source>Tracing the mask …</source>
-        <translation>正在提取掩模…</translation>
+        <translation>正在提取掩膜……</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -10366,7 +10390,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Trace the edited mask</source>
-        <translation>提取编辑后的掩模</translation>
+        <translation>提取编辑后的掩膜</translation>
     </message>
     <message>
         <source>Traced: 1 branch.</source>
@@ -10378,7 +10402,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Saved without the latest changes of the mask: trace the mask, then save again.</source>
-        <translation>已保存，但不含掩模的最新更改：请提取掩模后再次保存。</translation>
+        <translation>已保存，但不含掩膜的最新更改：请提取掩膜后再次保存。</translation>
     </message>
 </context>
 <context>
@@ -10427,23 +10451,23 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Trace the mask</source>
-        <translation>提取掩模</translation>
+        <translation>提取掩膜</translation>
     </message>
     <message>
         <source>Save mask …</source>
-        <translation>保存掩模…</translation>
+        <translation>保存掩膜……</translation>
     </message>
     <message>
         <source>Lumen mask</source>
-        <translation>管腔掩模</translation>
+        <translation>管腔掩膜</translation>
     </message>
     <message>
         <source>Makes the vessels anew from the mask as it is.</source>
-        <translation>由当前掩模重新生成血管。</translation>
+        <translation>由当前掩膜重新生成血管。</translation>
     </message>
     <message>
         <source>Writes the mask as a label image.</source>
-        <translation>将掩模写为标签图像。</translation>
+        <translation>将掩膜写为标签图像。</translation>
     </message>
     <message>
         <source>this slice alone</source>
@@ -10459,11 +10483,11 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Mask over the slices</source>
-        <translation>断层上的掩模</translation>
+        <translation>断层上的掩膜</translation>
     </message>
     <message>
         <source>How strong the mask is shown over the slices.</source>
-        <translation>掩模在断层上显示的浓淡。</translation>
+        <translation>掩膜在断层上显示的浓淡。</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -10487,23 +10511,23 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Tracing the mask …</source>
-        <translation>正在提取掩模…</translation>
+        <translation>正在提取掩膜……</translation>
     </message>
     <message>
         <source>1 change of the mask is not in the vessels yet: trace the mask.</source>
-        <translation>掩模有 1 处更改尚未反映到血管：请提取掩模。</translation>
+        <translation>掩膜有 1 处更改尚未反映到血管：请提取掩膜。</translation>
     </message>
     <message>
         <source>%1 changes of the mask are not in the vessels yet: trace the mask.</source>
-        <translation>掩模有 %1 处更改尚未反映到血管：请提取掩模。</translation>
+        <translation>掩膜有 %1 处更改尚未反映到血管：请提取掩膜。</translation>
     </message>
     <message>
         <source>The vessels come from a mask edited by hand.</source>
-        <translation>血管来自手工编辑的掩模。</translation>
+        <translation>血管来自手工编辑的掩膜。</translation>
     </message>
     <message>
         <source>Paint and cut, then trace the mask. Each stroke can be undone.</source>
-        <translation>绘制和裁剪，然后提取掩模。每一笔均可撤销。</translation>
+        <translation>绘制和裁剪，然后提取掩膜。每一笔均可撤销。</translation>
     </message>
 </context>
 <context>
@@ -10867,7 +10891,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Writing the movie …</source>
-        <translation>正在写影片 …</translation>
+        <translation>正在写影片……</translation>
     </message>
     <message>
         <source>Frames %1 to %2, back and forth</source>
@@ -10953,7 +10977,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Every picture says “Not for clinical use”, whose pose it shows, and whether that is trusted.</source>
-        <translation>每张图片都注明“不可用于临床”、所示位姿的来源及其是否可信。</translation>
+        <translation>每张图片都注明“不得用于临床”、所示位姿的来源及其是否可信。</translation>
     </message>
     <message>
         <source>The overlay through the run</source>
@@ -11024,11 +11048,11 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Choose …</source>
-        <translation>选择…</translation>
+        <translation>选择……</translation>
     </message>
     <message>
         <source>Save a copy …</source>
-        <translation>保存副本…</translation>
+        <translation>保存副本……</translation>
     </message>
     <message>
         <source>The built-in template, to be changed</source>
@@ -11040,7 +11064,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Export …</source>
-        <translation>导出…</translation>
+        <translation>导出……</translation>
     </message>
     <message>
         <source>built in</source>

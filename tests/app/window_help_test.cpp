@@ -8,8 +8,8 @@
 
 #include <QImage>
 #include <QLabel>
-#include <QPlainTextEdit>
 #include <QTextBrowser>
+#include <QTextEdit>
 
 #include <set>
 
@@ -29,7 +29,7 @@ TEST(WindowHelp, WhatWasToldCanBeReadAgain)
     }
     w.window.actions()[ui::Command::Messages]->trigger();
     ASSERT_EQ(w.dialogs("messageHistory").size(), 1);
-    const QString told = w.dialogs("messageHistory").front()->findChild<QPlainTextEdit*>()->toPlainText();
+    const QString told = w.dialogs("messageHistory").front()->findChild<QTextEdit*>()->toPlainText();
     EXPECT_TRUE(told.contains(QStringLiteral("Kept as"))) << told.toStdString();
     EXPECT_TRUE(told.contains(QStringLiteral("run.dcm"))) << told.toStdString();
     EXPECT_LT(told.indexOf(QStringLiteral("Kept as")), told.indexOf(QStringLiteral("run.dcm")));

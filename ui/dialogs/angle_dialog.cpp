@@ -60,6 +60,8 @@ AngleDialog::AngleDialog(const GantryReach& reach, QWidget* parent)
     layout->addWidget(hint_);
     layout->addWidget(takeOff_);
     layout->addLayout(pictures, 1);
+    layout->addWidget(
+        roleLabel("hint", tr("Blue: seen at full length and clear of other vessels. Amber: foreshortened or hidden.")));
     layout->addWidget(picked_);
     layout->addLayout(makeBest());
     layout->addLayout(makeReach(reach));

@@ -1,17 +1,20 @@
 #include "ui/dialogs/good_fit.h"
 
+#include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"
 
 #include <QGridLayout>
 #include <QImage>
 #include <QPixmap>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace angiopose::ui {
 namespace {
 
 constexpr int picturePx = 250;
+constexpr int scrollBarRoom = 4;
 
 bool isGood(FitExample example)
 {
@@ -63,7 +66,9 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     setObjectName(QStringLiteral("goodFit"));
     setWindowTitle(tr("What a good fit looks like"));
     setAttribute(Qt::WA_DeleteOnClose);
-    auto* grid = new QGridLayout;
+    auto* pictures = new QWidget;
+    auto* grid = new QGridLayout(pictures);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(16);
     grid->setVerticalSpacing(14);
     for (int i = 0; i < fitExampleCount; ++i) {
@@ -80,8 +85,18 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 18, 20, 16);
     layout->setSpacing(14);
-    layout->addLayout(grid);
+    auto* area = new QScrollArea;   // for screens without room for all six
+    area->setWidget(pictures);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    pictures->setAutoFillBackground(false);
+    area->viewport()->setAutoFillBackground(false);
+    layout->addWidget(area, 1);
     layout->addLayout(foot);
+    const QMargins rim = layout->contentsMargins();
+    resizeOnScreen(
+        *this, pictures->sizeHint() + QSize(rim.left() + rim.right() + scrollBarRoom,
+                                            rim.top() + rim.bottom() + layout->spacing() + foot->sizeHint().height()));
 }
 
 QWidget* GoodFit::makeCell(FitExample example)
@@ -97,6 +112,8 @@ QWidget* GoodFit::makeCell(FitExample example)
     auto* sentence = roleLabel("label", sentenceOf(example));
     sentence->setWordWrap(true);
     sentence->setFixedWidth(picturePx);
+    sentence->ensurePolished();
+    sentence->setMinimumHeight(sentence->heightForWidth(picturePx));   // a layout in layouts does not ask for it
     auto* layout = new QVBoxLayout(cell);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);

@@ -1,5 +1,6 @@
 #include "ui/dialogs/key_sheet.h"
 
+#include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"
 
 #include <QAction>
@@ -106,7 +107,7 @@ KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
     connect(list_, &QTreeWidget::itemActivated, this, &KeySheet::listenFor);
     connect(reset, &QPushButton::clicked, this, &KeySheet::resetRequested);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resize(620, 700);
+    resizeOnScreen(*this, {620, 700});
     showLines(std::move(lines));
     search_->setFocus();
 }

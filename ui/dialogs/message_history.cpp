@@ -3,10 +3,29 @@
 #include "ui/words/language.h"
 
 #include <QDialogButtonBox>
-#include <QPlainTextEdit>
+#include <QTextBlockFormat>
+#include <QTextCursor>
+#include <QTextEdit>
 #include <QVBoxLayout>
 
 namespace angiopose::ui {
+namespace {
+
+/// Longer messages go on below their words, not below their time.
+void indentBehindTime(QTextEdit& text)
+{
+    text.ensurePolished();
+    const int width = text.fontMetrics().horizontalAdvance(QStringLiteral("00:00:00   "));
+    text.setTabStopDistance(width);
+    QTextBlockFormat hanging;
+    hanging.setLeftMargin(width);
+    hanging.setTextIndent(-width);
+    QTextCursor all(text.document());
+    all.select(QTextCursor::Document);
+    all.mergeBlockFormat(hanging);
+}
+
+}   // namespace
 
 MessageHistory::MessageHistory(const ToldMessages& messages, QWidget* parent) : QDialog(parent)
 {
@@ -16,12 +35,14 @@ MessageHistory::MessageHistory(const ToldMessages& messages, QWidget* parent) : 
     resize(640, 420);
     QStringList lines;
     for (const ToldMessage& told : messages.all()) {
-        lines << languageLocale().toString(told.time.time(), QStringLiteral("HH:mm:ss")) + QStringLiteral("   ") +
+        lines << languageLocale().toString(told.time.time(), QStringLiteral("HH:mm:ss")) + QLatin1Char('\t') +
                      told.text;
     }
-    auto* text = new QPlainTextEdit(lines.join(QLatin1Char('\n')));
+    auto* text = new QTextEdit;
     text->setReadOnly(true);
     text->setPlaceholderText(tr("Nothing has been told yet."));
+    text->setPlainText(lines.join(QLatin1Char('\n')));
+    indentBehindTime(*text);
     text->moveCursor(QTextCursor::End);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -1,6 +1,7 @@
 #include "ui/dialogs/pose_table.h"
 
 #include "core/registration/methods/method_info.h"
+#include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/method_words.h"
@@ -97,7 +98,7 @@ PoseTable::PoseTable(QWidget* parent)
     setObjectName(QStringLiteral("poseTable"));
     setWindowTitle(tr("Compare poses"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(poseTableWidth, poseTableHeight);
+    resizeOnScreen(*this, {poseTableWidth, poseTableHeight});
     table_->setAccessibleName(tr("Poses side by side"));
     table_->setRootIsDecorated(false);
     table_->setUniformRowHeights(true);

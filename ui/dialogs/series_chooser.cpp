@@ -1,5 +1,6 @@
 #include "ui/dialogs/series_chooser.h"
 
+#include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"
 #include "ui/words/language.h"
 
@@ -40,7 +41,7 @@ SeriesChooser::SeriesChooser(const QString& folder, std::vector<SeriesRow> rows,
     setObjectName(QStringLiteral("seriesChooser"));
     setWindowTitle(tr("Choose a series"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(chooserWidth, chooserHeight);
+    resizeOnScreen(*this, {chooserWidth, chooserHeight});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);

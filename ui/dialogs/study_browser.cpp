@@ -1,5 +1,6 @@
 #include "ui/dialogs/study_browser.h"
 
+#include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"
 #include "ui/dialogs/study_list.h"
 #include "ui/words/language.h"
@@ -40,7 +41,7 @@ StudyBrowser::StudyBrowser(const QString& place, QWidget* parent)
     setObjectName(QStringLiteral("studyBrowser"));
     setWindowTitle(tr("Studies in %1").arg(place));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(browserSize);
+    resizeOnScreen(*this, browserSize);
     search_->setPlaceholderText(tr("Search by name, ID or description"));
     search_->setAccessibleName(tr("Search"));
     search_->setClearButtonEnabled(true);

@@ -41,7 +41,7 @@ QIcon tileOf(const QImage& picture, double ratio)
 {
     const auto side = static_cast<int>(StudyList::pictureSize * ratio);
     QPixmap tile(side, side);
-    tile.fill(toQColor(picture.isNull() ? activePalette().field : activePalette().canvas));
+    tile.fill(toQColor(picture.isNull() ? activePalette().line : activePalette().canvas));
     if (!picture.isNull()) {
         QPainter painter(&tile);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);

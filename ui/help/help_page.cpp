@@ -1,5 +1,6 @@
 #include "ui/help/help_page.h"
 
+#include "ui/controls/screen_room.h"
 #include "ui/words/language.h"
 
 #include <QFile>
@@ -75,7 +76,7 @@ HelpPage::HelpPage(const QString& page, const QString& title, QWidget* parent) :
     layout->setSpacing(14);
     layout->addWidget(text, 1);
     layout->addWidget(close, 0, Qt::AlignRight);
-    resize(560, 640);
+    resizeOnScreen(*this, {560, 640});
 }
 
 QString HelpPage::markdown(const QString& page)

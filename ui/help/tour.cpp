@@ -183,7 +183,7 @@ void Tour::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), toQColor(tones.panel));
     painter.setPen(toQColor(tones.accent));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));   // whole pixels at any scale
 }
 
 void Tour::end()

@@ -48,6 +48,25 @@ QIcon tileOf(const QImage& picture, double ratio)
     return tile;
 }
 
+/// Its name may be longer than the list is wide.
+class RecentButton : public QPushButton {
+public:
+    explicit RecentButton(const QString& name) : QPushButton(name), name_(name) { setAccessibleName(name); }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QPushButton::resizeEvent(event);
+        ensurePolished();
+        setText(fontMetrics().elidedText(name_, Qt::ElideMiddle, width() - tileSize - aroundName));
+    }
+
+private:
+    static constexpr int aroundName = 26;
+
+    QString name_;
+};
+
 }   // namespace
 
 RecentList::RecentList(QWidget* parent)
@@ -60,7 +79,8 @@ RecentList::RecentList(QWidget* parent)
       pictures_(withText(new QCheckBox, [] { return tr("Small pictures"); })),
       clear_(withText(new QPushButton, [] { return tr("Clear the list"); }))
 {
-    setFixedWidth(listWidth);
+    setMaximumWidth(listWidth);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     speak(search_, [search = search_] {
         search->setPlaceholderText(tr("Search recent cases"));
         search->setAccessibleName(tr("Search recent cases"));
@@ -86,7 +106,8 @@ RecentList::RecentList(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(search_);
     layout->addWidget(area_);
-    layout->addWidget(nothing_, 0, Qt::AlignHCenter);
+    nothing_->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    layout->addWidget(nothing_);
     layout->addLayout(foot);
     connect(search_, &QLineEdit::textChanged, this, &RecentList::showMatches);
     connect(pictures_, &QCheckBox::clicked, this, &RecentList::picturesToggled);
@@ -115,7 +136,7 @@ QWidget* RecentList::makeRow(const RecentCase& recent)
     const QString name = labelOf(recent.path, recent.state);
     auto* row = new QWidget;
     row->setFixedHeight(rowHeight);
-    auto* open = new QPushButton(name);
+    auto* open = new RecentButton(name);
     open->setProperty("role", "recent");
     open->setIconSize({tileSize, tileSize});
     open->setIcon(tileOf(isGone ? QImage() : recent.picture, devicePixelRatioF()));
@@ -184,8 +205,11 @@ void RecentList::showMatches()
     }
     nothing_->setVisible(seen == 0 && !cases_.empty());
     area_->setVisible(seen > 0);
-    area_->setFixedHeight(static_cast<int>(std::min(std::max<std::size_t>(seen, 1), seenRows)) *
-                          (rowHeight + rowLayout_->spacing()));
+    // Who searches sees the field stay where it is, however few are found.
+    const std::size_t kept = std::clamp<std::size_t>(search_->isHidden() ? seen : cases_.size(), 1, seenRows);
+    const int keptHeight = static_cast<int>(kept) * (rowHeight + rowLayout_->spacing());
+    area_->setFixedHeight(keptHeight);
+    nothing_->setFixedHeight(keptHeight);
 }
 
 }   // namespace angiopose::ui

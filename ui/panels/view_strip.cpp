@@ -17,7 +17,7 @@ namespace {
 
 constexpr int viewPictureSize = 52;
 constexpr int leastPictureSize = 28;
-constexpr int viewItemPadding = 22;   // around and between picture and words
+constexpr int viewItemPadding = 32;   // around and between picture and words
 constexpr int listRim = 4;   // what the list takes beside its items
 constexpr int fewestWordsPx = 40;   // less beside a picture is not worth reading
 

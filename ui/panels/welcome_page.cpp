@@ -6,11 +6,18 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace angiopose::ui {
+namespace {
 
-WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new RecentList)
+constexpr int sideMargin = 16;
+
+}   // namespace
+
+WelcomePage::WelcomePage(QWidget* parent)
+    : QWidget(parent), recent_(new RecentList), page_(new QWidget), buttons_(new QBoxLayout(QBoxLayout::LeftToRight))
 {
     setProperty("role", "welcome");
     setAttribute(Qt::WA_StyledBackground);
@@ -31,27 +38,51 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), recent_(new RecentL
     auto* folder = withText(new QPushButton, [] { return withKey(tr("Open folder or disc …"), Command::OpenFolder); });
     withTip(folder, [] { return tr("Lists the patients, studies and series of a folder, a CD or a DICOMDIR."); });
     auto* sample = withText(new QPushButton, [] { return tr("Open the sample case"); });
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(open);
-    buttons->addWidget(folder);
-    buttons->addWidget(sample);
-    buttons->addStretch(1);
+    buttons_->addStretch(1);
+    buttons_->addWidget(open);
+    buttons_->addWidget(folder);
+    buttons_->addWidget(sample);
+    buttons_->addStretch(1);
     connect(open, &QPushButton::clicked, this, &WelcomePage::openRequested);
     connect(folder, &QPushButton::clicked, this, &WelcomePage::folderRequested);
     connect(sample, &QPushButton::clicked, this, &WelcomePage::sampleRequested);
 
-    auto* layout = new QVBoxLayout(this);
+    auto* list = new QHBoxLayout;
+    list->addStretch(1);
+    list->addWidget(recent_, 1000);   // as wide as it may be
+    list->addStretch(1);
+    auto* layout = new QVBoxLayout(page_);
     layout->setSpacing(12);
     layout->addStretch(2);
     layout->addWidget(heading);
     layout->addWidget(hint);
     layout->addWidget(formats);
     layout->addSpacing(8);
-    layout->addLayout(buttons);
+    layout->addLayout(buttons_);
     layout->addSpacing(16);
-    layout->addWidget(recent_, 0, Qt::AlignHCenter);
+    layout->addLayout(list);
     layout->addStretch(3);
+    auto* area = new QScrollArea;   // at 200 % a screen may be too small for all of it
+    area->setWidget(page_);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    page_->setAutoFillBackground(false);
+    area->viewport()->setAutoFillBackground(false);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
+}
+
+/// Buttons that do not stand side by side stand below each other.
+void WelcomePage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    int needed = 2 * sideMargin;
+    for (int i = 0; i < buttons_->count(); ++i) {
+        needed += buttons_->itemAt(i)->sizeHint().width() + buttons_->spacing();
+    }
+    buttons_->setDirection(needed > width() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 }   // namespace angiopose::ui

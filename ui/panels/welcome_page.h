@@ -2,6 +2,7 @@
 
 #include "ui/panels/recent_list.h"
 
+#include <QBoxLayout>
 #include <QWidget>
 
 namespace angiopose::ui {
@@ -19,8 +20,13 @@ signals:
     void folderRequested();
     void sampleRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     RecentList* recent_;
+    QWidget* page_;
+    QBoxLayout* buttons_;
 };
 
 }   // namespace angiopose::ui

@@ -1,5 +1,7 @@
 #include "ui/places/view_window.h"
 
+#include "ui/controls/screen_room.h"
+
 #include <QCloseEvent>
 #include <QGuiApplication>
 #include <QScreen>
@@ -20,7 +22,7 @@ ViewWindow::ViewWindow(QWidget* mainWindow, const Words& title) : QWidget(mainWi
     addActions(mainWindow->actions());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    resize(usualSize);
+    resizeOnScreen(*this, usualSize);
 }
 
 void ViewWindow::hold(QWidget& view)

@@ -208,11 +208,19 @@ CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& 
     painter.setFont(font);
     const QColor color = toQColor(sliceTones().text);
     const QRectF inner = area.adjusted(8, 6, -8, -6);
-    drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignTop, top.join(QLatin1Char('\n')), color);
-    drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')), color);
     const QFontMetricsF metrics(font);
-    return {metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignTop, top.join(QLatin1Char('\n'))),
-            metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignBottom, bottom.join(QLatin1Char('\n')))};
+    const auto fitted = [&](QStringList lines) {
+        for (QString& line : lines) {
+            line = metrics.elidedText(line, Qt::ElideRight, inner.width());
+        }
+        return lines.join(QLatin1Char('\n'));
+    };
+    const QString above = fitted(top);
+    const QString below = fitted(bottom);
+    drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignTop, above, color);
+    drawOutlined(painter, inner, Qt::AlignLeft | Qt::AlignBottom, below, color);
+    return {metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignTop, above),
+            metrics.boundingRect(inner, Qt::AlignLeft | Qt::AlignBottom, below)};
 }
 
 }   // namespace angiopose::ui

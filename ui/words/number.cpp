@@ -22,7 +22,12 @@ QString signedAs(QString digits)
 
 QString numberText(double value, int decimals)
 {
-    return signedAs(QString::number(value, 'f', decimals));
+    const QString digits = QString::number(value, 'f', decimals);
+    if (!digits.startsWith(QLatin1Char('-'))) {
+        return signedAs(digits);
+    }
+    const bool isNothing = digits.toDouble() == 0.0;   // "-0.0"
+    return signedAs(isNothing ? digits.mid(1) : minusSign + digits.mid(1));
 }
 
 QString briefNumber(double value, int digits)

@@ -6,8 +6,8 @@
 
 namespace angiopose::ui {
 
-/// How the window writes numbers: with the decimal sign of its language. Files, tables and the command line keep the
-/// point whatever the window speaks.
+/// How the window writes numbers: with the decimal sign of its language, and a minus. Files, tables and the command
+/// line keep the point whatever the window speaks.
 QString numberText(double value, int decimals);
 
 /// With so many significant digits and no more than needed: "0,01", "1000".

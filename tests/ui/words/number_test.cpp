@@ -14,13 +14,20 @@ protected:
 
 TEST_F(Number, HasTheDecimalSignOfTheLanguage)
 {
-    for (const auto& [code, fixed, brief] : {std::tuple{"en", "-12.50", "0.01"}, std::tuple{"de", "-12,50", "0,01"},
-                                             std::tuple{"zh_CN", "-12.50", "0.01"}}) {
+    for (const auto& [code, fixed, brief] : {std::tuple{"en", "−12.50", "0.01"}, std::tuple{"de", "−12,50", "0,01"},
+                                             std::tuple{"zh_CN", "−12.50", "0.01"}}) {
         applyLanguage(QString::fromLatin1(code));
-        EXPECT_EQ(numberText(-12.5, 2), QString::fromLatin1(fixed)) << code;
+        EXPECT_EQ(numberText(-12.5, 2), QString::fromUtf8(fixed)) << code;
         EXPECT_EQ(briefNumber(0.01, 3), QString::fromLatin1(brief)) << code;
         EXPECT_EQ(numberText(12345.6, 0), QStringLiteral("12346")) << "no groups: they read like a decimal sign";
     }
+}
+
+TEST_F(Number, HasNoSignWhereItRoundsToNothing)
+{
+    EXPECT_EQ(numberText(-0.04, 1), QStringLiteral("0.0"));
+    EXPECT_EQ(numberText(-0.06, 1), QStringLiteral("−0.1"));
+    EXPECT_EQ(numberText(-0.4, 0), QStringLiteral("0"));
 }
 
 TEST_F(Number, AndSentencesStandInARowAsTheLanguageHasThem)
