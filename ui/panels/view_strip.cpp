@@ -18,6 +18,7 @@ namespace {
 constexpr int viewPictureSize = 52;
 constexpr int leastPictureSize = 28;
 constexpr int viewItemPadding = 32;   // around and between picture and words
+constexpr int numberPadding = 22;   // … and a number alone
 constexpr int listRim = 4;   // what the list takes beside its items
 constexpr int fewestWordsPx = 40;   // less beside a picture is not worth reading
 
@@ -189,7 +190,7 @@ void ViewStrip::fit()
         room = roomFor();
     }
     const bool hasWords = room >= viewPictureSize + viewItemPadding + fewestWordsPx;
-    const int besideNumber = room - viewItemPadding - list_->fontMetrics().horizontalAdvance(QString::number(count));
+    const int besideNumber = room - numberPadding - list_->fontMetrics().horizontalAdvance(QString::number(count));
     const int side = hasWords ? viewPictureSize : std::clamp(besideNumber, leastPictureSize, viewPictureSize);
     list_->setIconSize({side, side});
     for (int i = 0; i < count; ++i) {
@@ -210,7 +211,7 @@ void ViewStrip::fitItem(int index, int widthPx)
     const ViewLine& view = views_[static_cast<std::size_t>(index)];
     const bool isWhole = widthPx > 0 && wordsWidthPx(index) <= widthPx;
     const QString number = QString::number(index + 1);
-    const int numberPx = list_->iconSize().width() + viewItemPadding + list_->fontMetrics().horizontalAdvance(number);
+    const int numberPx = list_->iconSize().width() + numberPadding + list_->fontMetrics().horizontalAdvance(number);
     QListWidgetItem* item = list_->item(index);
     item->setText(widthPx > 0 ? view.words : number);
     item->setToolTip(isWhole ? view.toolTip : view.words + QLatin1Char('\n') + view.toolTip);
