@@ -3681,6 +3681,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild zeigt %1 des Gefäßbaums: %2 von %3 Ästen scheinen nicht gefüllt zu sein. Die Lage beruht auf den übrigen.</translation>
     </message>
     <message>
+        <source>The image shows %1 of the vessel tree, and of no branch the greater part. The pose rests on the pieces that it shows.</source>
+        <comment>trust.pieces-filled</comment>
+        <translation>Das Bild zeigt %1 des Gefäßbaums und von keinem Ast den größeren Teil. Die Lage beruht auf den Stücken, die es zeigt.</translation>
+    </message>
+    <message>
         <source>Only a part of the vessel tree seems to be filled, and it explains the image too little to be sure of it.</source>
         <comment>trust.filled-doubtful</comment>
         <translation>Nur ein Teil des Gefäßbaums scheint gefüllt zu sein, und er erklärt das Bild zu wenig, um sicher zu sein.</translation>

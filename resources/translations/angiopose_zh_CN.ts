@@ -3681,6 +3681,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像显示了血管树的 %1：%3 个分支中有 %2 个似乎未充盈。位姿依据其余分支。</translation>
     </message>
     <message>
+        <source>The image shows %1 of the vessel tree, and of no branch the greater part. The pose rests on the pieces that it shows.</source>
+        <comment>trust.pieces-filled</comment>
+        <translation>图像显示血管树的 %1，且没有任何分支的大部分可见。位姿依据其显示的片段。</translation>
+    </message>
+    <message>
         <source>Only a part of the vessel tree seems to be filled, and it explains the image too little to be sure of it.</source>
         <comment>trust.filled-doubtful</comment>
         <translation>似乎只有部分血管树充盈，而它对图像的解释不足以确定位姿。</translation>

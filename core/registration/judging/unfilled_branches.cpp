@@ -43,6 +43,9 @@ Messages wordsOf(const std::vector<UnfilledBranch>& unfilled, double filledShare
     if (unfilled.empty()) {
         return {};
     }
+    if (unfilled.size() == branchCount) {
+        return {says::trustPiecesFilled(shown)};
+    }
     if (unfilled.size() > namedBranches) {
         return {says::trustFewFilled(shown, unfilled.size(), branchCount)};
     }

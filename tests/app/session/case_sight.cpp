@@ -7,11 +7,13 @@
 #include "tests/support/patience.h"
 #include "ui/views/angiogram_view.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
+#include <QHoverEvent>
 #include <QListView>
 #include <QRegularExpression>
 #include <QTest>
@@ -149,6 +151,15 @@ QStringList caseTextOf(const core::Case& theCase, const QString& folder)
     return linesOf(contentOf(path));
 }
 
+/// What lay under the pointer is of the moment.
+void leaveRows(QWidget& panel)
+{
+    for (const QAbstractItemView* list : panel.findChildren<QAbstractItemView*>()) {
+        QHoverEvent leaving(QEvent::HoverLeave, {-1, -1}, {-1, -1}, {-1, -1});
+        QApplication::sendEvent(list->viewport(), &leaving);
+    }
+}
+
 CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray& layout, const QString& folder)
 {
     putBack(host, fresh, layout);
@@ -160,6 +171,7 @@ CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray
     sight.caseText = caseTextOf(theCase, folder);
     for (const auto& [name, panel] : panelsOf(host.window())) {
         sight.words[name] = wordsOf(*panel).filter(ofTheCase);
+        leaveRows(*panel);
         sight.pictures[name] = panel->isVisible() ? panel->grab().toImage() : QImage();
     }
     sight.pictures.erase(QStringLiteral("steps"));   // the step one is at, underlined, is of the moment
