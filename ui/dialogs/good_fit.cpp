@@ -8,13 +8,13 @@
 #include <QPixmap>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
 
 namespace angiopose::ui {
 namespace {
 
 constexpr int picturePx = 250;
-constexpr int scrollBarRoom = 4;
 
 bool isGood(FitExample example)
 {
@@ -95,7 +95,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     layout->addLayout(foot);
     const QMargins rim = layout->contentsMargins();
     resizeOnScreen(
-        *this, pictures->sizeHint() + QSize(rim.left() + rim.right() + scrollBarRoom,
+        *this, pictures->sizeHint() + QSize(rim.left() + rim.right() + style()->pixelMetric(QStyle::PM_ScrollBarExtent),
                                             rim.top() + rim.bottom() + layout->spacing() + foot->sizeHint().height()));
 }
 
