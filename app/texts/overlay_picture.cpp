@@ -44,12 +44,19 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
     if (const int count = theCase.shown().angiogram->frameCount(); count > 1) {
         lines.bottomLeft.push_back(says::frameOfRun(theCase.shown().frame, count - 1));
     }
-    if (theCase.shown().result) {
-        const core::RegistrationResult& result = *theCase.shown().result;
-        const core::Quantity median{result.metrics.medianPx, 2, "px"};
-        const core::Message pose = result.trustworthy ? says::poseOfMethod(result.method, median)
-                                                      : says::poseNotTrustworthy(result.method, median);
+    if (const core::RegistrationResult* const result = core::resultOfShownFrame(theCase.shown())) {
+        const core::Quantity median{result->metrics.medianPx, 2, "px"};
+        const core::Message pose = result->trustworthy ? says::poseOfMethod(result->method, median)
+                                                       : says::poseNotTrustworthy(result->method, median);
         lines.bottomLeft.push_back(drawn.shape == VesselShape::Bent ? says::ofRigidVessels(pose) : pose);
+    } else if (const auto& elsewhere = theCase.shown().result) {   // its figures are not of this frame
+        const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0));
+        if (heading != pose) {
+            lines.bottomLeft.push_back(pose);
+        }
+        if (!elsewhere->trustworthy) {
+            lines.bottomLeft.push_back(says::runDistrusted());
+        }
     }
     if (drawn.known) {
         const core::Messages shape = shapeLines(drawn);

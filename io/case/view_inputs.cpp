@@ -105,7 +105,7 @@ core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& v
 {
     const core::Angiogram& angiogram = *view.angiogram;
     view.frame = notes.hasFrame ? view.frame : angiogram.suggestedFrame;
-    if (view.result && !view.result->provenance.frame) {   // 0.9 and before did not note it
+    if (view.result && !view.result->provenance.frame) {   // older files did not note it
         view.result->provenance.frame = view.frame;
     }
     if (const auto misfit = findMisfit(view)) {
