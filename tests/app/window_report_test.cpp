@@ -1,5 +1,6 @@
 #include "app/files/report_template.h"
 #include "app/preferences/settings.h"
+#include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
@@ -96,6 +97,14 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
                                   .arg(foundIn)
                                   .arg(w.current().shown().frame)
                                   .toUtf8()));
+    const auto picture = drawOverlayVectors(w.current(), target.value());
+    ASSERT_TRUE(picture);
+    std::string told;
+    for (const ui::VectorText& text : picture.value().texts) {
+        told += text.text + "\n";
+    }
+    EXPECT_NE(told.find("pose of frame " + std::to_string(foundIn)), std::string::npos) << told;
+    EXPECT_EQ(told.find("median"), std::string::npos) << told;
 }
 
 TEST_F(WindowReport, CallsTheStartPoseSo)
