@@ -9,13 +9,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double touchingMm = 2.5;
 constexpr std::size_t leastPiecePoints = 3;   // a cut nearer to the branch's end is at the end
 
-/// Tree points by cubes as wide as the reach.
+/// Points by cubes as wide as the reach.
 class PointCubes {
 public:
-    explicit PointCubes(const std::vector<Eigen::Vector3d>& points) : points_(points)
+    PointCubes(const std::vector<Eigen::Vector3d>& points, double reach) : points_(points), reach_(reach)
     {
         for (std::size_t i = 0; i < points.size(); ++i) {
             members_[cubeOf(points[i])].push_back(i);
@@ -32,7 +31,7 @@ public:
                 for (int dz = -1; dz <= 1; ++dz) {
                     const auto cube = members_.find({x + dx, y + dy, z + dz});
                     for (std::size_t k = 0; cube != members_.end() && k < cube->second.size(); ++k) {
-                        if ((points_[cube->second[k]] - place).norm() <= touchingMm) {
+                        if ((points_[cube->second[k]] - place).norm() <= reach_) {
                             visit(cube->second[k]);
                         }
                     }
@@ -44,18 +43,26 @@ public:
 private:
     using Cube = std::tuple<int, int, int>;
 
-    static Cube cubeOf(const Eigen::Vector3d& point)
+    Cube cubeOf(const Eigen::Vector3d& point) const
     {
-        const Eigen::Vector3i cube = (point / touchingMm).array().floor().cast<int>();
+        const Eigen::Vector3i cube = (point / reach_).array().floor().cast<int>();
         return {cube.x(), cube.y(), cube.z()};
     }
 
     const std::vector<Eigen::Vector3d>& points_;
+    double reach_;
     std::map<Cube, std::vector<std::size_t>> members_;
 };
 
 struct Span {
     std::size_t from, to;   ///< points of one branch
+};
+
+/// Branches of a tree, or curves of an image.
+struct Curves {
+    const std::vector<Eigen::Vector3d>& points;
+    const std::vector<int>& index;   ///< of the curve of each point
+    double touching;
 };
 
 /// A junction where a branch passes or ends.
@@ -64,11 +71,11 @@ struct Cut {
     int junction;
 };
 
-std::vector<Span> spansOf(const TreeSamples& tree)
+std::vector<Span> spansOf(const Curves& curves)
 {
     std::vector<Span> spans;
-    for (std::size_t i = 0; i < tree.size(); ++i) {
-        if (i == 0 || tree.branchIndex[i] != tree.branchIndex[i - 1]) {
+    for (std::size_t i = 0; i < curves.points.size(); ++i) {
+        if (i == 0 || curves.index[i] != curves.index[i - 1]) {
             spans.push_back({i, i});
         }
         spans.back().to = i + 1;
@@ -77,12 +84,12 @@ std::vector<Span> spansOf(const TreeSamples& tree)
 }
 
 /// Of each branch near a place, its nearest point.
-std::vector<std::size_t> passingPoints(const TreeSamples& tree, const PointCubes& cubes, const Eigen::Vector3d& place)
+std::vector<std::size_t> passingPoints(const Curves& curves, const PointCubes& cubes, const Eigen::Vector3d& place)
 {
     std::map<int, std::pair<double, std::size_t>> nearest;
     cubes.visitNear(place, [&](std::size_t i) {
-        const std::pair candidate((tree.points[i] - place).squaredNorm(), i);
-        const auto [known, isNew] = nearest.try_emplace(tree.branchIndex[i], candidate);
+        const std::pair candidate((curves.points[i] - place).squaredNorm(), i);
+        const auto [known, isNew] = nearest.try_emplace(curves.index[i], candidate);
         known->second = isNew ? candidate : std::min(known->second, candidate);
     });
     std::vector<std::size_t> points;
@@ -94,7 +101,7 @@ std::vector<std::size_t> passingPoints(const TreeSamples& tree, const PointCubes
 
 class Parting {
 public:
-    explicit Parting(const TreeSamples& tree) : tree_(tree), spans_(spansOf(tree)) {}
+    explicit Parting(const Curves& curves) : curves_(curves), spans_(spansOf(curves)) {}
 
     BranchPieces pieces()
     {
@@ -110,13 +117,13 @@ public:
 private:
     void findJunctions()
     {
-        const PointCubes cubes(tree_.points);
+        const PointCubes cubes(curves_.points, curves_.touching);
         for (const Span& span : spans_) {
             for (const std::size_t end : {span.from, span.to - 1}) {
-                const Eigen::Vector3d& place = tree_.points[end];
+                const Eigen::Vector3d& place = curves_.points[end];
                 const bool isKnown = std::ranges::any_of(
-                    places_, [&](const Eigen::Vector3d& known) { return (known - place).norm() <= touchingMm; });
-                const auto passing = isKnown ? std::vector<std::size_t>() : passingPoints(tree_, cubes, place);
+                    places_, [&](const Eigen::Vector3d& known) { return (known - place).norm() <= curves_.touching; });
+                const auto passing = isKnown ? std::vector<std::size_t>() : passingPoints(curves_, cubes, place);
                 if (passing.size() > 1) {
                     for (const std::size_t point : passing) {
                         cuts_.push_back({point, static_cast<int>(places_.size())});
@@ -131,7 +138,7 @@ private:
     void part(const Span& span)
     {
         const auto add = [&](std::size_t from, std::size_t to) {
-            result_.pieces.push_back({tree_.branchIndex[span.from], from, to});
+            result_.pieces.push_back({curves_.index[span.from], from, to});
         };
         const auto join = [&](int junction) {
             result_.joints.push_back({static_cast<int>(result_.pieces.size()) - 1, junction});
@@ -177,7 +184,7 @@ private:
         });
     }
 
-    const TreeSamples& tree_;
+    Curves curves_;
     std::vector<Span> spans_;
     std::vector<Eigen::Vector3d> places_;   ///< of the junctions
     std::vector<Cut> cuts_;   ///< ascending along the tree's points
@@ -189,7 +196,13 @@ private:
 
 BranchPieces branchPieces(const TreeSamples& tree)
 {
-    return Parting(tree).pieces();
+    return branchPieces(tree.points, tree.branchIndex, branchesTouchMm);
+}
+
+BranchPieces branchPieces(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex,
+                          double touching)
+{
+    return Parting({points, curveIndex, touching}).pieces();
 }
 
 }   // namespace angiopose::core

@@ -9,8 +9,8 @@ namespace angiopose::core {
 
 /// A stretch of one branch between two places where the tree parts.
 struct BranchPiece {
-    int branchIndex = 0;   ///< into TreeSamples::branchIds
-    std::size_t from = 0;   ///< first tree point
+    int branchIndex = 0;   ///< into TreeSamples::branchIds, or the number of the curve
+    std::size_t from = 0;   ///< first point
     std::size_t to = 0;   ///< one past the last
 };
 
@@ -29,6 +29,11 @@ struct BranchPieces {
 };
 
 /// Branches meet where the end of one lies within 2.5 mm of another.
+inline constexpr double branchesTouchMm = 2.5;
 BranchPieces branchPieces(const TreeSamples& tree);
+
+/// The same of any curves, one after the other, `curveIndex` ascending; in the unit of their points.
+BranchPieces branchPieces(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex,
+                          double touching);
 
 }   // namespace angiopose::core

@@ -1,8 +1,6 @@
 #include "core/registration/methods/methods.h"
 
-#include "core/registration/matching/grid_index.h"
-#include "core/registration/methods/pose_trials.h"
-#include "core/registration/pnp/kernel_pnp.h"
+#include "core/registration/methods/kernel_finish.h"
 #include "core/registration/pnp/sparse_kernel.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/support/cell_index.h"
@@ -13,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <numbers>
 
 namespace angiopose::core {
@@ -28,7 +25,6 @@ constexpr int cellsToEachSide = 3;
 constexpr double cellDeg = 5.0;
 constexpr int stepsPerCell = 12;
 constexpr std::size_t finalistParticles = 3;
-constexpr int finalIterations = 30;
 
 struct Scored {
     CentroidPose pose;
@@ -187,30 +183,11 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
 /// The best few by all points, each to its end; the one that fits best stays.
 void ParticleSearch::refine(const std::vector<Scored>& best)
 {
-    std::vector<Eigen::Vector3d> points;
-    for (const Eigen::Vector3d& point : problem_.tree.points) {
-        points.emplace_back(point - problem_.tree.centroid);
+    std::vector<CentroidPose> finalists;
+    for (std::size_t i = 0; i < std::min(finalistParticles, best.size()); ++i) {
+        finalists.push_back(best[i].pose);
     }
-    const GridIndex target(problem_.target.points);
-    KernelProblem full{points, problem_.camera, &target, {}};
-    full.freedom = {problem_.freedom, RigidTransform(), Eigen::Vector3d::Zero()};
-    KernelDistances distances;
-    const auto costOf = [&](const CentroidPose& pose) {
-        measure(full, {pose.rotation, pose.centroidInCamera}, distances);
-        return kernelLoss(distances, options_.finalScalePx);
-    };
-    search_.changeCost("refine", options_.finalScalePx, costOf(search_.best()));
-    KernelSchedule schedule;
-    schedule.maxIterations = finalIterations;
-    schedule.finalScalePx = options_.finalScalePx;
-    for (std::size_t i = 0; i < std::min(finalistParticles, best.size()) && !search_.isStopped(); ++i) {
-        const RigidTransform start{best[i].pose.rotation, best[i].pose.centroidInCamera};
-        KernelPnp(full, {}, schedule).solve(start, [&](const KernelIteration& step) {
-            const CentroidPose pose{step.pose.rotation, step.pose.translation};
-            search_.note(pose, kernelLoss(*step.distances, options_.finalScalePx));
-            return search_.isStopped() ? Verdict::Stop : Verdict::Continue;
-        });
-    }
+    refineByKernel(problem_, finalists, options_.finalScalePx, search_);
 }
 
 }   // namespace

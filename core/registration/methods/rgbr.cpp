@@ -3,7 +3,7 @@
 #include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/picture/wall_sites.h"
-#include "core/registration/pose/start_prior.h"
+#include "core/registration/pnp/pair_fit.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 
@@ -26,11 +26,8 @@ constexpr double rotationStd = 0.15;   // rad
 constexpr double pairStdMm = 1.0;
 constexpr int fitSteps = 3;
 
-/// A wall site and the edge found for it, both as seen in the image.
-struct Correspondence {
-    Eigen::Vector3d place;   ///< of the site, mm from the centroid, patient axes
-    Eigen::Vector2d pixel;   ///< of the edge
-};
+/// A wall site and the edge found for it.
+using Correspondence = PlacePair;
 
 class Rgbr {
 public:
@@ -157,27 +154,7 @@ CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose
     Vector6d std;
     std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
     const StartPrior prior = independentPrior(from, std, freedom_);
-    CentroidPose pose = from;
-    for (int step = 0; step < fitSteps; ++step) {
-        NormalEquations equations;
-        for (const Correspondence& pair : pairs) {
-            const Eigen::Vector3d arm = pose.rotation * pair.place;
-            const auto pixel = project(gradients_.camera(), arm + pose.centroidInCamera);
-            if (!pixel) {
-                continue;
-            }
-            const double mmPerPx = millimetresPerPixel(gradients_.camera(), pose.centroidInCamera.z());
-            const auto jacobian = projectionJacobian(gradients_.camera(), arm + pose.centroidInCamera);
-            Eigen::Matrix<double, 2, 6> rows;
-            rows << -jacobian * skew(arm), jacobian;
-            rows *= mmPerPx;
-            equations.hessian += rows.transpose() * rows;
-            equations.gradient += rows.transpose() * (mmPerPx * (*pixel - pair.pixel));
-        }
-        prior.add(pose, pairStdMm * pairStdMm, equations);
-        pose = freedom_.moved(pose, freedom_.dampedStep(equations, 0.0, pose));
-    }
-    return pose;
+    return fitPairs(pairs, gradients_.camera(), prior, pairStdMm, fitSteps, from);
 }
 
 double Rgbr::distanceMm(const Correspondence& pair, const CentroidPose& pose) const

@@ -1,6 +1,6 @@
 #include "core/registration/pnp/oriented_mixture.h"
 
-#include "core/registration/alignment/alignment_points.h"
+#include "core/registration/pnp/sample_strides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +12,6 @@ constexpr double mixtureReachInScales = 4.2426;   // 3σ of a product of two Gau
 constexpr double samplesPerScale = 4.0;
 constexpr double shortestDirection = 1e-3;   // of Z² px: seen end-on
 
-/// Steps between samples so that they lie `wantedPx` apart, given their mean spacing.
-std::size_t strideFor(double wantedPx, double spacingPx)
-{
-    return std::max<std::size_t>(1, static_cast<std::size_t>(wantedPx / std::max(spacingPx, 1e-6)));
-}
-
-double meanSpacingPx(const std::vector<Eigen::Vector2d>& points, const std::vector<int>& curve)
-{
-    double length = 0.0;
-    double count = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        if (curve[i] == curve[i - 1]) {
-            length += (points[i] - points[i - 1]).norm();
-            count += 1.0;
-        }
-    }
-    return count > 0.0 ? length / count : 1.0;
-}
-
 }   // namespace
 
 OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options)
@@ -38,17 +19,13 @@ OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const Mixtu
 {
     const TreeSamples& tree = problem.tree;
     const double wantedPx = options.scalePx / samplesPerScale;
-    std::vector<Eigen::Vector2d> atStart;
-    for (const Eigen::Vector3d& point : tree.points) {
-        atStart.push_back(core::project(camera_, problem.start * point).value_or(Eigen::Vector2d::Zero()));
-    }
-    const std::size_t stride = strideFor(wantedPx, meanSpacingPx(atStart, tree.branchIndex));
+    const std::size_t stride = treeStride(problem, wantedPx);
     for (std::size_t i = 0; i < tree.size(); i += stride) {
         samples_.push_back({tree.points[i] - tree.centroid, tree.tangents[i]});
     }
     const TargetSamples& target = problem.target;
-    const std::size_t targetStride = strideFor(wantedPx, meanSpacingPx(target.points, target.curveIndex));
-    for (std::size_t j = 0; j < target.size(); j += targetStride) {
+    const std::size_t everyTarget = targetStride(target, wantedPx);
+    for (std::size_t j = 0; j < target.size(); j += everyTarget) {
         targetPlaces_.push_back(target.points[j]);
         targetDirections_.push_back(target.tangents[j]);
     }
