@@ -2089,6 +2089,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfspunkte</translation>
     </message>
     <message>
+        <source>Best-first search over sequences of matched branches, a pose from each (after Zhu; re-implementation, parameters ours).</source>
+        <translation>Suche unter Folgen zugeordneter Äste, die besten zuerst, mit einer Lage zu jeder (nach Zhu; nachgebaut, eigene Parameter).</translation>
+    </message>
+    <message>
         <source>Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, parameters ours).</source>
         <translation>Helligkeit unter den Gefäßen in ihrer eigenen Breite, Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
     </message>
@@ -2111,6 +2115,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Direction kernel</source>
         <translation>Richtungskern</translation>
+    </message>
+    <message>
+        <source>Directions count</source>
+        <translation>Richtungen zählen</translation>
     </message>
     <message>
         <source>Distance between the points of the traced vessels.</source>
@@ -2145,6 +2153,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gleiche Abstände</translation>
     </message>
     <message>
+        <source>Factor by which the kernel narrows with each step after the first thirty.</source>
+        <translation>Faktor, um den der Kern nach den ersten dreißig Schritten mit jedem enger wird.</translation>
+    </message>
+    <message>
         <source>Final scale</source>
         <translation>Endskala</translation>
     </message>
@@ -2157,8 +2169,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Erste Reichweite</translation>
     </message>
     <message>
+        <source>First reach in the image</source>
+        <translation>Erste Reichweite im Bild</translation>
+    </message>
+    <message>
+        <source>Flow steps at most</source>
+        <translation>Höchstens Flussschritte</translation>
+    </message>
+    <message>
         <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>Gradientenaufstieg des mittleren Kerns zwischen Gefäßbaum und erkannten Gefäßen, oder der Bildhelligkeit (Aylward 2003; nachgebaut, eigene Parameter).</translation>
+    </message>
+    <message>
+        <source>Gradient flow of the inner product of tree and traced vessels as functions of the image (Ghaffari 2019; re-implementation, parameters ours).</source>
+        <translation>Gradientenfluss des inneren Produkts von Gefäßbaum und erkannten Gefäßen als Funktionen des Bildes (Ghaffari 2019; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
         <source>Gradient steps at each of the three widths at most.</source>
@@ -2169,12 +2193,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wie ähnlich Richtungen sein müssen; klein ist streng.</translation>
     </message>
     <message>
+        <source>How far a bifurcation or end of the tree and one of the image may lie apart to be the same.</source>
+        <translation>Wie weit eine Verzweigung oder ein Ende des Baums und eines im Bild auseinanderliegen dürfen, um dasselbe zu sein.</translation>
+    </message>
+    <message>
         <source>How far across the ray the search reaches.</source>
         <translation>Wie weit die Suche quer zum Strahl reicht.</translation>
     </message>
     <message>
         <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
         <translation>Wie weit anfangs längs der Normalen der Gefäßwände gesucht wird.</translation>
+    </message>
+    <message>
+        <source>How far branches and the traced vessels that show them may lie apart at first.</source>
+        <translation>Wie weit Äste und die erkannten Gefäße, die sie zeigen, anfangs auseinanderliegen dürfen.</translation>
     </message>
     <message>
         <source>How far the mask reaches beyond the projected vessels.</source>
@@ -2225,6 +2257,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstens Iterationen</translation>
     </message>
     <message>
+        <source>Keeps the projected tree as wide as the traced vessels; lower it where many branches are missing from the image.</source>
+        <translation>Hält den projizierten Baum so weit wie die erkannten Gefäße; senken, wo viele Äste im Bild fehlen.</translation>
+    </message>
+    <message>
         <source>Keeps the projected tree from shrinking; lower it where many branches are missing from the image.</source>
         <translation>Hindert den projizierten Baum am Schrumpfen; senken, wo viele Äste im Bild fehlen.</translation>
     </message>
@@ -2253,8 +2289,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kleinster Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
+        <source>Least squares on branches matched by their graphs, then vessels that move with their lengths kept (Groher 2009; re-implementation, parameters ours).</source>
+        <translation>Kleinste Quadrate auf Ästen, die nach ihren Graphen zugeordnet sind, danach Gefäße, die sich mit erhaltener Länge bewegen (Groher 2009; nachgebaut, eigene Parameter).</translation>
+    </message>
+    <message>
         <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>Kleinste Quadrate auf nächsten Paaren mit OpenCVs SQPNP, wiederholt: was Bibliotheksteile an einem Nachmittag ergeben.</translation>
+    </message>
+    <message>
+        <source>Let vessels move</source>
+        <translation>Gefäße bewegen lassen</translation>
     </message>
     <message>
         <source>Lets the auxiliary and the full problem take turns.</source>
@@ -2289,6 +2333,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zuordnen und Lösen enden nach so vielen Runden.</translation>
     </message>
     <message>
+        <source>Matching branches and fitting the pose end after so many.</source>
+        <translation>Zuordnen der Äste und Anpassen der Lage enden nach so vielen.</translation>
+    </message>
+    <message>
+        <source>Moves the branches onto their partners after the rigid fit, lengths kept, and tells how far; the pose stays.</source>
+        <translation>Bewegt die Äste nach der starren Anpassung auf ihre Partner, Längen bleiben erhalten, und sagt, wie weit; die Lage bleibt.</translation>
+    </message>
+    <message>
         <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours).</source>
         <translation>NICP in der wechselnden Suche (Song, Ghaffari; nachgebaut, eigene Parameter).</translation>
     </message>
@@ -2311,6 +2363,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Pixels compared</source>
         <translation>Verglichene Pixel</translation>
+    </message>
+    <message>
+        <source>Points attract each other the more, the more alike the vessels run there.</source>
+        <translation>Punkte ziehen einander umso stärker an, je gleicher die Gefäße dort laufen.</translation>
     </message>
     <message>
         <source>Population</source>
@@ -2369,6 +2425,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Reichweite der Anziehung am Ende.</translation>
     </message>
     <message>
+        <source>Reach of the roots</source>
+        <translation>Reichweite der Wurzeln</translation>
+    </message>
+    <message>
         <source>Rigid only, or an affine stage after it, of which the rigid part is kept if it fits better.</source>
         <translation>Nur starr, oder danach eine affine Stufe, deren starrer Teil bleibt, wenn er besser passt.</translation>
     </message>
@@ -2405,6 +2465,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Selbstterm</translation>
     </message>
     <message>
+        <source>Sequences of matched branches tried at most.</source>
+        <translation>So viele Folgen zugeordneter Äste werden höchstens versucht.</translation>
+    </message>
+    <message>
         <source>Share of the mask that the rank correlation is taken over; at least 2000 pixels.</source>
         <translation>Anteil der Maske für die Rangkorrelation; mindestens 2000 Pixel.</translation>
     </message>
@@ -2415,6 +2479,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Solver</source>
         <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Spread term</source>
+        <translation>Weitenterm</translation>
     </message>
     <message>
         <source>Spreads the points evenly before matching; off takes them as they are.</source>
@@ -2435,6 +2503,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Start depth ±</source>
         <translation>Starttiefe ±</translation>
+    </message>
+    <message>
+        <source>Steps along the flow, at all widths together.</source>
+        <translation>Schritte längs des Flusses, alle Breiten zusammen.</translation>
     </message>
     <message>
         <source>Weight of chosen branches</source>
@@ -3524,6 +3596,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The chosen branches lie %1 from the traced vessels at the median; in the fit of all branches it was %2. Choosing them turned the pose by %3 and shifted it by %4.</source>
         <comment>result.chosen-branches-fitted</comment>
         <translation>Die gewählten Äste liegen im Median %1 neben den verfolgten Gefäßen; in der Anpassung aller Äste waren es %2. Die Wahl hat die Lage um %3 gedreht und um %4 verschoben.</translation>
+    </message>
+    <message>
+        <source>Where they may leave the rigid pose, the vessels move by %1 (rms; %2 at most) towards the matched branches: the median distance becomes %3, with the rigid pose it is %4. The pose is the rigid one.</source>
+        <comment>result.matched-branches-moved</comment>
+        <translation>Wo sie die starre Lage verlassen dürfen, bewegen sich die Gefäße um %1 (rms; höchstens %2) auf die zugeordneten Äste zu: der mittlere Abstand (Median) wird %3, mit der starren Lage ist er %4. Die Lage ist die starre.</translation>
     </message>
     <message>
         <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>

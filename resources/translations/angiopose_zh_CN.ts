@@ -2089,6 +2089,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助点</translation>
     </message>
     <message>
+        <source>Best-first search over sequences of matched branches, a pose from each (after Zhu; re-implementation, parameters ours).</source>
+        <translation>在匹配分支的序列中最佳优先搜索，每个序列给出一个位姿（参照 Zhu；重新实现，参数自定）。</translation>
+    </message>
+    <message>
         <source>Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, parameters ours).</source>
         <translation>按血管自身宽度取其下亮度，进化策略（Jomier 2006；重新实现，参数自定）。</translation>
     </message>
@@ -2111,6 +2115,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Direction kernel</source>
         <translation>方向核</translation>
+    </message>
+    <message>
+        <source>Directions count</source>
+        <translation>计入方向</translation>
     </message>
     <message>
         <source>Distance between the points of the traced vessels.</source>
@@ -2145,6 +2153,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>等间距</translation>
     </message>
     <message>
+        <source>Factor by which the kernel narrows with each step after the first thirty.</source>
+        <translation>前三十步之后每步核收窄的倍数。</translation>
+    </message>
+    <message>
         <source>Final scale</source>
         <translation>最终尺度</translation>
     </message>
@@ -2157,8 +2169,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始范围</translation>
     </message>
     <message>
+        <source>First reach in the image</source>
+        <translation>图像中初始范围</translation>
+    </message>
+    <message>
+        <source>Flow steps at most</source>
+        <translation>最多流步数</translation>
+    </message>
+    <message>
         <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
         <translation>对血管树与提取血管之间的平均核，或图像亮度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
+    </message>
+    <message>
+        <source>Gradient flow of the inner product of tree and traced vessels as functions of the image (Ghaffari 2019; re-implementation, parameters ours).</source>
+        <translation>血管树与提取血管作为图像函数之内积的梯度流（Ghaffari 2019；重新实现，参数自定）。</translation>
     </message>
     <message>
         <source>Gradient steps at each of the three widths at most.</source>
@@ -2169,12 +2193,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>方向须多相似；越小越严格。</translation>
     </message>
     <message>
+        <source>How far a bifurcation or end of the tree and one of the image may lie apart to be the same.</source>
+        <translation>树的分叉或端点与图像中的可相距多远仍视为同一处。</translation>
+    </message>
+    <message>
         <source>How far across the ray the search reaches.</source>
         <translation>搜索在垂直射线方向的范围。</translation>
     </message>
     <message>
         <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
         <translation>最初沿血管壁法线寻找边缘的距离。</translation>
+    </message>
+    <message>
+        <source>How far branches and the traced vessels that show them may lie apart at first.</source>
+        <translation>分支与显示它的提取血管起初可相距多远。</translation>
     </message>
     <message>
         <source>How far the mask reaches beyond the projected vessels.</source>
@@ -2225,6 +2257,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最多迭代</translation>
     </message>
     <message>
+        <source>Keeps the projected tree as wide as the traced vessels; lower it where many branches are missing from the image.</source>
+        <translation>使投影血管树与提取血管同宽；图像中缺失许多分支时请降低。</translation>
+    </message>
+    <message>
         <source>Keeps the projected tree from shrinking; lower it where many branches are missing from the image.</source>
         <translation>防止投影血管树收缩；图像缺少较多分支时应降低。</translation>
     </message>
@@ -2253,8 +2289,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
+        <source>Least squares on branches matched by their graphs, then vessels that move with their lengths kept (Groher 2009; re-implementation, parameters ours).</source>
+        <translation>按图匹配分支后的最小二乘，随后血管保持长度移动（Groher 2009；重新实现，参数自定）。</translation>
+    </message>
+    <message>
         <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
         <translation>用 OpenCV 的 SQPNP 对最近点对反复做最小二乘：用现成库一下午可拼成的方法。</translation>
+    </message>
+    <message>
+        <source>Let vessels move</source>
+        <translation>允许血管移动</translation>
     </message>
     <message>
         <source>Lets the auxiliary and the full problem take turns.</source>
@@ -2289,6 +2333,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>匹配与求解的最多轮数。</translation>
     </message>
     <message>
+        <source>Matching branches and fitting the pose end after so many.</source>
+        <translation>分支匹配与位姿拟合在此轮数后结束。</translation>
+    </message>
+    <message>
+        <source>Moves the branches onto their partners after the rigid fit, lengths kept, and tells how far; the pose stays.</source>
+        <translation>刚性拟合后将分支移向其对应血管并保持长度，说明移动多少；位姿不变。</translation>
+    </message>
+    <message>
         <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours).</source>
         <translation>交替搜索中的 NICP（Song、Ghaffari；重新实现，参数自定）。</translation>
     </message>
@@ -2311,6 +2363,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Pixels compared</source>
         <translation>比较像素</translation>
+    </message>
+    <message>
+        <source>Points attract each other the more, the more alike the vessels run there.</source>
+        <translation>血管走向越一致，点之间吸引越强。</translation>
     </message>
     <message>
         <source>Population</source>
@@ -2369,6 +2425,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终吸引范围。</translation>
     </message>
     <message>
+        <source>Reach of the roots</source>
+        <translation>根的范围</translation>
+    </message>
+    <message>
         <source>Rigid only, or an affine stage after it, of which the rigid part is kept if it fits better.</source>
         <translation>仅刚性，或之后加仿射阶段，其刚性部分更优时保留。</translation>
     </message>
@@ -2405,6 +2465,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>自身项</translation>
     </message>
     <message>
+        <source>Sequences of matched branches tried at most.</source>
+        <translation>最多尝试的匹配分支序列数。</translation>
+    </message>
+    <message>
         <source>Share of the mask that the rank correlation is taken over; at least 2000 pixels.</source>
         <translation>秩相关所用掩膜比例；至少 2000 像素。</translation>
     </message>
@@ -2415,6 +2479,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Solver</source>
         <translation>求解器</translation>
+    </message>
+    <message>
+        <source>Spread term</source>
+        <translation>展宽项</translation>
     </message>
     <message>
         <source>Spreads the points evenly before matching; off takes them as they are.</source>
@@ -2435,6 +2503,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Start depth ±</source>
         <translation>初始深度 ±</translation>
+    </message>
+    <message>
+        <source>Steps along the flow, at all widths together.</source>
+        <translation>沿流的步数，各宽度合计。</translation>
     </message>
     <message>
         <source>Weight of chosen branches</source>
@@ -3524,6 +3596,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The chosen branches lie %1 from the traced vessels at the median; in the fit of all branches it was %2. Choosing them turned the pose by %3 and shifted it by %4.</source>
         <comment>result.chosen-branches-fitted</comment>
         <translation>所选分支与所描血管距离的中位数为 %1；全部分支的拟合中为 %2。此选择使位姿旋转 %3、平移 %4。</translation>
+    </message>
+    <message>
+        <source>Where they may leave the rigid pose, the vessels move by %1 (rms; %2 at most) towards the matched branches: the median distance becomes %3, with the rigid pose it is %4. The pose is the rigid one.</source>
+        <comment>result.matched-branches-moved</comment>
+        <translation>若允许离开刚性位姿，血管向所匹配的分支移动 %1（rms；最大 %2）：距离中位数变为 %3，刚性位姿时为 %4。位姿仍为刚性位姿。</translation>
     </message>
     <message>
         <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>

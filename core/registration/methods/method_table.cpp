@@ -49,6 +49,18 @@ const std::vector<Method>& table()
           "L2 distance of oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, "
           "parameters ours)."},
          solveOgmm},
+        {{"cvo", "CVO",
+          "Gradient flow of the inner product of tree and traced vessels as functions of the image (Ghaffari 2019; "
+          "re-implementation, parameters ours)."},
+         solveCvo},
+        {{"matched-branches", "Matched branches",
+          "Least squares on branches matched by their graphs, then vessels that move with their lengths kept (Groher "
+          "2009; re-implementation, parameters ours)."},
+         solveMatchedBranches},
+        {{"graph-matching", "Graph matching",
+          "Best-first search over sequences of matched branches, a pose from each (after Zhu; re-implementation, "
+          "parameters ours)."},
+         solveGraphMatching},
         {{"particle", "Particles",
           "Many poses at once, drawn anew by likelihood, or a walk over the out-of-plane angles (after Tian 2022; "
           "re-implementation, parameters ours)."},

@@ -49,6 +49,19 @@ MethodSolver solveGradientMatching;
 /// L-BFGS (ALGORITHMS §3.12). Source: Baka et al. 2014.
 MethodSolver solveOgmm;
 
+/// Continuous visual odometry's gradient flow: projected tree and traced vessels as functions of the image plane, their
+/// inner product climbed along its gradient with steps from a Taylor series (ALGORITHMS §3.16). Source: Ghaffari et al.
+/// 2019.
+MethodSolver solveCvo;
+
+/// Branches of the tree are matched with traced curves by their graphs, the pose fits the pairs; then the vessels are
+/// moved onto them, lengths kept, and the result tells how far (ALGORITHMS §3.9). Source: Groher et al. 2009.
+MethodSolver solveMatchedBranches;
+
+/// Searches, best first, over sequences of branches matched from a pair of nodes on, a pose from each; the best are
+/// refined (ALGORITHMS §3.17). After Zhu et al.'s tree search.
+MethodSolver solveGraphMatching;
+
 /// Searches by many poses at once (ALGORITHMS §3.13): an annealed particle filter around the start, or a walk over the
 /// two out-of-plane angles with the rest solved in each cell (after Tian et al. 2022). The best three are refined.
 MethodSolver solveParticle;

@@ -284,6 +284,64 @@ std::vector<OptionField> globalFields()
     };
 }
 
+/// Flow of a correlation.
+std::vector<OptionField> flowFields()
+{
+    return {
+        onlyFor({"cvo"}, number<&Options::cvo, &CvoOptions::startScalePx>(
+                             {"cvoStartScalePx", "First kernel width", "Reach of the attraction at first."},
+                             {"px", 0.5, 200.0, 1})),
+        onlyFor({"cvo"}, number<&Options::cvo, &CvoOptions::finalScalePx>(
+                             {"cvoFinalScalePx", "Last kernel width", "Reach of the attraction in the end."},
+                             {"px", 0.1, 50.0, 1})),
+        onlyFor({"cvo"}, number<&Options::cvo, &CvoOptions::decay>(
+                             {"cvoDecay", "Kernel decay",
+                              "Factor by which the kernel narrows with each step after the first thirty."},
+                             {"", 0.5, 0.999, 3})),
+        onlyFor({"cvo"},
+                count<&Options::cvo, &CvoOptions::iterations>(
+                    {"cvoIterations", "Flow steps at most", "Steps along the flow, at all widths together."}, 1, 5000)),
+        onlyFor({"cvo"}, toggle<&Options::cvo, &CvoOptions::directions>(
+                             {"cvoDirections", "Directions count",
+                              "Points attract each other the more, the more alike the vessels run there."})),
+    };
+}
+
+/// Branches of tree and image as graphs.
+std::vector<OptionField> graphFields()
+{
+    return {
+        onlyFor({"matched-branches"},
+                number<&Options::branches, &BranchOptions::reachPx>(
+                    {"branchReachPx", "First reach in the image",
+                     "How far branches and the traced vessels that show them may lie apart at first."},
+                    {"px", 5.0, 500.0, 1})),
+        onlyFor({"matched-branches"},
+                count<&Options::branches, &BranchOptions::rounds>(
+                    {"branchRounds", "Rounds at most", "Matching branches and fitting the pose end after so many."}, 1,
+                    1000)),
+        onlyFor({"matched-branches"},
+                toggle<&Options::branches, &BranchOptions::motion>(
+                    {"branchMotion", "Let vessels move",
+                     "Moves the branches onto their partners after the rigid fit, lengths kept, and tells how far; the "
+                     "pose stays."})),
+        onlyFor({"graph-matching"},
+                count<&Options::graph, &GraphOptions::hypotheses>(
+                    {"graphHypotheses", "Hypotheses", "Sequences of matched branches tried at most."}, 10, 2000)),
+        onlyFor({"graph-matching"},
+                number<&Options::graph, &GraphOptions::reachPx>(
+                    {"graphReachPx", "Reach of the roots",
+                     "How far a bifurcation or end of the tree and one of the image may lie apart to be the same."},
+                    {"px", 1.0, 2000.0, 0})),
+        onlyFor({"graph-matching"},
+                number<&Options::graph, &GraphOptions::spreadWeight>(
+                    {"graphSpreadWeight", "Spread term",
+                     "Keeps the projected tree as wide as the traced vessels; lower it where many branches are missing "
+                     "from the image."},
+                    {"", 0.0, 10.0, 2})),
+    };
+}
+
 /// Chance.
 std::vector<OptionField> closingFields()
 {
@@ -301,7 +359,7 @@ const std::vector<OptionField>& optionFields()
     static const std::vector<OptionField> fields = [] {
         std::vector<OptionField> all;
         for (const auto make : {commonFields, seedFields, alternatingFields, solverFields, geometryFields, icpFields,
-                                nicpFields, imageFields, globalFields, closingFields}) {
+                                nicpFields, imageFields, globalFields, flowFields, graphFields, closingFields}) {
             const std::vector<OptionField> group = make();
             all.insert(all.end(), group.begin(), group.end());
         }

@@ -119,6 +119,34 @@ struct OgmmOptions {
     bool operator==(const OgmmOptions&) const = default;
 };
 
+struct CvoOptions {
+    double startScalePx = 20.0;
+    double finalScalePx = 1.0;
+    double decay = 0.95;   ///< of the width with each step after the first thirty
+    int iterations = 300;
+    bool directions = true;   ///< pairs count by how alike they run
+
+    bool operator==(const CvoOptions&) const = default;
+};
+
+/// matched-branches.
+struct BranchOptions {
+    double reachPx = 40.0;   ///< 1-σ of how far the image may be off at first
+    int rounds = 50;
+    bool motion = true;   ///< afterwards the vessels are moved onto their partners, and how far is told
+
+    bool operator==(const BranchOptions&) const = default;
+};
+
+/// graph-matching.
+struct GraphOptions {
+    int hypotheses = 300;
+    double reachPx = 150.0;   ///< between a node of the tree and one of the image that may be the same
+    double spreadWeight = 0.1;   ///< of the term that keeps the projected tree from collapsing
+
+    bool operator==(const GraphOptions&) const = default;
+};
+
 enum class EvolutionStrategy { CovarianceMatrix, OnePlusOne };
 
 struct EvolutionOptions {
@@ -197,6 +225,9 @@ struct RegistrationOptions {
     AutoMaskOptions automask{};
     GradientOptions gradient{};
     OgmmOptions ogmm{};
+    CvoOptions cvo{};
+    BranchOptions branches{};
+    GraphOptions graph{};
     EvolutionOptions evolution{};
     ParticleOptions particle{};
 

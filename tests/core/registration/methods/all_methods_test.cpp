@@ -49,9 +49,9 @@ RegistrationOptions quickOptions(std::string_view method)
 /// Mean distance to the true projections that a method must reach, px.
 double limitPx(std::string_view method)
 {
-    // Edges, brightness and wide kernels lead near the pose, not onto it.
+    // Edges, brightness, wide kernels and a flow of first order lead near the pose, not onto it.
     const std::string_view coarse[] = {"nicp",      "nicp-alternating", "rgbr", "automask", "gradient-matching",
-                                       "evolution", "particle"};
+                                       "evolution", "particle",         "cvo"};
     return std::find(std::begin(coarse), std::end(coarse), method) != std::end(coarse) ? 2.0 : 0.1;
 }
 

@@ -1,0 +1,125 @@
+#include "core/registration/methods/methods.h"
+
+#include "core/messages/says.h"
+#include "core/registration/methods/pose_trials.h"
+#include "core/registration/pnp/pair_bend.h"
+#include "core/registration/pose/minimise.h"
+#include "core/registration/pose/pose_parameters.h"
+#include "core/support/stopwatch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double branchReachDecay = 0.8;
+constexpr double shortestBranchReachPx = 5.0;
+constexpr int evaluationsPerFit = 60;
+constexpr int usualEvaluations = 15;   // for the progress
+constexpr std::size_t leastBranchPairs = 6;
+constexpr double settledBranchesMm = 1e-3;
+
+/// Mean square of the pairs' distances, px², and its gradient for steps about the pose.
+double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, const CentroidPose& pose,
+                Vector6d& gradient)
+{
+    gradient.setZero();
+    double sum = 0.0;
+    for (const BranchPair& pair : pairs) {
+        const Eigen::Vector3d arm = pose.rotation * (problem.tree.points[pair.point] - problem.tree.centroid);
+        const auto pixel = project(problem.camera, arm + pose.centroidInCamera);
+        if (!pixel) {
+            return std::numeric_limits<double>::infinity();
+        }
+        const Eigen::Vector2d gap = *pixel - pair.pixel;
+        const Eigen::Vector3d byPoint =
+            2.0 * projectionJacobian(problem.camera, arm + pose.centroidInCamera).transpose() * gap;
+        sum += gap.squaredNorm();
+        gradient.head<3>() += arm.cross(byPoint);
+        gradient.tail<3>() += byPoint;
+    }
+    const auto count = static_cast<double>(pairs.size());
+    gradient /= count;
+    return sum / count;
+}
+
+/// The pose that lays the pairs onto each other, Euler angles and shift by L-BFGS; `search` keeps it.
+void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, PoseTrials& search)
+{
+    MinimiseOptions lbfgs;
+    lbfgs.minimiser = Minimiser::Lbfgs;
+    lbfgs.tolerance = 1e-6;
+    lbfgs.relativeTolerance = 1e-10;
+    lbfgs.maxEvaluations = evaluationsPerFit;
+    const PoseParameters parameters(search.best(), metricUnits(problem.tree.spreadMm), problem.freedom);
+    const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+        const CentroidPose pose = parameters.pose(x);
+        Vector6d stepGradient;
+        const double meanSquare = pairCost(problem, pairs, pose, stepGradient);
+        gradient = parameters.gradient(x, stepGradient);
+        return search.note(pose, meanSquare);
+    };
+    minimise(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); });
+}
+
+Message whatMoved(const PairBend& bend)
+{
+    return says::matchedBranchesMoved(inMm(bend.rmsMm, 2), inMm(bend.largestMm, 2), Quantity{bend.medianPx, 2, "px"},
+                                      Quantity{bend.medianBeforePx, 2, "px"})
+        .as(Severity::Note);
+}
+
+/// What the tree does when it may leave the rigid pose, in words; nothing when stopped, or when nothing moves.
+Messages lettingMove(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
+                     PoseTrials& search)
+{
+    const auto isStopped = [&] {
+        search.tick();
+        return search.isStopped();
+    };
+    const PairBend bend =
+        bendOntoPairs(problem, matching.tree(), search.best(), matching.pairs(search.best(), reachPx), isStopped);
+    return bend.largestMm > 0.0 && !search.isStopped() ? Messages{whatMoved(bend)} : Messages();
+}
+
+}   // namespace
+
+MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                    ProgressLog& progress)
+{
+    Stopwatch stopwatch;
+    const BranchMatching matching(problem);
+    const double targetMs = stopwatch.lapMs();
+    PoseTrials search(problem, usualEvaluations * options.branches.rounds + bendEvaluations, progress);
+    StopReason reason = StopReason::IterationLimit;
+    double reachPx = std::max(options.branches.reachPx, shortestBranchReachPx);
+    for (int round = 0; round < options.branches.rounds && !search.isStopped(); ++round) {
+        const CentroidPose before = search.best();
+        const std::vector<BranchPair> pairs = matching.pairs(before, reachPx);
+        search.tick();
+        if (pairs.size() < leastBranchPairs) {
+            reason = StopReason::NoImprovement;
+            break;
+        }
+        search.changeCost("branches", reachPx, std::numeric_limits<double>::infinity());
+        layOnto(problem, pairs, search);
+        const double motionMm = stepLengthMm(stepBetween(before, search.best()), problem.tree.spreadMm);
+        if (reachPx <= shortestBranchReachPx && motionMm < settledBranchesMm) {
+            reason = StopReason::Converged;
+            break;
+        }
+        reachPx = std::max(shortestBranchReachPx, branchReachDecay * reachPx);
+    }
+    Messages notes;
+    if (options.branches.motion && !search.isStopped()) {
+        notes = lettingMove(problem, matching, reachPx, search);
+    }
+    MethodSolution solution = search.solution(reason);
+    solution.warnings = std::move(notes);
+    solution.time.targetMs = targetMs;
+    solution.time.solveMs = stopwatch.lapMs();
+    return solution;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,231 @@
+#include "core/registration/pnp/branch_matching.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t samplesPerEdge = 24;
+constexpr double visitedReaches = 2.5;
+constexpr double leastCloseness = 0.05;   // of a candidate, 0…1
+constexpr std::size_t mostCurvesPerEdge = 6;
+constexpr double closenessOfNone = 0.1;   // a curve must run nearer than this to be preferred to none
+constexpr int relaxations = 8;
+constexpr double ownSay = 0.25;   // of an edge beside its neighbours
+constexpr double supportOfNone = 0.25;
+constexpr double pairedReaches = 3.0;
+constexpr double leastPairCosine = 0.5;
+constexpr double shortestSeen = 1e-3;   // of the length across the ray: seen end-on
+
+std::vector<std::vector<int>> neighboursIn(const BranchGraph& graph)
+{
+    std::vector<std::vector<int>> neighbours(graph.edges.size());
+    for (const std::vector<EdgeEnd>& ends : graph.nodes) {
+        for (const EdgeEnd& a : ends) {
+            for (const EdgeEnd& b : ends) {
+                if (a.edge != b.edge) {
+                    neighbours[static_cast<std::size_t>(a.edge)].push_back(b.edge);
+                }
+            }
+        }
+    }
+    return neighbours;
+}
+
+std::set<std::pair<int, int>> meetingsIn(const BranchGraph& graph)
+{
+    std::set<std::pair<int, int>> meetings;
+    for (const std::vector<EdgeEnd>& ends : graph.nodes) {
+        for (const EdgeEnd& a : ends) {
+            for (const EdgeEnd& b : ends) {
+                meetings.emplace(graph.edges[static_cast<std::size_t>(a.edge)].curve,
+                                 graph.edges[static_cast<std::size_t>(b.edge)].curve);
+            }
+        }
+    }
+    return meetings;
+}
+
+}   // namespace
+
+BranchMatching::BranchMatching(const RegistrationProblem& problem)
+    : problem_(problem),
+      tree_(graphOf(problem.tree)),
+      neighbours_(neighboursIn(tree_)),
+      meetings_(meetingsIn(graphOf(problem.target)))
+{
+    const std::vector<int>& index = problem.target.curveIndex;
+    for (std::size_t j = 0; j < index.size(); ++j) {
+        curves_.try_emplace(index[j], Stretch{j, j}).first->second.to = j + 1;
+    }
+}
+
+std::optional<BranchMatching::Seen> BranchMatching::look(std::size_t point, const CentroidPose& pose) const
+{
+    const TreeSamples& tree = problem_.tree;
+    const Eigen::Vector3d place = pose.rotation * (tree.points[point] - tree.centroid) + pose.centroidInCamera;
+    const auto pixel = project(problem_.camera, place);
+    if (!pixel) {
+        return {};
+    }
+    const Eigen::Vector2d along = projectionJacobian(problem_.camera, place) * (pose.rotation * tree.tangents[point]);
+    if (along.norm() < shortestSeen * std::abs(problem_.camera.fx) / place.z()) {
+        return {};
+    }
+    return Seen{*pixel, along.normalized()};
+}
+
+/// Mean over the edge of the best closeness to each curve.
+BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx,
+                                                       const BinGrid& near) const
+{
+    const TargetSamples& target = problem_.target;
+    const std::size_t stride = std::max<std::size_t>(1, edge.size() / samplesPerEdge);
+    Candidates means;
+    const auto count = static_cast<double>((edge.size() + stride - 1) / stride);
+    for (std::size_t i = edge.from; i < edge.to; i += stride) {
+        const auto seen = look(i, pose);
+        if (!seen) {
+            continue;
+        }
+        Candidates best;
+        near.visitNear(seen->pixel, [&](std::size_t j) {
+            const double squared = (target.points[j] - seen->pixel).squaredNorm();
+            const double cosine = target.tangents[j].dot(seen->direction);
+            const double closeness = std::exp(-0.5 * squared / (reachPx * reachPx)) * cosine * cosine;
+            double& known = best[target.curveIndex[j]];
+            known = std::max(known, closeness);
+        });
+        for (const auto& [curve, closeness] : best) {
+            means[curve] += closeness / count;
+        }
+    }
+    return means;
+}
+
+BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closeness)
+{
+    std::vector<std::pair<double, int>> ranked;   // the nearest first
+    for (const auto& [curve, mean] : closeness) {
+        if (mean >= leastCloseness) {
+            ranked.emplace_back(-mean, curve);
+        }
+    }
+    std::ranges::sort(ranked);
+    ranked.resize(std::min(ranked.size(), mostCurvesPerEdge));
+    double whole = closenessOfNone;
+    for (const auto& [negative, curve] : ranked) {
+        whole -= negative;
+    }
+    Candidates candidates;
+    for (const auto& [negative, curve] : ranked) {
+        candidates[curve] = -negative / whole;
+    }
+    return candidates;
+}
+
+/// Mean over the neighbours of how likely each is shown by a curve that meets this one; unseen, it says as much as for
+/// none.
+double BranchMatching::supportOf(int curve, const std::vector<int>& neighbours,
+                                 const std::vector<Candidates>& candidates) const
+{
+    if (neighbours.empty()) {
+        return supportOfNone;
+    }
+    double support = 0.0;
+    for (const int neighbour : neighbours) {
+        double unseen = 1.0;
+        for (const auto& [other, likely] : candidates[static_cast<std::size_t>(neighbour)]) {
+            unseen -= likely;
+            support += meet(curve, other) ? likely : 0.0;
+        }
+        support += std::max(0.0, unseen) * supportOfNone;
+    }
+    return support / static_cast<double>(neighbours.size());
+}
+
+void BranchMatching::relax(std::vector<Candidates>& candidates) const
+{
+    for (int round = 0; round < relaxations; ++round) {
+        const std::vector<Candidates> before = candidates;
+        for (std::size_t e = 0; e < candidates.size(); ++e) {
+            double none = 1.0;
+            double whole = 0.0;
+            for (auto& [curve, probability] : candidates[e]) {
+                none -= probability;
+                probability *= ownSay + supportOf(curve, neighbours_[e], before);
+                whole += probability;
+            }
+            whole += std::max(0.0, none) * (ownSay + supportOfNone);
+            for (auto& [curve, probability] : candidates[e]) {
+                probability /= std::max(whole, 1e-300);
+            }
+        }
+    }
+}
+
+std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx) const
+{
+    BinGrid near;
+    near.fill(problem_.target.points, visitedReaches * reachPx);
+    std::vector<Candidates> candidates;
+    candidates.reserve(tree_.edges.size());
+    for (const BranchEdge& edge : tree_.edges) {
+        candidates.push_back(candidatesOf(closenessOf(edge, pose, reachPx, near)));
+    }
+    relax(candidates);
+    std::vector<int> matched;
+    for (const Candidates& ofEdge : candidates) {
+        double none = 1.0;
+        double best = 0.0;
+        int curve = noCurve;
+        for (const auto& [candidate, probability] : ofEdge) {
+            none -= probability;
+            if (probability > best) {
+                best = probability;
+                curve = candidate;
+            }
+        }
+        matched.push_back(best > none ? curve : noCurve);
+    }
+    return matched;
+}
+
+/// Nothing beyond the ends of the curve: what lies farther along is not shown by it.
+std::optional<Eigen::Vector2d> BranchMatching::partnerOf(const Seen& seen, const Stretch& curve, double reachPx) const
+{
+    const TargetSamples& target = problem_.target;
+    const auto distance = [&](std::size_t j) { return (target.points[j] - seen.pixel).squaredNorm(); };
+    std::size_t nearest = curve.from;
+    for (std::size_t j = curve.from + 1; j < curve.to; ++j) {
+        nearest = distance(j) < distance(nearest) ? j : nearest;
+    }
+    const Eigen::Vector2d gap = target.points[nearest] - seen.pixel;
+    const double along = std::abs(gap.dot(target.tangents[nearest]));
+    const bool isEnd = nearest == curve.from || nearest + 1 == curve.to;
+    if (gap.norm() > pairedReaches * reachPx ||
+        std::abs(target.tangents[nearest].dot(seen.direction)) < leastPairCosine ||
+        (isEnd && along > std::max(1.0, 0.5 * gap.norm()))) {
+        return {};
+    }
+    return target.points[nearest];
+}
+
+std::vector<BranchPair> BranchMatching::pairs(const CentroidPose& pose, double reachPx) const
+{
+    const std::vector<int> matched = match(pose, reachPx);
+    std::vector<BranchPair> pairs;
+    for (std::size_t e = 0; e < matched.size(); ++e) {
+        for (std::size_t i = tree_.edges[e].from; i < tree_.edges[e].to && matched[e] != noCurve; ++i) {
+            const auto seen = look(i, pose);
+            const auto partner = seen ? partnerOf(*seen, curves_.at(matched[e]), reachPx) : std::nullopt;
+            if (partner) {
+                pairs.push_back({i, *partner});
+            }
+        }
+    }
+    return pairs;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,95 @@
+#include "core/registration/pnp/traced_path.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double muchShorter = 0.75;
+constexpr double muchLonger = 1.33;
+constexpr double headingPx = 20.0;   // length over which a direction is taken
+constexpr double leastStraightCosine = 0.7071;   // 45°
+
+/// Unit; nothing of a single place.
+std::optional<Eigen::Vector2d> headingOf(const std::vector<Eigen::Vector2d>& points)
+{
+    const Eigen::Vector2d chord = placeAlong(points, headingPx) - points.front();
+    return chord.norm() > 0.0 ? std::optional<Eigen::Vector2d>(chord.normalized()) : std::nullopt;
+}
+
+std::vector<Eigen::Vector2d> pointsAlong(const BranchGraph& graph, const TargetSamples& target, const EdgeEnd& way)
+{
+    const BranchEdge& edge = graph.edges[static_cast<std::size_t>(way.edge)];
+    std::vector<Eigen::Vector2d> points(target.points.begin() + static_cast<std::ptrdiff_t>(edge.from),
+                                        target.points.begin() + static_cast<std::ptrdiff_t>(edge.to));
+    if (way.isReversed) {
+        std::ranges::reverse(points);
+    }
+    return points;
+}
+
+/// The way out of a node that turns least from where the path comes from, up to 45°.
+std::optional<EdgeEnd> straightOn(const BranchGraph& graph, const TargetSamples& target, const TracedPath& path)
+{
+    const std::vector<Eigen::Vector2d> backwards(path.points.rbegin(), path.points.rend());
+    const auto back = headingOf(backwards);
+    std::optional<EdgeEnd> best;
+    double bestCosine = leastStraightCosine;
+    for (const EdgeEnd& way : graph.nodes[static_cast<std::size_t>(path.arrivesAt)]) {
+        if (!back || std::ranges::find(path.edges, way.edge) != path.edges.end()) {
+            continue;
+        }
+        const auto heading = headingOf(pointsAlong(graph, target, way));
+        const double cosine = heading ? -heading->dot(*back) : -1.0;
+        if (cosine > bestCosine) {
+            bestCosine = cosine;
+            best = way;
+        }
+    }
+    return best;
+}
+
+}   // namespace
+
+double lengthOf(const std::vector<Eigen::Vector2d>& points)
+{
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        length += (points[i] - points[i - 1]).norm();
+    }
+    return length;
+}
+
+Eigen::Vector2d placeAlong(const std::vector<Eigen::Vector2d>& points, double alongPx)
+{
+    double left = std::max(0.0, alongPx);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double piece = (points[i] - points[i - 1]).norm();
+        if (left <= piece && piece > 0.0) {
+            return points[i - 1] + left / piece * (points[i] - points[i - 1]);
+        }
+        left -= piece;
+    }
+    return points.back();
+}
+
+TracedPath pathFrom(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx)
+{
+    TracedPath path;
+    for (std::optional<EdgeEnd> next = way; next;) {
+        const std::vector<Eigen::Vector2d> more = pointsAlong(graph, target, *next);
+        path.points.insert(path.points.end(), more.begin(), more.end());
+        path.edges.push_back(next->edge);
+        path.arrivesAt = graph.arrivalOf(*next);
+        path.lengthPx = lengthOf(path.points);
+        next = path.lengthPx < muchShorter * wantedPx ? straightOn(graph, target, path) : std::nullopt;
+    }
+    if (path.lengthPx > muchLonger * wantedPx) {
+        path.arrivesAt = TracedPath::nowhere;
+        path.lengthPx = wantedPx;
+    }
+    return path;
+}
+
+}   // namespace angiopose::core
