@@ -85,7 +85,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
 
 bool looksLikeImageFile(const std::string& path)
 {
-    const auto input = openInput(path);
+    const auto input = openInputStart(path);
     return (input && looksLikeRaster(input.value().view())) || isDicomFile(path);
 }
 

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 namespace angiopose::io {
@@ -164,7 +163,7 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
         return read.error();
     }
     LoadedVolume loaded = std::move(read).value();
-    if (std::filesystem::is_directory(path)) {
+    if (isFolder(path)) {
         input.seriesId = loaded.seriesId;
     }
     if (looksLikeLabels(loaded.volume)) {
@@ -197,10 +196,10 @@ std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels)
 
 core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
 {
-    if (std::filesystem::is_directory(path)) {
+    if (isFolder(path)) {
         return VesselInputKind::Volume;
     }
-    const auto input = openInput(path);
+    const auto input = openInputStart(path);
     if (!input) {
         return input.error();
     }
@@ -246,7 +245,7 @@ core::Result<LoadedVessels> readVessels(const std::string& path, const core::Ves
 
 core::Result<std::string> sha256OfVesselInput(const std::string& path, const core::VesselInput& input)
 {
-    if (!std::filesystem::is_directory(path)) {
+    if (!isFolder(path)) {
         return sha256OfFile(path);
     }
     const auto all = listSeries(path);

@@ -51,8 +51,8 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
                                            const ReadObserver& observe)
 {
     const ReadObserver observeListing = partOf(observe, 0.0, 0.1);
-    const auto series = std::filesystem::is_directory(path) ? seriesInFolder(path, seriesId, observeListing)
-                                                            : seriesOfFile(path, observeListing);
+    const auto series =
+        isFolder(path) ? seriesInFolder(path, seriesId, observeListing) : seriesOfFile(path, observeListing);
     if (!series) {
         return series.error();
     }

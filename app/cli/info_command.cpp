@@ -160,7 +160,7 @@ core::Error unknownFile(const std::string& path)
 
 core::Result<Json> describe(const std::string& path)
 {
-    if (std::filesystem::is_directory(path)) {
+    if (io::isFolder(path)) {
         return folderJson(path);
     }
     if (io::isVolumeFile(path)) {

@@ -203,7 +203,7 @@ core::Result<core::Messages> validateCase(const std::string& path)
         for (const core::InputFile* file : {&document.values.vessels.file, &document.values.shown().imageFile,
                                             &document.values.shown().target.file}) {
             const bool isSeries = document.values.vessels.input.kind == core::VesselInputKind::Volume &&
-                                  file == &document.values.vessels.file && fs::is_directory(file->path);
+                                  file == &document.values.vessels.file && isFolder(file->path);
             if (file->path.empty() || isSeries) {
                 continue;
             }

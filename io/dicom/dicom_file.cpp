@@ -95,7 +95,11 @@ core::Result<InputBytes> openDicom(const std::string& path)
 
 bool isDicomFile(const std::string& path)
 {
-    return static_cast<bool>(openDicom(path));
+    const auto start = openInputStart(path);
+    if (start && start.value().view().starts_with("\x1f\x8b")) {
+        return static_cast<bool>(openDicom(path));
+    }
+    return start && looksLikeDicom(start.value().view());
 }
 
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path)

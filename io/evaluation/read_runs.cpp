@@ -195,7 +195,8 @@ core::Status addHistories(const CsvTable& table, const RunByKey& runs)
 core::Status addOptional(const std::filesystem::path& path, const RunByKey& runs,
                          core::Status (*add)(const CsvTable&, const RunByKey&))
 {
-    if (!std::filesystem::exists(path)) {
+    std::error_code unknown;
+    if (!std::filesystem::exists(path, unknown) && !unknown) {
         return core::Done{};
     }
     const auto content = openInput(path.string());

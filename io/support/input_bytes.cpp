@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
+#include "io/support/read_error.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -12,6 +13,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -53,6 +55,31 @@ std::optional<core::Message> findObstacle(const std::string& path)
         return says::fileEmpty();
     }
     return {};
+}
+
+core::Result<InputBytes> openFirst(const std::string& path, std::size_t wanted)
+{
+    if (const auto obstacle = findObstacle(path)) {
+        return fileError(path, *obstacle);
+    }
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat status {};
+    if (file.value() < 0 || ::fstat(file.value(), &status) != 0) {
+        return fileError(path, says::fileNotOpened(std::strerror(errno)));
+    }
+    const auto size = static_cast<std::size_t>(status.st_size);
+    void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.value(), 0);
+    if (mapping == MAP_FAILED) {
+        return fileError(path, says::fileNotRead(std::strerror(errno)));
+    }
+    InputBytes content(static_cast<const char*>(mapping), size);
+    if (const auto problem = findReadError(content.view().data(), std::min(size, wanted))) {
+        return fileError(path, *problem);
+    }
+    if (content.view().starts_with("version https://git-lfs.github.com/spec/")) {
+        return fileError(path, says::fileIsLfsPointer());
+    }
+    return content;
 }
 
 struct Signature {
@@ -113,24 +140,18 @@ InputBytes::~InputBytes()
 
 core::Result<InputBytes> openInput(const std::string& path)
 {
-    if (const auto obstacle = findObstacle(path)) {
-        return fileError(path, *obstacle);
-    }
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat status {};
-    if (file.value() < 0 || ::fstat(file.value(), &status) != 0) {
-        return fileError(path, says::fileNotOpened(std::strerror(errno)));
-    }
-    const auto size = static_cast<std::size_t>(status.st_size);
-    void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.value(), 0);
-    if (mapping == MAP_FAILED) {
-        return fileError(path, says::fileNotRead(std::strerror(errno)));
-    }
-    InputBytes content(static_cast<const char*>(mapping), size);
-    if (content.view().starts_with("version https://git-lfs.github.com/spec/")) {
-        return fileError(path, says::fileIsLfsPointer());
-    }
-    return content;
+    return openFirst(path, std::numeric_limits<std::size_t>::max());
+}
+
+core::Result<InputBytes> openInputStart(const std::string& path)
+{
+    return openFirst(path, startBytes);
+}
+
+bool isFolder(const std::string& path)
+{
+    std::error_code unknown;
+    return std::filesystem::is_directory(path, unknown);
 }
 
 std::string extensionOf(const std::string& path)

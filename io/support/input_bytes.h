@@ -25,9 +25,19 @@ private:
     std::string owned_;
 };
 
-/// Opens an input. Fails, saying what to do, on a missing, unreadable or empty file, a folder, a device,
-/// and on a Git LFS pointer in place of the file itself.
+/// Opens an input and has the system read all of it, so that a drive that cannot is told of here and not by a signal
+/// in the middle of a reader. Fails, saying what to do, on a missing, unreadable or empty file, a folder, a device, a
+/// read error, and on a Git LFS pointer in place of the file itself.
 core::Result<InputBytes> openInput(const std::string& path);
+
+/// As `openInput`, for whoever looks at the first `startBytes` alone: what lies behind them is not read, and to look
+/// there ends the program where the drive cannot read it.
+core::Result<InputBytes> openInputStart(const std::string& path);
+
+constexpr std::size_t startBytes = std::size_t{1} << 20;
+
+/// Also of a place that cannot be looked at: that is none.
+bool isFolder(const std::string& path);
 
 /// Lower-case extension with its dot, ".nii.gz" as one; empty when there is none.
 std::string extensionOf(const std::string& path);

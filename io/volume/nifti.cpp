@@ -297,7 +297,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
         stored.labelNames = labelTable(headOf(path, std::min(skip, longestExtension)));
     }
     VoxelSource source{header.isPair ? pairedPath(path) : path, 0, false, skip};
-    const auto content = openInput(source.path);
+    const auto content = openInputStart(source.path);
     source.isPacked = content && content.value().view().starts_with("\x1f\x8b");
     source.isBigEndian = header.isSwapped;   // of this little-endian machine
     stored.voxels = voxelStream(stored, source);

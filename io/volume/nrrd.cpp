@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
 #include "io/volume/volume_axes.h"
 #include "io/volume/voxel_stream.h"
@@ -231,17 +232,24 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
 }
 
 /// Where the next `count` lines of a file end.
-std::size_t afterLines(std::string_view content, std::size_t at, int count)
+core::Result<std::uint64_t> afterLines(const std::string& path, std::size_t at, int count)
 {
+    if (count == 0) {
+        return at;
+    }
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    const std::string_view content = input.value().view();
     for (; count > 0 && at < content.size(); --count) {
         at = std::min(content.find('\n', at), content.size() - 1) + 1;
     }
-    return at;
+    return std::uint64_t{at};
 }
 
 /// Fills in where the voxels lie; returns what is wrong.
-std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderText& header, std::string_view content,
-                                        VoxelSource& source)
+std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderText& header, VoxelSource& source)
 {
     if (state.encoding == nrrdEncodingBzip2) {
         return says::volumeBzip2();
@@ -256,7 +264,11 @@ std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderTe
         return says::volumeSeveralFiles();
     }
     if (header.dataFile.empty()) {
-        source.offset = afterLines(content, header.end, header.lineSkip);
+        const auto offset = afterLines(source.path, header.end, header.lineSkip);
+        if (!offset) {
+            return says::volumeVoxelFileNotRead(offset.error().message);
+        }
+        source.offset = offset.value();
     } else if (header.lineSkip > 0) {
         return says::volumeSkipsLinesElsewhere();
     } else {
@@ -321,7 +333,7 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     }
     stored.geometry = placed.geometry;
     VoxelSource source{path};
-    if (const auto problem = findSource(*header.state, written, content, source)) {
+    if (const auto problem = findSource(*header.state, written, source)) {
         return fileError(path, *problem);
     }
     stored.labelNames = slicerSegments(nrrd);

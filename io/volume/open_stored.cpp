@@ -27,7 +27,7 @@ bool isNrrd(std::string_view content)
 
 bool isStoredVolume(const std::string& path)
 {
-    const auto input = openInput(path);
+    const auto input = openInputStart(path);
     if (!input) {
         return false;
     }
@@ -37,7 +37,7 @@ bool isStoredVolume(const std::string& path)
 
 core::Result<StoredVolume> openStored(const std::string& path)
 {
-    const auto input = openInput(path);
+    const auto input = openInputStart(path);
     if (!input) {
         return input.error();
     }

@@ -7,6 +7,8 @@
 #include <zlib.h>
 #include <algorithm>
 #include <bit>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -52,6 +54,9 @@ public:
         }
         return size - inflater_.avail_out;
     }
+
+    /// Whether the drive could not read on.
+    bool hasReadError() const { return file_.bad(); }
 
     /// Passes over bytes; how many there were.
     std::uint64_t skip(std::uint64_t size)
@@ -117,10 +122,11 @@ bool VoxelStream::isHeaderAmongVoxels() const
 
 core::Status VoxelStream::check() const
 {
-    if (!std::filesystem::exists(source_.path)) {
+    std::error_code unknown;   // opening tells what is wrong then
+    if (!std::filesystem::exists(source_.path, unknown) && !unknown) {
         return fileError(path_, says::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));
     }
-    const auto input = openInput(source_.path);
+    const auto input = openInputStart(source_.path);
     if (!input) {
         return source_.path == path_ ? input.error()
                                      : fileError(path_, says::volumeVoxelFileNotRead(input.error().message));
@@ -172,7 +178,7 @@ core::Status VoxelStream::read(char* voxels, const ReadObserver& observe) const
         }
         const std::size_t got = file->read(voxels + done, needed_ - done);
         if (got == 0) {
-            return cutShort();
+            return file->hasReadError() ? fileError(source_.path, says::fileNotRead(std::strerror(EIO))) : cutShort();
         }
         done += got;
     }
@@ -192,7 +198,7 @@ std::shared_ptr<const VoxelReader> voxelStream(const StoredVolume& stored, const
 
 std::string headOf(const std::string& path, std::size_t size)
 {
-    const auto content = openInput(path);
+    const auto content = openInputStart(path);
     PackedFile file(path, 0, content && content.value().view().starts_with("\x1f\x8b"));
     std::string head(size, '\0');
     std::size_t done = 0;

@@ -4,7 +4,9 @@
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
+#include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -160,4 +162,19 @@ TEST(UnreadableInputs, SayWhatTheyAre)
     std::filesystem::create_directory(folder.file("folder.vtp"));
     EXPECT_NE(io::readVesselTree(folder.file("folder.vtp")).error().message.text().find("folder"), std::string::npos);
     EXPECT_NE(io::readVesselTree("/dev/zero").error().message.text().find("not a regular file"), std::string::npos);
+}
+
+/// The system throws where a place cannot even be looked at.
+TEST(UnreadableInputs, MayBeOutOfReach)
+{
+    const test::TemporaryFolder folder;
+    const std::string loop = folder.file("loop.nii");
+    std::filesystem::create_symlink(loop, loop);
+    for (const std::string& path : {loop, folder.file(std::string(300, 'x') + ".nii")}) {
+        const auto kind = io::vesselInputKindOf(path);
+        ASSERT_FALSE(kind);
+        EXPECT_NE(kind.error().message.text().find(path), std::string::npos);
+        EXPECT_FALSE(io::readVolume(path, {}, {}));
+        EXPECT_FALSE(io::sha256OfVesselInput(path, {}));
+    }
 }
