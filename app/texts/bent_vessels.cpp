@@ -55,6 +55,9 @@ DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, 
         core::VesselTree bent = core::bentTreeAt(*vessels.tree, *drawn.known, pose);
         drawn.motion = motionMap(*vessels.tree, bent, pose, drawn.known->viewPoses.size());
         drawn.shape = wanted;
+        if (!core::resultOfShownFrame(view)) {
+            drawn.otherFrame = view.result->provenance.frame;
+        }
         if (wanted == VesselShape::Bent) {
             drawn.tree = std::move(bent);
         }
@@ -73,6 +76,9 @@ core::Messages shapeLines(const DrawnVessels& drawn)
     const core::Quantity most = core::inMm(drawn.motion.largestMm, 1);
     const bool isSure = drawn.known->verdict == core::BendVerdict::Bent;
     core::Messages lines{isSure ? says::vesselsBent(most) : says::vesselsBentUnsure(most)};
+    if (drawn.otherFrame) {
+        lines.push_back(says::bentOnFrame(*drawn.otherFrame));
+    }
     if (drawn.known->viewPoses.size() == 1) {
         lines.push_back(says::bentDepthUntold());
     }

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace angiopose::app {
@@ -29,6 +30,7 @@ struct MotionMap {
 struct DrawnVessels {
     std::shared_ptr<const core::DeformableResult> known;   ///< see drawableBend
     VesselShape shape = VesselShape::Rigid;   ///< bent only where that is known
+    std::optional<int> otherFrame;   ///< of the run in which it was found, where another one is shown
     core::VesselTree tree;   ///< all branches, in patient axes at that pose
     MotionMap motion;   ///< of `known`
 };

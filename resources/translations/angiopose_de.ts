@@ -3118,6 +3118,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>bewegt, mm</translation>
     </message>
     <message>
+        <source>bent on frame %1, another one</source>
+        <comment>picture.bent-on-frame</comment>
+        <translation>auf Bild %1 gebogen, einem anderen</translation>
+    </message>
+    <message>
         <source>bend along the ray: not told</source>
         <comment>picture.bent-depth-untold</comment>
         <translation>Biegung längs des Strahls: unbekannt</translation>

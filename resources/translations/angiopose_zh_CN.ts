@@ -3118,6 +3118,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位移，mm</translation>
     </message>
     <message>
+        <source>bent on frame %1, another one</source>
+        <comment>picture.bent-on-frame</comment>
+        <translation>弯曲取自第 %1 帧，而非此帧</translation>
+    </message>
+    <message>
         <source>bend along the ray: not told</source>
         <comment>picture.bent-depth-untold</comment>
         <translation>沿射线的弯曲：未知</translation>

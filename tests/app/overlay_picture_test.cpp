@@ -1,6 +1,9 @@
+#include "app/messages/says.h"
+#include "app/texts/bent_vessels.h"
 #include "tests/app/sample_picture.h"
 #include "tests/support/bent_case.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace angiopose::app {
@@ -76,6 +79,21 @@ TEST_F(OverlayPicture, ShowsBentVesselsWhereTheyAreKnownOfThePose)
     options.shape = VesselShape::Bent;
     sample.shown().cameraFromPatient.translation.x() += 1e-9;   // another pose
     EXPECT_EQ(differing(rigid, drawn(options), 0, rigid.width), 0);
+}
+
+TEST_F(OverlayPicture, SaysOfWhichFrameTheBendIs)
+{
+    sample = test::withBentVessels(sample, 8.0);
+    const auto words = [this] {
+        const core::View& view = sample.shown();
+        return shapeLines(drawnVessels(view, sample.vessels, view.cameraFromPatient, VesselShape::Bent));
+    };
+    const core::Message other = says::bentOnFrame(5);
+    sample.shown().result->provenance.frame = sample.shown().frame;
+    EXPECT_FALSE(std::ranges::count(words(), other));
+    sample.shown().result->provenance.frame = 5;
+    ASSERT_NE(sample.shown().frame, 5);
+    EXPECT_EQ(std::ranges::count(words(), other), 1);
 }
 
 TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)

@@ -229,12 +229,9 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
     const Ground ground(viewport, scene, annotations.taken);
     const CornerTexts& texts = annotations.texts;
     const QRectF mode = modeBox(painter, size, annotations.mode);
-    const QRectF topLeft = paintCorner(painter, size, Corner::TopLeft, toLines(texts.topLeft), ground, mode);
-    const QRectF topRight =
-        paintCorner(painter, size, Corner::TopRight, toLines(texts.topRight), ground, topLeft.united(mode));
-    const QRectF beside = paintCorner(painter, size, Corner::BottomRight, toLines(texts.bottomRight), ground);
-    const QRectF below =
-        paintCorner(painter, size, Corner::BottomLeft, ownLines(annotations, viewport.zoom()), ground, beside);
+    const CornerLines lines{toLines(texts.topLeft), toLines(texts.topRight), ownLines(annotations, viewport.zoom()),
+                            toLines(texts.bottomRight)};
+    const auto [topLeft, topRight, below, beside] = paintCorners(painter, size, lines, ground, mode);
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }

@@ -5,8 +5,8 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace angiopose::ui {
@@ -65,35 +65,83 @@ QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
     return block;
 }
 
-}   // namespace
+struct Block {
+    Corner corner;
+    QStringList lines;
+    QFont font;
+    QRectF place;
+};
 
-QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
-                   const QRectF& taken)
+/// The lines where there is room for them, else nothing.
+std::optional<Block> placed(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font,
+                            const Ground& ground, const QRectF& taken)
 {
-    if (lines.isEmpty()) {
-        return {};
+    const QStringList shown = fitted(lines, font, size.width() - 2.0 * annotationMarginPx);
+    const QRectF place = clearOf(taken, blockRect(size, corner, shown, font), corner);
+    const bool coversPicture = font.pixelSize() == fullSizePx && ground.hasPicture(place);
+    if (coversPicture || ground.isTaken(place) || ground.hasVessels(place)) {
+        return std::nullopt;
     }
-    const QFont full = sized(painter.font(), fullSizePx);
-    const QFont small = sized(painter.font(), smallSizePx);
-    const QStringList folded{isBottom(corner) ? lines.back() : lines.front()};
-    const std::array<std::pair<QStringList, QFont>, 3> choices{{{lines, full}, {lines, small}, {folded, small}}};
-    for (const auto& [whole, font] : choices) {
-        const QStringList shown = fitted(whole, font, size.width() - 2.0 * annotationMarginPx);
-        const QRectF block = clearOf(taken, blockRect(size, corner, shown, font), corner);
-        const bool coversPicture = ground.hasPicture(block);
-        if (ground.isTaken(block) || ground.hasVessels(block) || (coversPicture && font == full)) {
+    return Block{corner, shown, font, place};
+}
+
+void paint(QPainter& painter, const Block& block)
+{
+    painter.setFont(block.font);
+    const int flags = (isRight(block.corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;
+    const double height = lineHeight(block.font);
+    for (int i = 0; i < block.lines.size(); ++i) {
+        const QRectF box(block.place.left() - 2.0, block.place.top() + i * height, block.place.width() + 4.0, height);
+        drawShadowedText(painter, box, flags, block.lines[i], colorOf(annotationTones().text));
+    }
+}
+
+/// The blocks in one size of letters; nothing where one of them has no room and `mayFold` does not let it become one
+/// line, then none.
+std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& lines, const QFont& font,
+                                         const Ground& ground, const QRectF& mode, bool mayFold)
+{
+    std::vector<Block> blocks;
+    std::array<QRectF, 4> places;
+    for (const Corner corner : {Corner::TopLeft, Corner::TopRight, Corner::BottomRight, Corner::BottomLeft}) {
+        const QStringList& own = lines[static_cast<std::size_t>(corner)];
+        if (own.isEmpty()) {
             continue;
         }
-        painter.setFont(font);
-        const int flags = (isRight(corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;
-        for (int i = 0; i < shown.size(); ++i) {
-            const QRectF box(block.left() - 2.0, block.top() + i * lineHeight(font), block.width() + 4.0,
-                             lineHeight(font));
-            drawShadowedText(painter, box, flags, shown[i], colorOf(annotationTones().text));
+        const QRectF beside = corner == Corner::TopRight     ? places[0].united(mode)
+                              : corner == Corner::BottomLeft ? places[static_cast<std::size_t>(Corner::BottomRight)]
+                              : corner == Corner::TopLeft    ? mode
+                                                             : QRectF();
+        auto block = placed(size, corner, own, font, ground, beside);
+        if (!block && !mayFold) {
+            return std::nullopt;
         }
-        return block;
+        if (!block) {
+            block = placed(size, corner, {isBottom(corner) ? own.back() : own.front()}, font, ground, beside);
+        }
+        if (block) {
+            places[static_cast<std::size_t>(corner)] = block->place;
+            blocks.push_back(std::move(*block));
+        }
     }
-    return {};
+    return blocks;
+}
+
+}   // namespace
+
+std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,
+                                   const Ground& ground, const QRectF& mode)
+{
+    auto blocks = layOut(size, lines, sized(painter.font(), fullSizePx), ground, mode, false);
+    if (!blocks) {
+        blocks = layOut(size, lines, sized(painter.font(), smallSizePx), ground, mode, true);
+    }
+    std::array<QRectF, 4> places;
+    for (const Block& block : *blocks) {
+        paint(painter, block);
+        places[static_cast<std::size_t>(block.corner)] = block.place;
+    }
+    return places;
 }
 
 }   // namespace angiopose::ui

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 class QPainter;
@@ -50,9 +51,12 @@ private:
     const std::vector<QRectF>& taken_;
 };
 
-/// Draws a block of lines in a corner and gives back the room it took; `taken` is that of the corner beside it.
-/// Where it would lie on vessels or what else is there it gets smaller, then folds to one line, then stays away.
-QRectF paintCorner(QPainter& painter, const QSizeF& size, Corner corner, const QStringList& lines, const Ground& ground,
-                   const QRectF& taken = {});
+using CornerLines = std::array<QStringList, 4>;   ///< by `Corner`
+
+/// Draws a block of lines in each corner, all in one size of letters, and gives back the room they took; `mode` is what
+/// lies at the top already. Where one would lie on vessels, on the picture or on what else is there all get smaller;
+/// what has no room even so folds to one line, then stays away.
+std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,
+                                   const Ground& ground, const QRectF& mode = {});
 
 }   // namespace angiopose::ui
