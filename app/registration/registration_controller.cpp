@@ -94,7 +94,7 @@ void RegistrationController::apply(const core::RegisteredCase& registered)
     std::vector<core::View> views = document_.current().views;   // with what was kept of them meanwhile
     for (const std::size_t place : registered.places) {
         core::View& view = views[place];
-        core::takeOver(view, *registered.theCase.views[place].result);
+        core::takeOver(view, registered.theCase.views[place]);
         view.snapshots = core::withSnapshot(std::move(view.snapshots), snapshotOfRun(*view.result, view.frame));
     }
     const bool areSeveral = registered.joint.has_value();

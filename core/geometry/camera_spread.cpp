@@ -55,4 +55,23 @@ ProjectionCamera corrected(const ProjectionCamera& camera, const CameraError& er
     return better;
 }
 
+CArm corrected(CArm cArm, const ProjectionCamera& camera, const CameraError& error, const std::string& basis)
+{
+    const double factor = std::exp(error[0]);
+    const auto scale = [&basis](Sourced<double>& value, double by) {
+        if (value.value) {
+            value = {*value.value * by, Origin::Derived, basis};
+        }
+    };
+    if (ofDistance.of(cArm.sourceToDetectorMm.origin) >= ofSpacing.of(cArm.columnSpacingMm.origin)) {
+        scale(cArm.sourceToDetectorMm, factor);
+    } else {
+        scale(cArm.columnSpacingMm, 1.0 / factor);
+        scale(cArm.rowSpacingMm, 1.0 / factor);
+    }
+    const ProjectionCamera better = corrected(camera, error);
+    cArm.principalPointPx = {Eigen::Vector2d(better.cx, better.cy), Origin::Derived, basis};
+    return cArm;
+}
+
 }   // namespace angiopose::core

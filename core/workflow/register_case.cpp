@@ -1,18 +1,23 @@
 #include "core/workflow/register_case.h"
 
 #include "core/case/case_views.h"
+#include "core/case/geometry_of_images.h"
 #include "core/case/registration_input.h"
 #include "core/messages/says.h"
 #include "core/registration/deformable/bent_tree.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 namespace angiopose::core {
 namespace {
 
 constexpr double tracingShare = 0.1;   // of the whole, where something has to be traced
+constexpr int mostEstimates = 3;   // of the geometry; most are settled by the second
+constexpr double firstShare = 0.7;   // of the rest, for what may be all there is to do
 
 Result<std::vector<std::size_t>> plannedViews(const Case& theCase, RegistrationPlan::Views views)
 {
@@ -66,11 +71,17 @@ Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_
     return traced;
 }
 
-/// What a solver says of the views at `places` goes to the course, as its part from `first` to the end.
-IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, double first)
+/// A part of the course, as shares of it.
+struct Part {
+    double first;
+    double last;
+};
+
+/// What a solver says of the views at `places` goes to the course as a part of it.
+IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, const Part& part)
 {
-    return [&course, &places, first](const IterationReport& report) {
-        course.enter(first, 1.0, places[report.view]);
+    return [&course, &places, part](const IterationReport& report) {
+        course.enter(part.first, part.last, places[report.view]);
         return course.tell(report.stage, report.progress, &report);
     };
 }
@@ -80,7 +91,6 @@ RegistrationResult resultOfAll(const MultiViewResult& joint)
 {
     RegistrationResult result = joint.views.front();
     result.uncertainty = joint.uncertainty;
-    result.camera = joint.cameras.empty() ? std::nullopt : std::optional(joint.cameras.front());
     result.trustworthy = joint.trustworthy;
     for (const Message& warning : joint.warnings) {
         if (std::ranges::find(result.warnings, warning) == result.warnings.end()) {
@@ -105,13 +115,19 @@ struct RunNotes {
     }
 };
 
-Status registerOne(RegisteredCase& run, const RunNotes& notes, const IterationObserver& observe)
+/// `spreads`: how far the cameras may be off, where that is not by where they come from any more.
+Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
+                   const IterationObserver& observe)
 {
-    const auto input = registrationInputOf(run.theCase, run.targets.front());
-    if (!input) {
-        return input.error();
+    auto asked = registrationInputOf(run.theCase, run.targets.front());
+    if (!asked) {
+        return asked.error();
     }
-    auto found = registerVessels(input.value(), run.theCase.options, observe);
+    RegistrationInput input = std::move(asked).value();
+    if (!spreads.empty()) {
+        input.cameraSpread = spreads.front();
+    }
+    auto found = registerVessels(input, run.theCase.options, observe);
     if (!found) {
         return found.error();
     }
@@ -121,18 +137,23 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, const IterationOb
     return Done{};
 }
 
-Status registerTogether(RegisteredCase& run, const RunNotes& notes, const IterationObserver& observe)
+Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
+                        const IterationObserver& observe)
 {
     Stopwatch watch;
     MultiViewOptions multiView;
     for (const std::size_t place : run.places) {
         multiView.numbers.push_back(place + 1);
     }
-    const auto inputs = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets, multiView);
-    if (!inputs) {
-        return inputs.error();
+    auto asked = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets, multiView);
+    if (!asked) {
+        return asked.error();
     }
-    auto joint = registerViews(inputs.value(), run.theCase.options, multiView, observe);
+    std::vector<RegistrationInput> inputs = std::move(asked).value();
+    for (std::size_t k = 0; k < spreads.size(); ++k) {
+        inputs[k].cameraSpread = spreads[k];
+    }
+    auto joint = registerViews(inputs, run.theCase.options, multiView, observe);
     if (!joint) {
         return joint.error();
     }
@@ -143,6 +164,9 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
         result.time.totalMs = totalMs;
         notes.addTo(result, k, run.theCase.views[run.places[k]]);
         RegistrationResult kept = k == 0 ? resultOfAll(*run.joint) : result;
+        if (!run.joint->cameras.empty()) {
+            kept.camera = run.joint->cameras[k];
+        }
         if (run.joint->bent) {
             kept.bent = std::make_shared<const DeformableResult>(seenFirst(*run.joint->bent, k));
         }
@@ -151,7 +175,115 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, const Iterat
     return Done{};
 }
 
+Status registerPlanned(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
+                       const IterationObserver& observe)
+{
+    return run.places.size() > 1 ? registerTogether(run, notes, spreads, observe)
+                                 : registerOne(run, notes, spreads, observe);
+}
+
+/// The geometry of the planned views as it was given, and what of it was corrected since.
+class GivenGeometry {
+public:
+    explicit GivenGeometry(const RegisteredCase& run)
+    {
+        for (const std::size_t place : run.places) {
+            const View& view = run.theCase.views[place];
+            starts_.push_back(view.cameraFromPatient);
+            spreads_.push_back(cameraSpreadOf(view));
+        }
+    }
+
+    const std::vector<CameraSpread>& spreads() const { return spreads_; }
+
+    /// Takes over the cameras that the images show; false where those are the ones that the views have. They start
+    /// where they started.
+    bool correct(RegisteredCase& run)
+    {
+        bool isChanged = false;
+        for (std::size_t k = 0; k < run.places.size(); ++k) {
+            if (const auto error = takeGeometryOfImages(run.theCase.views[run.places[k]])) {
+                spreads_[k].taken += *error;
+                isChanged = true;
+            }
+        }
+        for (std::size_t k = 0; isChanged && k < run.places.size(); ++k) {
+            run.theCase.views[run.places[k]].cameraFromPatient = starts_[k];
+        }
+        return isChanged;
+    }
+
+    /// What was corrected, in words, in the results that rest on it.
+    void tell(RegisteredCase& run) const
+    {
+        for (std::size_t k = 0; k < spreads_.size(); ++k) {
+            const CameraError& taken = spreads_[k].taken;
+            if (taken.isZero()) {
+                continue;
+            }
+            const Message said =
+                says::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
+                                      static_cast<int>(std::lround(taken[1])), static_cast<int>(std::lround(taken[2])))
+                    .as(Severity::Note);
+            run.theCase.views[run.places[k]].result->warnings.push_back(said);
+            if (run.joint) {
+                run.joint->warnings.push_back(says::inView(run.places[k] + 1, said).as(Severity::Note));
+            }
+        }
+    }
+
+private:
+    std::vector<RigidTransform> starts_;
+    std::vector<CameraSpread> spreads_;
+};
+
+bool isStopped(const RegisteredCase& run)
+{
+    return run.result().stopReason == StopReason::StoppedByUser;
+}
+
+/// Whether the images contradict the geometry of any view.
+bool isContradicted(const RegisteredCase& run)
+{
+    return std::ranges::any_of(run.places, [&run](std::size_t place) {
+        return isGeometryContradicted(run.theCase.views[place], run.places.size());
+    });
+}
+
+/// Registers; where that contradicts the geometry, again with the one that the images show, until they show no other.
+/// An estimate that does not end in a fit to be trusted is dropped: a wrong pose shows a wrong geometry.
+Status registerEstimating(RegisteredCase& run, const RunNotes& notes, Course& course, double begin)
+{
+    GivenGeometry geometry(run);
+    const double firstEnd = begin + firstShare * (1.0 - begin);
+    const Status first = registerPlanned(run, notes, {}, solverObserver(course, run.places, {begin, firstEnd}));
+    if (!first || !isContradicted(run)) {
+        return first;
+    }
+    const RegisteredCase asGiven = run;
+    for (int round = 0; round < mostEstimates && !isStopped(run) && geometry.correct(run); ++round) {
+        const double step = (1.0 - firstEnd) / mostEstimates;
+        const Part part{firstEnd + round * step, firstEnd + (round + 1) * step};
+        const Status again = registerPlanned(run, notes, geometry.spreads(), solverObserver(course, run.places, part));
+        if (!again) {
+            return again.error();
+        }
+    }
+    if (run.result().trustworthy) {
+        geometry.tell(run);
+    } else {
+        run = asGiven;
+    }
+    return Done{};
+}
+
 }   // namespace
+
+void takeOver(View& view, const View& registered)
+{
+    view.geometry = registered.geometry;
+    takeOver(view, *registered.result);
+}
 
 void takeOver(View& view, RegistrationResult result)
 {
@@ -174,12 +306,12 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     }
     RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
-    const IterationObserver observer = solverObserver(course, run.places, begin);
     const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},
                          plan.readMs,
                          traced.value().tookMs};
-    const Status status =
-        run.places.size() > 1 ? registerTogether(run, notes, observer) : registerOne(run, notes, observer);
+    const Status status = run.theCase.options.geometry.estimate
+                              ? registerEstimating(run, notes, course, begin)
+                              : registerPlanned(run, notes, {}, solverObserver(course, run.places, {begin, 1.0}));
     if (!status) {
         return status.error();
     }

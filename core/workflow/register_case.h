@@ -35,8 +35,12 @@ struct RegisteredCase {
 /// The view after a run that found this: at its pose, and no longer as its case file has it.
 void takeOver(View& view, RegistrationResult result);
 
+/// Likewise of a view of a registered case, with the geometry that the run may have estimated.
+void takeOver(View& view, const View& registered);
+
 /// The main job: traces the vessels in each view, registers the tree to one view (registerVessels) or to all together
-/// (registerViews), and takes over what was found. Fails naming the view and what it lacks. Stopped before there is any
+/// (registerViews), and takes over what was found; where images contradict the geometry and the options want that, with
+/// the geometry that they show. Fails naming the view and what it lacks. Stopped before there is any
 /// pose it ends as stopped, later it keeps the best pose.
 Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan = {}, const WorkObserver& observe = {});
 

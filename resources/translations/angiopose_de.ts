@@ -2541,6 +2541,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung jeder Koordinate des Hauptpunkts, wo sie angegeben wird.</translation>
     </message>
     <message>
+        <source>Estimate the geometry</source>
+        <translation>Geometrie schätzen</translation>
+    </message>
+    <message>
+        <source>Where the images clearly contradict focal length or principal point, takes over those that they show and registers again.</source>
+        <translation>Wo die Bilder Brennweite oder Hauptpunkt klar widersprechen, werden die übernommen, die sie zeigen, und es wird noch einmal registriert.</translation>
+    </message>
+    <message>
         <source>Mirrored and turned images</source>
         <translation>Gespiegelte und gedrehte Bilder</translation>
     </message>
@@ -3783,14 +3791,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine Ansicht allein verrät die Tiefe hier nicht: der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder nehmen Sie eine Ansicht hinzu.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller).</source>
+        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller). The option “Estimate the geometry” takes over what the images show.</source>
         <comment>camera.focal-longer</comment>
-        <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und den Pixelabstand (vielleicht kleiner).</translation>
+        <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und den Pixelabstand (vielleicht kleiner). Die Option „Geometrie schätzen“ übernimmt, was die Bilder zeigen.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger).</source>
+        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger). The option “Estimate the geometry” takes over what the images show.</source>
         <comment>camera.focal-shorter</comment>
-        <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und den Pixelabstand (vielleicht größer).</translation>
+        <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und den Pixelabstand (vielleicht größer). Die Option „Geometrie schätzen“ übernimmt, was die Bilder zeigen.</translation>
+    </message>
+    <message>
+        <source>The images contradicted the geometry and it was estimated from them: the focal length is %1 of the given one, the principal point lies (%2, %3) px beside it.</source>
+        <comment>camera.estimated</comment>
+        <translation>Die Bilder widersprachen der Geometrie, und sie wurde aus ihnen geschätzt: Die Brennweite ist %1 der gegebenen, der Hauptpunkt liegt (%2, %3) px daneben.</translation>
     </message>
     <message>
         <source>The vessels fit clearly better with the principal point %1 aside, at (%2, %3). Check it, and whether the image was cropped or shifted.</source>

@@ -2541,6 +2541,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>给定时主点各坐标的标准差。</translation>
     </message>
     <message>
+        <source>Estimate the geometry</source>
+        <translation>估计几何参数</translation>
+    </message>
+    <message>
+        <source>Where the images clearly contradict focal length or principal point, takes over those that they show and registers again.</source>
+        <translation>当图像明显与焦距或主点不符时，采用图像所显示的值并重新配准。</translation>
+    </message>
+    <message>
         <source>Mirrored and turned images</source>
         <translation>镜像和旋转的图像</translation>
     </message>
@@ -3783,14 +3791,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单一投影无法确定深度：到射线源的距离偏离初始位姿 %1，可能有误。请锁定深度，或增加一个投照视图。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller).</source>
+        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller). The option “Estimate the geometry” takes over what the images show.</source>
         <comment>camera.focal-longer</comment>
-        <translation>焦距增大 %1 时血管明显更吻合。请检查源到探测器的距离（可能更大）和像素间距（可能更小）。</translation>
+        <translation>焦距增大 %1 时血管明显更吻合。请检查源到探测器的距离（可能更大）和像素间距（可能更小）。选项“估计几何参数”会采用图像所显示的值。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger).</source>
+        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger). The option “Estimate the geometry” takes over what the images show.</source>
         <comment>camera.focal-shorter</comment>
-        <translation>焦距减小 %1 时血管明显更吻合。请检查源到探测器的距离（可能更小）和像素间距（可能更大）。</translation>
+        <translation>焦距减小 %1 时血管明显更吻合。请检查源到探测器的距离（可能更小）和像素间距（可能更大）。选项“估计几何参数”会采用图像所显示的值。</translation>
+    </message>
+    <message>
+        <source>The images contradicted the geometry and it was estimated from them: the focal length is %1 of the given one, the principal point lies (%2, %3) px beside it.</source>
+        <comment>camera.estimated</comment>
+        <translation>图像与几何参数不符，已据图像重新估计：焦距为给定值的 %1，主点偏移 (%2, %3) px。</translation>
     </message>
     <message>
         <source>The vessels fit clearly better with the principal point %1 aside, at (%2, %3). Check it, and whether the image was cropped or shifted.</source>

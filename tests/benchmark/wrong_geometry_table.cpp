@@ -5,6 +5,7 @@
 #include "core/registration/register_views.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
+#include "core/workflow/register_case.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/wrong_geometry.h"
@@ -31,17 +32,19 @@ const char* const usage =
     "  --views <list>    one,two (both); of two, what is told wrongly is wrong of both\n"
     "  --trials <n>      for each tree and error (4)\n"
     "  --first <n>       number of the first trial (0)\n"
-    "  --set none        the geometry counts as exact\n"
+    "  --set <name>      none: the geometry counts as exact; estimate: where images contradict it they estimate it\n"
     "  --each            one line for each registration, too\n";
 
 struct Answer {
     bool isTrusted = false;
     bool isNamed = false;   ///< by the message that should name the error
     bool isAlarmed = false;   ///< by any message about camera or frame
+    bool isEstimated = false;   ///< another camera was taken
     double nees = 0.0;   ///< squared error over covariance, 6 degrees of freedom
     double depthErrorMm = 0.0;
     double depthStdMm = 0.0;
     double gain = 0.0;   ///< of the error that the images find in the cameras
+    double focalOffPercent = 0.0;   ///< where cameras are estimated
     double timeMs = 0.0;
 };
 
@@ -52,6 +55,7 @@ void hear(Answer& answer, const core::Messages& warnings, const NamedError& told
         const std::string_view id =
             isAboutView ? std::get<core::Messages>(warning.arguments().back()).front().id() : warning.id();
         answer.isNamed = answer.isNamed || (!told.message.empty() && id.starts_with(told.message));
+        answer.isEstimated = answer.isEstimated || id == "camera.estimated";
         answer.isAlarmed = answer.isAlarmed || id.starts_with("camera.") || id.starts_with("frame.");
     }
 }
@@ -67,8 +71,61 @@ void compare(Answer& answer, const ForeignCase& asked, const core::RigidTransfor
     answer.depthStdMm = uncertainty.depthMm;
 }
 
+/// A case of these questions whose spread the options hold; it has no pictures.
+core::Case caseOf(const std::vector<core::RegistrationInput>& inputs, core::RegistrationOptions options)
+{
+    const core::CameraSpread spread = inputs.front().cameraSpread;
+    options.geometry.spread = core::GeometrySpread::Given;
+    options.geometry.focalPercent = 100.0 * spread.focalShare;
+    options.geometry.principalPx = spread.principalPx;
+    core::Case values;
+    values.options = std::move(options);
+    values.vessels.tree = std::make_shared<const core::VesselTree>(inputs.front().tree);
+    values.views.clear();
+    for (const core::RegistrationInput& input : inputs) {
+        core::View& view = values.views.emplace_back();
+        core::Angiogram empty;
+        empty.frames.emplace_back(input.camera.width, input.camera.height);
+        view.angiogram = std::make_shared<const core::Angiogram>(std::move(empty));
+        view.frame = -1;
+        view.target.centerline = std::make_shared<const core::Centerline2d>(input.target);
+        view.geometry.cameraOverride = input.camera;
+        view.initialCameraFromPatient = view.cameraFromPatient = input.initialCameraFromPatient;
+    }
+    return values;
+}
+
+Answer askEstimating(std::vector<ForeignCase> asked, const NamedError& told, std::uint64_t trial,
+                     core::RegistrationOptions options)
+{
+    const double trueFocalPx = asked.front().input.camera.fy;
+    std::vector<core::RegistrationInput> inputs;
+    for (ForeignCase& view : asked) {
+        view.input.cameraSpread = spreadOfHeader(view.input.camera);
+        spoil(view.input, told.error, trial);
+        inputs.push_back(view.input);
+    }
+    Answer answer;
+    const auto run = core::registerCase(caseOf(inputs, std::move(options)));
+    if (!run) {
+        return answer;
+    }
+    const core::RegistrationResult& result = run.value().result();
+    answer.isTrusted = result.trustworthy;
+    answer.timeMs = result.time.totalMs;
+    answer.gain = result.camera ? result.camera->gain : 0.0;
+    const double focalPx = core::cameraOf(run.value().theCase.shown()).value().fy;
+    answer.focalOffPercent = 100.0 * std::abs(focalPx / trueFocalPx - 1.0);
+    hear(answer, result.warnings, told);
+    compare(answer, asked.front(), result.cameraFromPatient, result.uncertainty);
+    return answer;
+}
+
 Answer askOne(ForeignCase asked, const NamedError& told, std::uint64_t trial, const core::RegistrationOptions& options)
 {
+    if (options.geometry.estimate) {
+        return askEstimating({std::move(asked)}, told, trial, options);
+    }
     asked.input.cameraSpread = spreadOfHeader(asked.input.camera);
     spoil(asked.input, told.error, trial);
     Answer answer;
@@ -87,6 +144,9 @@ Answer askOne(ForeignCase asked, const NamedError& told, std::uint64_t trial, co
 Answer askBoth(std::array<ForeignCase, 2> asked, const NamedError& told, std::uint64_t trial,
                const core::RegistrationOptions& options)
 {
+    if (options.geometry.estimate) {
+        return askEstimating({asked.begin(), asked.end()}, told, trial, options);
+    }
     std::vector<core::RegistrationInput> inputs;
     for (ForeignCase& view : asked) {
         view.input.cameraSpread = spreadOfHeader(view.input.camera);
@@ -132,6 +192,8 @@ core::ResultTable::Row rowOf(const NamedError& told, const std::string& views, c
              unless(told.message.empty(), shareText(answers, [](const Answer& a) { return a.isNamed; })),
              shareText(answers, [](const Answer& a) { return a.isAlarmed; }),
              shareText(answers, [](const Answer& a) { return a.isAlarmed || !a.isTrusted; }),
+             shareText(answers, [](const Answer& a) { return a.isEstimated; }),
+             unless(hasNoTruth, medianText(answers, &Answer::focalOffPercent, 1)),
              unless(hasNoTruth, medianText(answers, &Answer::depthErrorMm, 1)),
              unless(hasNoTruth, medianText(answers, &Answer::depthStdMm, 1)), medianText(answers, &Answer::gain, 1),
              medianText(answers, &Answer::timeMs, 0)},
@@ -182,11 +244,13 @@ int main(int argc, char** argv)
     if (arguments.text("set", "") == "none") {
         options.geometry.spread = core::GeometrySpread::None;
     }
+    options.geometry.estimate = arguments.text("set", "") == "estimate";
     const std::vector<std::string> wanted =
         arguments.list("errors", "exact,sid,spacing,principal,mirrored,flipped,turned,upside-down");
     core::ResultTable table;
-    table.columns = {"views",    "told wrongly",     "trusted",      "pose in 95 %", "depth in 95 %", "named",
-                     "any word", "word or no trust", "depth off mm", "depth σ mm",   "gain",          "median ms"};
+    table.columns = {"views",    "told wrongly",     "trusted",   "pose in 95 %", "depth in 95 %", "named",
+                     "any word", "word or no trust", "estimated", "focal off %",  "depth off mm",  "depth σ mm",
+                     "gain",     "median ms"};
     for (const std::string& views : arguments.list("views", "one,two")) {
         for (const NamedError& told : geometryErrors) {
             const bool isWanted = std::find(wanted.begin(), wanted.end(), told.key) != wanted.end();

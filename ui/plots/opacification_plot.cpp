@@ -15,8 +15,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double leftMargin = 46.0;
-constexpr double rightMargin = 18.0;
+constexpr double leftMargin = 54.0;
+constexpr double rightMargin = 26.0;
 constexpr double topMargin = 26.0;
 constexpr double bottomMargin = 34.0;
 

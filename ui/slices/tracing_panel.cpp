@@ -21,7 +21,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int seedListHeight = 96;
+constexpr int mostSeedRows = 4;   // seen at once
 constexpr int leastWidth = 250;
 
 QPushButton* switchButton(const Words& text, const Words& tip)
@@ -132,7 +132,6 @@ QLayout* TracingPanel::pointRows()
     row->addWidget(remove_);
     rows->addLayout(row);
     withName(points_, [] { return tr("Seeds and places to avoid"); });
-    points_->setFixedHeight(seedListHeight);
     points_->setFrameShape(QFrame::NoFrame);
     points_->installEventFilter(this);
     rows->addWidget(points_);
@@ -285,6 +284,8 @@ void TracingPanel::fillPoints()
     for (const Eigen::Vector3d& point : options_.avoidInPatient) {
         points_->addItem(pointText(tr("× avoid %1").arg(++number), point));
     }
+    points_->setVisible(points_->count() > 0);
+    points_->setFixedHeight(std::min(points_->count(), mostSeedRows) * std::max(points_->sizeHintForRow(0), 1));
     remove_->setEnabled(false);
 }
 

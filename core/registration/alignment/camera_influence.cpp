@@ -29,19 +29,23 @@ CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen:
 {
     const auto count = perCamera * static_cast<Eigen::Index>(spreads.size());
     const Eigen::Index poseCount = equations.hessian.rows() - count;
-    Eigen::VectorXd std(count);
+    Eigen::VectorXd std(count), taken(count);
     for (std::size_t k = 0; k < spreads.size(); ++k) {
-        std.segment<perCamera>(perCamera * static_cast<Eigen::Index>(k)) = spreads[k].std();
+        const auto at = perCamera * static_cast<Eigen::Index>(k);
+        std.segment<perCamera>(at) = spreads[k].std();
+        taken.segment<perCamera>(at) = spreads[k].taken;
     }
     const Eigen::MatrixXd H = equations.hessian.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd crossed = H.topRightCorner(poseCount, count);
     const Eigen::MatrixXd ofPose = free.transpose() * H.topLeftCorner(poseCount, poseCount) * free;
     shift_ = -free * solveSymmetric(ofPose, free.transpose() * crossed);
     // The pose follows every error: what is left of the images' information about the cameras.
+    const Eigen::VectorXd weight = std.cwiseAbs2().cwiseInverse();
     const Eigen::VectorXd pull =
-        -(equations.gradient.tail(count) + shift_.transpose() * equations.gradient.head(poseCount));
+        -(equations.gradient.tail(count) + shift_.transpose() * equations.gradient.head(poseCount) +
+          weight.cwiseProduct(taken));
     Eigen::MatrixXd information = H.bottomRightCorner(count, count) + crossed.transpose() * shift_;
-    information.diagonal() += std.cwiseAbs2().cwiseInverse();
+    information.diagonal() += weight;
     error_ = solveSymmetric(information, pull);
     left_ = solveSymmetric(information, Eigen::MatrixXd::Identity(count, count));
     gain_ = pull.dot(error_);

@@ -146,6 +146,10 @@ std::vector<OptionField> geometryFields()
             {"principalErrorPx", "Principal point ±",
              "Standard deviation of each coordinate of the principal point where it is given."},
             {"px", 0.0, 500.0, 1}),
+        toggle<&Options::geometry, &GeometryOptions::estimate>(
+            {"estimateGeometry", "Estimate the geometry",
+             "Where the images clearly contradict focal length or principal point, takes over those that they show and "
+             "registers again."}),
         onlyFor(ours, toggle<&Options::geometry, &GeometryOptions::otherFrames>(
                           {"otherFrames", "Mirrored and turned images",
                            "Where a fit is in doubt, tells whether the image looks mirrored or turned."})),

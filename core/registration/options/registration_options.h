@@ -186,11 +186,12 @@ struct AngioPoseOptions {
 /// not at all.
 enum class GeometrySpread { ByOrigin, Given, None };
 
-/// What the covariance of every method reads.
+/// What the covariance of every method reads, and what becomes of a camera that images contradict.
 struct GeometryOptions {
     GeometrySpread spread = GeometrySpread::ByOrigin;
     double focalPercent = 3.0;   ///< 1-σ, where it is given
     double principalPx = 10.0;   ///< 1-σ of each coordinate, where it is given
+    bool estimate = false;   ///< where images contradict the camera: register again with the one that they show
     bool otherFrames = true;   ///< where a run fails, is the image mirrored or turned? angiopose only
 
     bool operator==(const GeometryOptions&) const = default;

@@ -221,7 +221,7 @@ CameraSpread spreadFor(const CameraSpread& byOrigin, const GeometryOptions& opti
 {
     switch (options.spread) {
         case GeometrySpread::Given:
-            return {0.01 * options.focalPercent, options.principalPx};
+            return {0.01 * options.focalPercent, options.principalPx, byOrigin.taken};
         case GeometrySpread::None:
             return {};
         case GeometrySpread::ByOrigin:

@@ -45,5 +45,28 @@ TEST(CameraSpread, AnErrorTakesTheCameraToTheTrueOne)
     EXPECT_NEAR(better.cy, 508.5, 1e-12);
 }
 
+TEST(CameraSpread, AnErrorGoesToTheLessCertainOfDistanceAndSpacing)
+{
+    const CameraError error{std::log(1.05), 20.0, -3.0};
+    for (const Origin spacing : {Origin::Header, Origin::Assumed}) {
+        CArm cArm = cArmFrom(Origin::Header, spacing, Origin::Missing);
+        cArm.sourceToDetectorMm.value = 1000.0;
+        cArm.columnSpacingMm.value = cArm.rowSpacingMm.value = 0.4;
+        cArm.rowSpacingMm.origin = spacing;
+        const ProjectionCamera given = cameraFromCArm(cArm, 1024, 1024).value();
+        const CArm better = corrected(cArm, given, error, "images");
+        const ProjectionCamera camera = cameraFromCArm(better, 1024, 1024).value();
+        const ProjectionCamera wanted = corrected(given, error);
+        EXPECT_NEAR(camera.fx, wanted.fx, 1e-9);
+        EXPECT_NEAR(camera.fy, wanted.fy, 1e-9);
+        EXPECT_NEAR(camera.cx, wanted.cx, 1e-9);
+        EXPECT_NEAR(camera.cy, wanted.cy, 1e-9);
+        const bool isDistance = spacing == Origin::Header;
+        EXPECT_EQ(better.sourceToDetectorMm.origin, isDistance ? Origin::Derived : Origin::Header);
+        EXPECT_EQ(better.columnSpacingMm.origin, isDistance ? Origin::Header : Origin::Derived);
+        EXPECT_EQ(better.principalPointPx.basis, "images");
+    }
+}
+
 }   // namespace
 }   // namespace angiopose::core

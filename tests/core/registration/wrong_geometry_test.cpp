@@ -14,7 +14,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double inside95 = 12.592;   // χ² of six degrees of freedom
-constexpr CameraSpread headerSpread{0.029, 8.0};
+const CameraSpread headerSpread{0.029, 8.0};
 
 RegistrationInput noisyInput(const test::CleanCase& clean, const RigidTransform& truth, std::uint64_t seed)
 {

@@ -114,6 +114,53 @@ TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)
     EXPECT_GT(alone.value().result().uncertainty.depthMm, together.value().result().uncertainty.depthMm);
 }
 
+/// The source said to be farther away than it is.
+Case withFarSource(Case values, double factor)
+{
+    for (View& view : values.views) {
+        view.geometry.cameraOverride->fx *= factor;
+        view.geometry.cameraOverride->fy *= factor;
+    }
+    return values;
+}
+
+double focalPx(const Case& values)
+{
+    return cameraOf(values.shown()).value().fy;
+}
+
+TEST(RegisterCase, EstimatesTheGeometryThatImagesContradictWhereThatIsWanted)
+{
+    const Case exact = withNoise(test::twoViewCase());
+    Case wrong = withFarSource(exact, 1.1);
+    const auto asGiven = registerCase(wrong);
+    wrong.options.geometry.estimate = true;
+    const auto estimated = registerCase(wrong);
+    const auto right = registerCase(exact);
+    ASSERT_TRUE(asGiven && estimated && right);
+    EXPECT_EQ(focalPx(asGiven.value().theCase), focalPx(wrong));
+    EXPECT_NEAR(focalPx(estimated.value().theCase) / focalPx(exact), 1.0, 0.06);
+    const auto depthOf = [](const RegisteredCase& run) { return run.result().cameraFromPatient.translation.z(); };
+    EXPECT_LT(std::abs(depthOf(estimated.value()) - depthOf(right.value())),
+              0.5 * std::abs(depthOf(asGiven.value()) - depthOf(right.value())));
+    const auto isSaid = [](const RegisteredCase& run) {
+        return std::ranges::any_of(run.joint->warnings, [](const Message& each) {
+            return each.text().find("was estimated from them") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(isSaid(estimated.value()));
+    EXPECT_FALSE(isSaid(asGiven.value()));
+}
+
+TEST(RegisterCase, LeavesAGeometryThatIsRightAsItIs)
+{
+    Case values = withNoise(test::twoViewCase());
+    values.options.geometry.estimate = true;
+    const auto run = registerCase(values);
+    ASSERT_TRUE(run);
+    EXPECT_EQ(focalPx(run.value().theCase), focalPx(values));
+}
+
 TEST(RegisterCase, TellsWhatReadingAndTracingTook)
 {
     const Case values = test::twoViewCase();

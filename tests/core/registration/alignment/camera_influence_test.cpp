@@ -28,7 +28,7 @@ StackedEquations equationsFor(const CameraError& error)
     return {J.transpose() * J, J.transpose() * residuals};
 }
 
-constexpr CameraSpread wideSpread{100.0, 100.0};
+const CameraSpread wideSpread{100.0, 100.0};
 
 TEST(CameraInfluence, FindsTheErrorThatLeftTheResiduals)
 {

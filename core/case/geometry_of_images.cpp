@@ -1,0 +1,45 @@
+#include "core/case/geometry_of_images.h"
+
+#include "core/registration/alignment/camera_influence.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+
+namespace {
+
+constexpr double settledSigmas = 0.5;
+
+}   // namespace
+
+/// A run of one view says it only where its pose had settled.
+bool isGeometryContradicted(const View& view, std::size_t viewCount)
+{
+    const auto camera = cameraOf(view);
+    if (!camera || !view.result || !view.result->camera) {
+        return false;
+    }
+    const Messages found = contradictionsOf(*view.result->camera, camera.value(), viewCount);
+    return viewCount > 1 ? !found.empty() : std::ranges::any_of(found, [&](const Message& each) {
+        return std::ranges::find(view.result->warnings, each) != view.result->warnings.end();
+    });
+}
+
+std::optional<CameraError> takeGeometryOfImages(View& view)
+{
+    const auto camera = cameraOf(view);
+    if (!camera || !view.result || !view.result->camera ||
+        view.result->camera->error.cwiseQuotient(view.result->camera->std).cwiseAbs().maxCoeff() < settledSigmas) {
+        return std::nullopt;
+    }
+    const CameraError error = view.result->camera->error;
+    ViewGeometry& geometry = view.geometry;
+    if (geometry.cameraOverride) {
+        geometry.cameraOverride = corrected(*geometry.cameraOverride, error);
+    } else {
+        geometry.cArm = corrected(geometry.cArm, camera.value(), error, "estimated from the vessels in the images");
+    }
+    return error;
+}
+
+}   // namespace angiopose::core
