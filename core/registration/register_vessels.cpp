@@ -6,6 +6,7 @@
 #include "core/registration/held_depth.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/methods/method.h"
+#include "core/registration/wire/judge_by_wire.h"
 #include "core/support/stopwatch.h"
 
 namespace angiopose::core {
@@ -79,6 +80,9 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
 
     RegistrationResult result = solution.wantsCare ? judgeWithCare(problem.value(), options, solution, progress)
                                                    : judgePose(problem.value(), options, solution);
+    if (solution.wire) {
+        judgeByWire(problem.value(), *solution.wire, result);
+    }
     if (isBendAsked(problem.value(), options, solution, result)) {
         const DeformableView view = bendView(input, result);
         result.bent = judgeByBending({&view, 1}, bendingOptions(options),

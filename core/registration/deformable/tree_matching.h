@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/deformable/tree_knots.h"
+#include "core/vessel/tree_knots.h"
 
 #include <Eigen/Core>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "core/geometry/projection_camera.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/registration/deformable/curve_crossings.h"
-#include "core/registration/deformable/tree_knots.h"
+#include "core/vessel/tree_knots.h"
 
 #include <Eigen/Core>
 #include <optional>

@@ -69,6 +69,9 @@ const std::vector<Method>& table()
           "Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, "
           "parameters ours)."},
          solveEvolution},
+        {{"wire", "Wire or catheter",
+          "Only a wire or catheter is visible: which way of the tree it takes, and the pose near the last full one."},
+         solveWire},
     };
     return rows;
 }

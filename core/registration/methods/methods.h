@@ -70,4 +70,8 @@ MethodSolver solveParticle;
 /// Source: Jomier et al. 2006.
 MethodSolver solveEvolution;
 
+/// Finds the way of the tree that a single wire or catheter takes, and the most likely pose near the last full one
+/// (ALGORITHMS §6.22).
+MethodSolver solveWire;
+
 }   // namespace angiopose::core

@@ -10,6 +10,7 @@ using namespace option_fields;
 using MethodIds = std::vector<std::string_view>;
 
 const MethodIds ours{"angiopose"};
+const MethodIds wires{"wire"};
 const MethodIds seeds{"dynaweight", "iterative-pnp"};
 const MethodIds nicps{"nicp", "nicp-alternating"};
 const MethodIds icps{"dt-icp", "assembled-icp"};
@@ -127,6 +128,30 @@ std::vector<OptionField> solverFields()
                            "How much the branches chosen as auxiliary count against the fit of all; 1: they are not "
                            "fitted apart."},
                           {"", 1.0, 1000.0, 1})),
+    };
+}
+
+/// A wire or catheter alone.
+std::vector<OptionField> wireFields()
+{
+    return {
+        onlyFor(wires, number<&Options::wire, &WireOptions::rotationDeg>(
+                           {"wireRotationDeg", "Last pose ±, rotation",
+                            "Standard deviation of the last full pose's angles."},
+                           {"°", 0.1, 30.0, 1})),
+        onlyFor(wires, number<&Options::wire, &WireOptions::lateralMm>(
+                           {"wireLateralMm", "Last pose ±, shift",
+                            "Standard deviation of the last full pose across the ray."},
+                           {"mm", 0.1, 100.0, 1})),
+        onlyFor(wires, number<&Options::wire, &WireOptions::depthMm>(
+                           {"wireDepthMm", "Last pose ±, depth",
+                            "Standard deviation of the last full pose along the ray."},
+                           {"mm", 0.1, 200.0, 1})),
+        onlyFor(wires, number<&Options::wire, &WireOptions::offAxisMm>(
+                           {"offAxisMm", "Off the axis ±",
+                            "Standard deviation of the wire from the vessel's axis, beside what the vessel's width "
+                            "lets it."},
+                           {"mm", 0.2, 10.0, 1})),
     };
 }
 
@@ -363,7 +388,8 @@ const std::vector<OptionField>& optionFields()
     static const std::vector<OptionField> fields = [] {
         std::vector<OptionField> all;
         for (const auto make : {commonFields, seedFields, alternatingFields, solverFields, geometryFields, icpFields,
-                                nicpFields, imageFields, globalFields, flowFields, graphFields, closingFields}) {
+                                nicpFields, imageFields, globalFields, flowFields, graphFields, wireFields,
+                                closingFields}) {
             const std::vector<OptionField> group = make();
             all.insert(all.end(), group.begin(), group.end());
         }

@@ -168,7 +168,7 @@ struct ParticleOptions {
     bool operator==(const ParticleOptions&) const = default;
 };
 
-/// angiopose. The errors of the start pose hold for the covariance of every method.
+/// angiopose. The errors of the start pose hold for the covariance of every method but wire.
 struct AngioPoseOptions {
     bool search = true;   ///< coarse search before refining; else the start pose only
     double searchRadiusMm = 130.0;   ///< lateral reach of the coarse search; only starts that do not fit need it
@@ -180,6 +180,16 @@ struct AngioPoseOptions {
     double auxiliaryWeight = 10.0;   ///< of chosen auxiliary branches against the fit of all; 1: no fit apart
 
     bool operator==(const AngioPoseOptions&) const = default;
+};
+
+/// wire. How far the last full pose may be off, and the wire from the axis.
+struct WireOptions {
+    double rotationDeg = 2.0;   ///< 1-σ of the start pose's rotation
+    double lateralMm = 5.0;   ///< 1-σ of the start pose across the ray
+    double depthMm = 10.0;   ///< 1-σ of the start pose along the ray
+    double offAxisMm = 1.5;   ///< 1-σ of the wire from the vessel's axis, beside what the lumen lets it
+
+    bool operator==(const WireOptions&) const = default;
 };
 
 /// How far focal length and principal point may be off: by where they come from (ALGORITHMS §5.8), as given here, or
@@ -231,6 +241,7 @@ struct RegistrationOptions {
     GraphOptions graph{};
     EvolutionOptions evolution{};
     ParticleOptions particle{};
+    WireOptions wire{};
 
     PoseLocks locks{};   ///< degrees of freedom that stay as they are at the start; for all methods but a few
 

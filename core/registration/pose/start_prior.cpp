@@ -50,10 +50,13 @@ StartPrior independentPrior(const CentroidPose& start, const Vector6d& std, cons
 
 StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options, const PoseFreedom& freedom)
 {
-    const double rotation = options.angiopose.priorRotationDeg * std::numbers::pi / 180.0;
+    const bool isWire = options.method == "wire";
+    const double rotationDeg = isWire ? options.wire.rotationDeg : options.angiopose.priorRotationDeg;
+    const double lateralMm = isWire ? options.wire.lateralMm : options.angiopose.priorLateralMm;
+    const double depthMm = isWire ? options.wire.depthMm : options.angiopose.priorDepthMm;
+    const double rotation = rotationDeg * std::numbers::pi / 180.0;
     Vector6d std;
-    std << rotation, rotation, rotation, options.angiopose.priorLateralMm, options.angiopose.priorLateralMm,
-        options.angiopose.priorDepthMm;
+    std << rotation, rotation, rotation, lateralMm, lateralMm, depthMm;
     return independentPrior(start, std, freedom);
 }
 

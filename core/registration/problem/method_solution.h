@@ -7,6 +7,7 @@
 namespace angiopose::core {
 
 class TargetLines;
+struct WireFinding;
 
 /// What a method hands back; registerVessels judges the pose.
 struct MethodSolution {
@@ -20,6 +21,7 @@ struct MethodSolution {
     std::optional<double> agreement;   ///< of the pose, see AgreementScore; if the method found it, for judging
     std::vector<std::uint8_t> isFilled;   ///< 1 for each tree point that the image shows; empty: all, as far as told
     int filledForks = 0;   ///< of them, places where three filled pieces or more meet
+    std::shared_ptr<const WireFinding> wire;   ///< of the method that follows a wire
     bool isSettled = false;   ///< refined by the residuals that judge it: it cannot slide to a better place close by
     bool wantsCare = false;   ///< registerVessels may hold a depth that the image does not tell, and doubt the frame
 };

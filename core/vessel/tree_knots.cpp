@@ -1,4 +1,4 @@
-#include "core/registration/deformable/tree_knots.h"
+#include "core/vessel/tree_knots.h"
 
 #include "core/vessel/polyline.h"
 
@@ -86,6 +86,10 @@ void addBranch(const VesselBranch& branch, bool isUsed, double spacingMm, TreeKn
     const std::vector<PolylineStation> stations = evenStations<3>(branch.pointsInPatient, spacingMm);
     const std::vector<Eigen::Vector3d> tangents = interpolate(tangentsOf(branch.pointsInPatient), stations);
     const std::vector<Eigen::Vector3d> places = interpolate(branch.pointsInPatient, stations);
+    const bool isWidthKnown = !branch.radiusMm.empty();
+    std::vector<double> radii = isWidthKnown ? interpolate(branch.radiusMm, stations) : std::vector<double>();
+    radii.resize(places.size(), 0.0);
+    knots.radiusMm.insert(knots.radiusMm.end(), radii.begin(), radii.end());
     const double step = branch.lengthMm() / static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
     for (std::size_t k = 0; k < places.size(); ++k) {
         const bool isEnd = k == 0 || k + 1 == places.size();

@@ -16,11 +16,12 @@ struct KnotLink {
     double lengthMm = 0.0;
 };
 
-/// The tree as the field of motion sees it: places a few millimetres apart along all branches, joined to a forest.
-/// Loops (the circle of Willis) are cut at one place each.
+/// The tree as a forest: places a few millimetres apart along all branches, joined where branches meet. Loops (the
+/// circle of Willis) are cut at one place each.
 struct TreeKnots {
     std::vector<Eigen::Vector3d> places;   ///< patient LPS mm
     std::vector<Eigen::Vector3d> tangents;   ///< unit, along the branch
+    std::vector<double> radiusMm;   ///< 0 where unknown
     std::vector<double> lengthMm;   ///< of the branch that a knot stands for
     std::vector<std::uint8_t> isUsed;   ///< 0: of an excluded branch, looks at no image
     std::vector<std::size_t> firstOfBranch;   ///< per branch of the tree, and the end

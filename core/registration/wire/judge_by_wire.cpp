@@ -1,0 +1,102 @@
+#include "core/registration/wire/judge_by_wire.h"
+
+#include "core/messages/says.h"
+#include "core/registration/judging/distance_metrics.h"
+#include "core/registration/judging/pose_shift.h"
+#include "core/registration/judging/pose_uncertainty.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+// Chosen on made-up trees (wire_table --world made-up).
+constexpr double sureProbability = 0.9;
+constexpr double worthTelling = 0.05;   // of another way
+constexpr double leastFollowed = 0.7;   // of the wire
+constexpr double mostGaps = 0.2;
+constexpr double maxExpectedErrorMm = 1.5;
+constexpr double observedShare = 0.5;   // of what was known before
+
+Quantity percent(double share)
+{
+    return {100.0 * share, 0, "%"};
+}
+
+std::vector<std::string> namesOf(const WirePath& path)
+{
+    std::vector<std::string> names;
+    for (const int id : path.branchIds) {
+        names.push_back(std::to_string(id));
+    }
+    return names;
+}
+
+Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& result)
+{
+    Messages reasons;
+    const WirePath& best = finding.paths.front();
+    if (best.probability < sureProbability) {
+        if (finding.paths.size() > 1 && finding.paths[1].probability >= worthTelling) {
+            reasons.push_back(says::wireMayFollow(namesOf(finding.paths[1]), percent(finding.paths[1].probability)));
+        } else {
+            reasons.push_back(says::wireUnlikely(percent(best.probability)));
+        }
+    }
+    if (best.followedShare < leastFollowed) {
+        reasons.push_back(says::wireOffTree(percent(best.followedShare)));
+    }
+    if (finding.gapShare > mostGaps) {
+        reasons.push_back(says::wireInPieces(percent(finding.gapShare)));
+    }
+    if (result.signs.expectedErrorMm > maxExpectedErrorMm) {
+        reasons.push_back(says::trustPoseUncertain(inMm(result.signs.expectedErrorMm, 1)));
+    }
+    if (result.stopReason == StopReason::StoppedByUser) {
+        reasons.push_back(says::trustStopped());
+    }
+    return reasons;
+}
+
+/// The best way only: the rest of the tree is not to be seen.
+void measureAlongWay(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
+{
+    if (std::ranges::count(finding.isFollowed, std::uint8_t{1}) == 0) {
+        return;
+    }
+    const RegistrationProblem way = partOf(problem, finding.isFollowed);
+    const GridIndex target(problem.target.points);
+    result.metrics = distanceMetrics(way, result.cameraFromPatient, projectTree(way, result.cameraFromPatient, target));
+}
+
+}   // namespace
+
+void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
+{
+    result.wirePaths = finding.paths;
+    result.camera.reset();
+    result.warnings = problem.notes;
+    if (finding.paths.empty()) {
+        result.trustworthy = false;
+        result.warnings.insert(result.warnings.begin(), says::wireNowhere());
+        return;
+    }
+    replaceImageCovariance(result.uncertainty, finding.covariance, problem.tree.spreadMm);
+    for (int k = 0; k < 6; ++k) {
+        const double std = std::sqrt(std::max(0.0, finding.covariance(k, k)));
+        result.uncertainty.observed[static_cast<std::size_t>(k)] = std < observedShare * finding.stdBefore[k];
+    }
+    result.signs.expectedErrorMm = expectedShiftMm(problem, result.cameraFromPatient, result.uncertainty);
+    measureAlongWay(problem, finding, result);
+    const Messages reasons = reasonsAgainst(finding, result);
+    result.trustworthy = reasons.empty();
+    result.warnings.insert(result.warnings.end(), reasons.begin(), reasons.end());
+    if (!result.uncertainty.observed[5]) {
+        result.warnings.push_back(says::trustDepthUnknown());
+    }
+    const WirePath& best = finding.paths.front();
+    result.warnings.push_back(says::wireFollows(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1))
+                                  .as(Severity::Note));
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,210 @@
+#include "core/registration/wire/likely_ways.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t mostEntries = 8;
+constexpr std::size_t noKnot = std::numeric_limits<std::size_t>::max();
+
+using KnotNeighbours = std::vector<std::vector<std::size_t>>;
+
+KnotNeighbours neighboursOf(const TreeKnots& knots)
+{
+    KnotNeighbours neighbours(knots.size());
+    for (const KnotLink& link : knots.links) {
+        neighbours[link.parent].push_back(link.child);
+        neighbours[link.child].push_back(link.parent);
+    }
+    return neighbours;
+}
+
+/// Ends of the tree, the widest first.
+std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbours& neighbours)
+{
+    std::vector<std::size_t> ends;
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+        if (neighbours[k].size() == 1) {
+            ends.push_back(k);
+        }
+    }
+    std::ranges::stable_sort(ends, std::ranges::greater(), [&](std::size_t k) { return knots.radiusMm[k]; });
+    ends.resize(std::min(ends.size(), mostEntries));
+    return ends;
+}
+
+/// What can be reached from an entry, every knot after the one that leads to it.
+struct Outwards {
+    std::vector<std::size_t> knots;
+    std::vector<std::size_t> before;   ///< place in `knots` of the knot that leads to it; the entry: nothing
+};
+
+Outwards outwardsFrom(std::size_t entry, const KnotNeighbours& neighbours)
+{
+    Outwards outwards{{entry}, {noKnot}};
+    for (std::size_t at = 0; at < outwards.knots.size(); ++at) {
+        const std::size_t from = outwards.before[at];
+        for (const std::size_t next : neighbours[outwards.knots[at]]) {
+            if (from == noKnot || next != outwards.knots[from]) {
+                outwards.knots.push_back(next);
+                outwards.before.push_back(at);
+            }
+        }
+    }
+    return outwards;
+}
+
+/// A partial alignment: what it cost, and where in the tree it began.
+struct WayCell {
+    float cost = std::numeric_limits<float>::infinity();
+    std::uint32_t start = 0;
+};
+
+struct WayTip {
+    std::size_t at = 0;   ///< place in Outwards
+    std::size_t start = 0;
+    double cost = std::numeric_limits<double>::infinity();
+};
+
+/// Lays a curve along every way outwards at once: ways share what they begin with.
+class WayTable {
+public:
+    WayTable(const Outwards& outwards, const SeenKnots& seen, const WireCurve& curve, const WireModel& model)
+        : outwards_(outwards), seen_(seen), curve_(curve), model_(model), cells_(outwards.knots.size() * curve.size())
+    {
+        for (std::size_t at = 0; at < outwards_.knots.size(); ++at) {
+            fillRow(at);
+        }
+    }
+
+    /// The best end of the curve at a knot.
+    WayTip tipAt(std::size_t at) const
+    {
+        WayTip tip{at};
+        for (std::size_t k = 0; k < curve_.size(); ++k) {
+            const WayCell& cell = cells_[at * curve_.size() + k];
+            const double cost = cell.cost + skipped(curve_.lengthPx() - curve_.alongPx[k]);
+            if (cost < tip.cost) {
+                tip.cost = cost;
+                tip.start = cell.start;
+            }
+        }
+        return tip;
+    }
+
+private:
+    double skipped(double lengthPx) const
+    {
+        return model_.skipCost * lengthPx * seen_.mmPerPx / model_.correlationMm;
+    }
+
+    void fillRow(std::size_t at)
+    {
+        const std::size_t knot = outwards_.knots[at];
+        const std::size_t before = outwards_.before[at];
+        const double scale = seen_.mmPerPx * seen_.mmPerPx;
+        const double variance = model_.varianceMm2(seen_.radiusMm[knot]);
+        const double perPx = seen_.mmPerPx / model_.correlationMm;
+        const Eigen::Vector2d step = before == noKnot
+                                         ? Eigen::Vector2d::Zero()
+                                         : Eigen::Vector2d(seen_.pixels[knot] - seen_.pixels[outwards_.knots[before]]);
+        const double alongTreePx = step.norm();
+        for (std::size_t k = 0; k < curve_.size(); ++k) {
+            const double squaredMm2 = scale * (seen_.pixels[knot] - curve_.pointsPx[k]).squaredNorm();
+            const double density = perPx * model_.costOf(squaredMm2, variance, step, curve_.tangents[k]);
+            const double alongCurvePx = k == 0 ? 0.0 : curve_.alongPx[k] - curve_.alongPx[k - 1];
+            WayCell best{static_cast<float>(skipped(curve_.alongPx[k])), static_cast<std::uint32_t>(at)};
+            const auto offer = [&](const WayCell& from, double cost) {
+                const float sum = from.cost + static_cast<float>(cost);
+                best = sum < best.cost ? WayCell{sum, from.start} : best;
+            };
+            if (k > 0) {
+                offer(cell(at, k - 1), density * alongCurvePx);
+            }
+            if (before != noKnot) {
+                offer(cell(before, k), density * alongTreePx);
+            }
+            if (k > 0 && before != noKnot) {
+                offer(cell(before, k - 1), density * std::max(alongTreePx, alongCurvePx));
+            }
+            cells_[at * curve_.size() + k] = best;
+        }
+    }
+
+    const WayCell& cell(std::size_t at, std::size_t k) const { return cells_[at * curve_.size() + k]; }
+
+    const Outwards& outwards_;
+    const SeenKnots& seen_;
+    const WireCurve& curve_;
+    const WireModel& model_;
+    std::vector<WayCell> cells_;
+};
+
+/// From the entry to the tip, and on to the end of its branch.
+std::vector<std::size_t> wayThrough(const TreeKnots& knots, const Outwards& outwards, std::size_t tip)
+{
+    std::vector<std::size_t> way;
+    for (std::size_t at = tip; at != noKnot; at = outwards.before[at]) {
+        way.push_back(outwards.knots[at]);
+    }
+    std::ranges::reverse(way);
+    const std::size_t branch = knots.branchOf(way.back());
+    for (std::size_t at = tip + 1; at < outwards.knots.size(); ++at) {
+        if (outwards.knots[outwards.before[at]] == way.back() && knots.branchOf(outwards.knots[at]) == branch) {
+            way.push_back(outwards.knots[at]);
+        }
+    }
+    return way;
+}
+
+using EndBranches = std::pair<std::size_t, std::size_t>;
+
+EndBranches endBranchesOf(const TreeKnots& knots, const Outwards& outwards, const WayTip& tip)
+{
+    const std::size_t a = knots.branchOf(outwards.knots[tip.start]);
+    const std::size_t b = knots.branchOf(outwards.knots[tip.at]);
+    return {std::min(a, b), std::max(a, b)};
+}
+
+}   // namespace
+
+std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, const WireCurve& curve,
+                                const WireModel& model, std::size_t most, const std::function<bool()>& goesOn)
+{
+    const KnotNeighbours neighbours = neighboursOf(knots);
+    const WireCurve turned = reversed(curve);
+    std::map<EndBranches, TreeWay> best;
+    for (const std::size_t entry : entriesOf(knots, neighbours)) {
+        if (!goesOn()) {
+            break;
+        }
+        const Outwards outwards = outwardsFrom(entry, neighbours);
+        for (const bool isTurned : {false, true}) {
+            const WayTable table(outwards, seen, isTurned ? turned : curve, model);
+            std::map<EndBranches, WayTip> tips;
+            for (std::size_t at = 0; at < outwards.knots.size(); ++at) {
+                const WayTip tip = table.tipAt(at);
+                WayTip& known = tips[endBranchesOf(knots, outwards, tip)];
+                known = tip.cost < known.cost ? tip : known;
+            }
+            for (const auto& [ends, tip] : tips) {
+                const auto known = best.find(ends);
+                if (known == best.end() || tip.cost < known->second.cost) {
+                    best[ends] = {wayThrough(knots, outwards, tip.at), isTurned, tip.cost};
+                }
+            }
+        }
+    }
+    std::vector<TreeWay> ways;
+    for (auto& [ends, way] : best) {
+        ways.push_back(std::move(way));
+    }
+    std::ranges::stable_sort(ways, {}, &TreeWay::cost);
+    ways.resize(std::min(ways.size(), most));
+    return ways;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/vessel/tree_knots.h"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace angiopose::core {
+
+/// Knots as one pose shows them.
+struct SeenKnots {
+    std::vector<Eigen::Vector2d> pixels;   ///< far away where a knot does not project
+    std::vector<double> radiusMm;   ///< 0 where unknown
+    double mmPerPx = 1.0;   ///< at the depth of the tree
+
+    std::size_t size() const { return pixels.size(); }
+};
+
+/// The knots numbered in `which`, in that order. `depthMm`: of the tree, from the source.
+SeenKnots seenKnots(const TreeKnots& knots, const std::vector<std::size_t>& which, const ProjectionCamera& camera,
+                    const RigidTransform& cameraFromPatient, double depthMm);
+
+}   // namespace angiopose::core

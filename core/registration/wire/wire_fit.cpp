@@ -1,0 +1,171 @@
+#include "core/registration/wire/wire_fit.h"
+
+#include "core/registration/pose/damped_descent.h"
+#include "core/support/symmetric.h"
+
+#include <Eigen/Cholesky>
+#include <array>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::array reachesMm{3.0, 1.5};
+constexpr int roundsPerReach = 2;
+constexpr int finalRounds = 5;
+constexpr int stepsPerRound = 4;
+constexpr double settledWireMm = 0.01;
+constexpr double alongShare = 0.05;   // a shift along the wire is hardly seen
+
+/// One pair as a measurement across the wire, and faintly along it.
+struct WireSight {
+    Eigen::Vector3d place;   // about the centroid, patient axes, mm
+    Eigen::Vector2d pixel;
+    Eigen::Matrix2d whitening;   // px to sigmas
+};
+
+/// Half of −2 log posterior of a pose, pairs held.
+class WireSquares {
+public:
+    struct LookAt {
+        double cost = 0.0;
+        NormalEquations equations;
+    };
+    using Place = CentroidPose;
+    using Step = Vector6d;
+    using Look = LookAt;
+    using Equations = NormalEquations;
+
+    WireSquares(const WireProblem& problem, const std::vector<WireSight>& sights) : problem_(problem), sights_(sights) {}
+
+    bool look(const CentroidPose& pose, LookAt& look) const
+    {
+        look = {problem_.prior.cost(pose), {}};
+        problem_.prior.add(pose, 1.0, look.equations);
+        for (const WireSight& sight : sights_) {
+            const Eigen::Vector3d turned = pose.rotation * sight.place;
+            const Eigen::Vector3d inCamera = turned + pose.centroidInCamera;
+            const auto pixel = project(problem_.camera, inCamera);
+            if (!pixel) {
+                return false;
+            }
+            const Eigen::Vector2d residual = sight.whitening * (*pixel - sight.pixel);
+            const Eigen::Matrix<double, 2, 3> byPoint =
+                sight.whitening * projectionJacobian(problem_.camera, inCamera);
+            Eigen::Matrix<double, 2, 6> jacobian;
+            jacobian << -byPoint * skew(turned), byPoint;
+            look.cost += residual.squaredNorm();
+            look.equations.hessian += jacobian.transpose() * jacobian;
+            look.equations.gradient += jacobian.transpose() * residual;
+        }
+        return true;
+    }
+
+    const NormalEquations& equations(const CentroidPose&, const LookAt& look) const { return look.equations; }
+
+    Vector6d step(const CentroidPose& pose, const NormalEquations& equations, double damping) const
+    {
+        return problem_.prior.freedom.dampedStep(equations, damping, pose);
+    }
+
+    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const
+    {
+        return problem_.prior.freedom.moved(pose, step);
+    }
+
+    std::optional<double> gained(const LookAt& here, const LookAt& there) const
+    {
+        return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
+    }
+
+    double lengthMm(const CentroidPose&, const Vector6d& step) const { return stepLengthMm(step, problem_.spreadMm); }
+
+private:
+    const WireProblem& problem_;
+    const std::vector<WireSight>& sights_;
+};
+
+std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, const SeenKnots& seen,
+                            const WireAlignment& alignment, const WireModel& model)
+{
+    const WireCurve& curve = problem.curveOf(way);
+    std::vector<WireSight> sights;
+    sights.reserve(alignment.pairs.size());
+    for (const WirePair& pair : alignment.pairs) {
+        const Eigen::Vector2d along = curve.tangents[pair.point];
+        const Eigen::Vector2d across(-along.y(), along.x());
+        const double perSigma =
+            seen.mmPerPx * std::sqrt(pair.measurements / model.varianceMm2(seen.radiusMm[pair.knot]));
+        Eigen::Matrix2d whitening;
+        whitening << perSigma * across.transpose(), alongShare * perSigma * along.transpose();
+        sights.push_back(
+            {problem.knots.places[way.knots[pair.knot]] - problem.centroid, curve.pointsPx[pair.point], whitening});
+    }
+    return sights;
+}
+
+/// One turn: the curve along the way, then the pose; false once the pose stays.
+bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
+{
+    const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);
+    fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
+    const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
+    WireSquares squares(problem, sights);
+    LookPair<WireSquares::LookAt> looks;
+    DampedDescent descent(squares, fit.pose, looks, {.settledMm = settledWireMm});
+    if (!descent.isStanding()) {
+        return false;
+    }
+    descent.descend(stepsPerRound, [](const StepOutcome&) { return Verdict::Continue; });
+    const bool hasMoved = stepLengthMm(stepBetween(fit.pose, descent.place()), problem.spreadMm) > settledWireMm;
+    fit.pose = descent.place();
+    return hasMoved;
+}
+
+/// Laplace about the pose: what the image tells against what was known before.
+void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
+{
+    const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);
+    fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
+    const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
+    WireSquares::LookAt look;
+    fit.logEvidence = -fit.alignment.cost - 0.5 * problem.prior.cost(fit.pose);
+    if (!WireSquares(problem, sights).look(fit.pose, look)) {
+        return;
+    }
+    const StepBasis free = problem.prior.freedom.freeSteps(fit.pose);
+    const Eigen::MatrixXd all = free.transpose() * Matrix6d(look.equations.hessian.selfadjointView<Eigen::Lower>()) * free;
+    const Eigen::MatrixXd before = free.transpose() * problem.prior.informationAt(fit.pose) * free;
+    const auto logDeterminant = [](const Eigen::MatrixXd& matrix) {
+        return 2.0 * matrix.llt().matrixLLT().diagonal().array().log().sum();
+    };
+    if (free.cols() > 0) {
+        fit.logEvidence -= 0.5 * (logDeterminant(all) - logDeterminant(before));
+        fit.covariance = free * all.llt().solve(Eigen::MatrixXd::Identity(all.rows(), all.cols())) * free.transpose();
+    }
+}
+
+}   // namespace
+
+SeenKnots WireProblem::seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const
+{
+    return seenKnots(knots, which, camera, cameraFromPatient(pose, centroid), pose.centroidInCamera.z());
+}
+
+WireFit fitWire(const WireProblem& problem, const TreeWay& way, const CentroidPose& start, const WireModel& model)
+{
+    WireFit fit{way, start, {}};
+    WireModel reaching = model;
+    for (const double reachMm : reachesMm) {
+        reaching.reachMm = reachMm;
+        for (int round = 0; round < roundsPerReach; ++round) {
+            takeTurn(problem, reaching, fit);
+        }
+    }
+    for (int round = 0; round < finalRounds && takeTurn(problem, model, fit); ++round) {
+    }
+    weigh(problem, model, fit);
+    return fit;
+}
+
+}   // namespace angiopose::core

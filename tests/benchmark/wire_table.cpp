@@ -1,0 +1,210 @@
+// Only a wire is visible: which way it takes, where the tree lies, and whether the program knows how far it may be off.
+// Thresholds come from the made-up world; trees of patients and another wire judge.
+
+#include "core/registration/registration.h"
+#include "core/support/quantile.h"
+#include "tests/benchmark/arguments.h"
+#include "tests/benchmark/judging_cases.h"
+#include "tests/benchmark/wire_cases.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+
+using namespace angiopose;
+
+namespace {
+
+using namespace benchmarks;
+
+const char* const usage =
+    "wire_table\n"
+    "  --world <name>    judging: trees of patients; made-up: what thresholds were chosen on (judging)\n"
+    "  --cases <n>       of the made-up world (200)\n"
+    "  --trials <n>      of the judging world, for each tree (5)\n"
+    "  --dump <file>     CSV of every run\n";
+
+constexpr double offMm = 3.0;   // the most that a trusted overlay may be off
+constexpr double sameTipMm = 10.0;
+constexpr double sameWay = 0.85;   // share of the way
+
+struct WireRun {
+    double errorMm = 0.0;   ///< of the whole tree's overlay, mean
+    double errorOnWayMm = 0.0;   ///< of the vessels that the wire is in
+    double expectedMm = 0.0;
+    int rank = 0;   ///< of the true way, 1 the first; 0: not among them
+    double probability = 0.0;   ///< stated of the first
+    bool isTrusted = false;
+    double timeMs = 0.0;
+};
+
+double shiftMm(const WireCase& made, const Eigen::Vector3d& point, const core::RigidTransform& pose)
+{
+    const Eigen::Vector3d truth = made.cameraFromPatient * point;
+    const auto a = core::project(made.input.camera, truth);
+    const auto b = core::project(made.input.camera, pose * point);
+    return a && b ? (*a - *b).norm() * core::millimetresPerPixel(made.input.camera, truth.z()) : 100.0;
+}
+
+bool isTrueWay(const WireCase& made, const core::WirePath& path)
+{
+    std::size_t count = 0;
+    for (const Eigen::Vector3d& place : made.axisInPatient) {
+        const bool isOn = std::ranges::any_of(path.branchIds, [&](int id) {
+            return std::ranges::any_of(made.input.tree.find(id)->pointsInPatient,
+                                       [&](const Eigen::Vector3d& point) { return (point - place).norm() < 1.5; });
+        });
+        count += isOn ? 1 : 0;
+    }
+    const bool isAllOfIt = static_cast<double>(count) >= sameWay * static_cast<double>(made.axisInPatient.size());
+    const bool isSameTip = (path.tipInPatient - made.axisInPatient.back()).norm() < sameTipMm;
+    return isAllOfIt && isSameTip;
+}
+
+WireRun runOf(const WireCase& made, const core::RegistrationInput& input, const std::string& method)
+{
+    core::RegistrationOptions options;
+    options.method = method;
+    const auto start = std::chrono::steady_clock::now();
+    const auto result = core::registerVessels(input, options);
+    WireRun run;
+    run.timeMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (!result) {
+        std::fprintf(stderr, "%s\n", result.error().message.text().c_str());
+        return run;
+    }
+    const core::RigidTransform& pose = result.value().cameraFromPatient;
+    double count = 0.0;
+    for (const core::VesselBranch& branch : made.input.tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            run.errorMm += shiftMm(made, point, pose);
+            count += 1.0;
+        }
+    }
+    run.errorMm /= count;
+    for (const Eigen::Vector3d& point : made.axisInPatient) {
+        run.errorOnWayMm += shiftMm(made, point, pose) / static_cast<double>(made.axisInPatient.size());
+    }
+    run.expectedMm = result.value().signs.expectedErrorMm;
+    run.isTrusted = result.value().trustworthy;
+    const auto& paths = result.value().wirePaths;
+    run.probability = paths.empty() ? 0.0 : paths.front().probability;
+    const auto found = std::ranges::find_if(paths, [&](const core::WirePath& path) { return isTrueWay(made, path); });
+    run.rank = found == paths.end() ? 0 : static_cast<int>(found - paths.begin()) + 1;
+    return run;
+}
+
+/// What a user could do before: every branch excluded but those that the wire is in.
+core::RegistrationInput withoutOthers(const WireCase& made)
+{
+    core::RegistrationInput input = made.input;
+    for (const core::VesselBranch& branch : input.tree.branches) {
+        if (std::ranges::count(made.branchIds, branch.id) == 0) {
+            input.excludedBranchIds.push_back(branch.id);
+        }
+    }
+    return input;
+}
+
+std::size_t countIf(const std::vector<WireRun>& runs, bool (*holds)(const WireRun&))
+{
+    return static_cast<std::size_t>(std::ranges::count_if(runs, holds));
+}
+
+double medianOf(const std::vector<WireRun>& runs, double WireRun::*value)
+{
+    std::vector<double> values;
+    for (const WireRun& run : runs) {
+        values.push_back(run.*value);
+    }
+    return core::quantile(values, 0.5);
+}
+
+void print(const std::string& name, const std::vector<WireRun>& runs)
+{
+    const std::size_t trusted = countIf(runs, [](const WireRun& run) { return run.isTrusted; });
+    const std::size_t trustedOff =
+        countIf(runs, [](const WireRun& run) { return run.isTrusted && run.errorMm > offMm; });
+    std::printf("%-34s %5zu %7zu %7zu %9.2f %9.2f %9zu %12zu %8zu %9.0f\n", name.c_str(), runs.size(),
+                countIf(runs, [](const WireRun& run) { return run.rank == 1; }),
+                countIf(runs, [](const WireRun& run) { return run.rank >= 1 && run.rank <= 3; }),
+                medianOf(runs, &WireRun::errorOnWayMm), medianOf(runs, &WireRun::errorMm), trusted, trustedOff,
+                countIf(runs, [](const WireRun& run) { return run.errorMm > offMm; }), medianOf(runs, &WireRun::timeMs));
+}
+
+void printReliability(const std::vector<WireRun>& runs)
+{
+    std::printf("\n%-14s %5s %6s\n", "probability", "runs", "right");
+    double from = 0.0;
+    for (const double to : {0.3, 0.5, 0.7, 0.9, 0.97, 1.01}) {
+        std::size_t count = 0;
+        std::size_t right = 0;
+        for (const WireRun& run : runs) {
+            const bool isIn = run.probability >= from && run.probability < to;
+            count += isIn ? 1 : 0;
+            right += isIn && run.rank == 1 ? 1 : 0;
+        }
+        std::printf("%.2f – %.2f    %5zu %6zu\n", from, std::min(to, 1.0), count, right);
+        from = to;
+    }
+}
+
+std::vector<WireCase> casesOf(const Arguments& arguments)
+{
+    std::vector<WireCase> cases;
+    if (arguments.text("world", "judging") == "made-up") {
+        const auto count = static_cast<std::uint64_t>(arguments.number("cases", 200));
+        for (std::uint64_t number = 0; number < count; ++number) {
+            cases.push_back(madeUpWireCase(number));
+        }
+    } else {
+        std::uint64_t number = 0;
+        for (const RootedTree& tree : judgingTrees(TEST_DATA_DIR)) {
+            for (int trial = 0; trial < static_cast<int>(arguments.number("trials", 5)); ++trial) {
+                cases.push_back(judgingWireCase(tree, number++));
+            }
+        }
+    }
+    std::erase_if(cases, [](const WireCase& made) { return made.axisInPatient.size() < 30; });
+    return cases;
+}
+
+}   // namespace
+
+int main(int argc, char** argv)
+{
+    const Arguments arguments(argc, argv, usage);
+    const std::vector<WireCase> cases = casesOf(arguments);
+    if (cases.empty()) {
+        std::fprintf(stderr, "The trees of patients are not there.\n");
+        return 1;
+    }
+    std::vector<WireRun> wire;
+    std::vector<WireRun> whole;
+    std::vector<WireRun> alone;
+    std::vector<double> offAxis;
+    for (const WireCase& made : cases) {
+        wire.push_back(runOf(made, made.input, "wire"));
+        whole.push_back(runOf(made, made.input, "angiopose"));
+        alone.push_back(runOf(made, withoutOthers(made), "angiopose"));
+        offAxis.push_back(made.offAxisMm);
+    }
+    if (const std::string path = arguments.text("dump", ""); !path.empty()) {
+        std::ofstream file(path);
+        file << "tree,rank,probability,trusted,errorMm,errorOnWayMm,expectedMm,offAxisMm\n";
+        for (std::size_t i = 0; i < wire.size(); ++i) {
+            file << cases[i].tree << ',' << wire[i].rank << ',' << wire[i].probability << ',' << wire[i].isTrusted << ','
+                 << wire[i].errorMm << ',' << wire[i].errorOnWayMm << ',' << wire[i].expectedMm << ',' << offAxis[i]
+                 << '\n';
+        }
+    }
+    std::printf("%zu wires, median %.2f mm off the axis\n\n", cases.size(), core::quantile(offAxis, 0.5));
+    std::printf("%-34s %5s %7s %7s %9s %9s %9s %12s %8s %9s\n", "", "runs", "first", "first 3", "way mm", "tree mm",
+                "trusted", "of them>3mm", ">3mm", "ms");
+    print("wire", wire);
+    print("angiopose, whole tree", whole);
+    print("angiopose, other branches out", alone);
+    printReliability(wire);
+    return 0;
+}
