@@ -101,6 +101,23 @@ void addBranch(const VesselBranch& branch, bool isUsed, double spacingMm, TreeKn
     knots.firstOfBranch.push_back(knots.size());
 }
 
+/// Pairs that the forest goes without.
+std::vector<KnotLink> cutLinks(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
+{
+    std::vector<std::size_t> parents(knots.size(), knots.size());
+    for (const KnotLink& link : knots.links) {
+        parents[link.child] = link.parent;
+    }
+    std::vector<KnotLink> cuts;
+    for (const KnotPair& pair : pairs) {
+        if (pair.a != pair.b && parents[pair.a] != pair.b && parents[pair.b] != pair.a) {
+            const double apart = (knots.places[pair.a] - knots.places[pair.b]).norm();
+            cuts.push_back({pair.a, pair.b, std::max(leastLinkMm, apart)});
+        }
+    }
+    return cuts;
+}
+
 }   // namespace
 
 std::size_t TreeKnots::branchOf(std::size_t knot) const
@@ -132,7 +149,9 @@ TreeKnots treeKnots(const VesselTree& tree, const std::vector<int>& excludedBran
     for (const VesselBranch& branch : tree.branches) {
         addBranch(branch, std::ranges::count(excludedBranchIds, branch.id) == 0, spacingMm, knots);
     }
-    knots.links = linkForest(knots, neighbourPairs(tree, knots));
+    const std::vector<KnotPair> pairs = neighbourPairs(tree, knots);
+    knots.links = linkForest(knots, pairs);
+    knots.cuts = cutLinks(knots, pairs);
     return knots;
 }
 

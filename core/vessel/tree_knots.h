@@ -17,7 +17,7 @@ struct KnotLink {
 };
 
 /// The tree as a forest: places a few millimetres apart along all branches, joined where branches meet. Loops (the
-/// circle of Willis) are cut at one place each.
+/// circle of Willis) are cut at one place each, which `cuts` tells.
 struct TreeKnots {
     std::vector<Eigen::Vector3d> places;   ///< patient LPS mm
     std::vector<Eigen::Vector3d> tangents;   ///< unit, along the branch
@@ -26,6 +26,7 @@ struct TreeKnots {
     std::vector<std::uint8_t> isUsed;   ///< 0: of an excluded branch, looks at no image
     std::vector<std::size_t> firstOfBranch;   ///< per branch of the tree, and the end
     std::vector<KnotLink> links;   ///< every knot is the child of at most one, and stands there before it is a parent
+    std::vector<KnotLink> cuts;   ///< would close a loop each
 
     std::size_t size() const { return places.size(); }
     std::size_t branchOf(std::size_t knot) const;

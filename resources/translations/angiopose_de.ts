@@ -1227,6 +1227,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::ReplayController</name>
     <message>
+        <source>Other way %1 of %2, probability %3 % · %4 takes it</source>
+        <translation>Anderer Weg %1 von %2, Wahrscheinlichkeit %3 % · %4 übernimmt ihn</translation>
+    </message>
+    <message>
         <source>tilt</source>
         <translation>Kippung</translation>
     </message>
@@ -1598,6 +1602,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>angiopose::app::SolutionController</name>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1 %: %2</translation>
+    </message>
+    <message>
+        <source>%1 Return takes it.</source>
+        <translation>%1 Eingabe übernimmt ihn.</translation>
+    </message>
+    <message>
+        <source>Branches %1: probability %2 %, %3 % of the wire along them, %4 mm off their axes.</source>
+        <translation>Äste %1: Wahrscheinlichkeit %2 %, %3 % des Drahts längs davon, %4 mm neben ihren Achsen.</translation>
+    </message>
     <message>
         <source>found</source>
         <translation>gefunden</translation>
@@ -2057,6 +2073,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>core</name>
     <message>
+        <source>1 is the most likely way, 2 the next one, and so on.</source>
+        <translation>1 ist der wahrscheinlichste Weg, 2 der nächste und so weiter.</translation>
+    </message>
+    <message>
         <source>Adds the prior chosen above to the attraction.</source>
         <translation>Addiert den oben gewählten Prior zur Anziehung.</translation>
     </message>
@@ -2285,6 +2305,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Letzte Kernbreite</translation>
     </message>
     <message>
+        <source>Last pose ±, depth</source>
+        <translation>Letzte Lage ±, Tiefe</translation>
+    </message>
+    <message>
+        <source>Last pose ±, rotation</source>
+        <translation>Letzte Lage ±, Drehung</translation>
+    </message>
+    <message>
+        <source>Last pose ±, shift</source>
+        <translation>Letzte Lage ±, Verschiebung</translation>
+    </message>
+    <message>
         <source>Least Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, parameters ours).</source>
         <translation>Kleinster Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
@@ -2355,6 +2387,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Neighbours</source>
         <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Off the axis ±</source>
+        <translation>Neben der Achse ±</translation>
+    </message>
+    <message>
+        <source>Only a wire or catheter is visible: which way of the tree it takes, and the pose near the last full one.</source>
+        <translation>Nur ein Draht oder Katheter ist zu sehen: welchen Weg im Baum er nimmt, und die Lage nahe der letzten vollständigen.</translation>
     </message>
     <message>
         <source>Particles</source>
@@ -2489,6 +2529,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verteilt die Punkte vor dem Zuordnen gleichmäßig; aus nimmt sie, wie sie sind.</translation>
     </message>
     <message>
+        <source>Standard deviation of the last full pose across the ray.</source>
+        <translation>Standardabweichung der letzten vollständigen Lage quer zum Strahl.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the last full pose along the ray.</source>
+        <translation>Standardabweichung der letzten vollständigen Lage längs des Strahls.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the last full pose&apos;s angles.</source>
+        <translation>Standardabweichung der Winkel der letzten vollständigen Lage.</translation>
+    </message>
+    <message>
         <source>Standard deviation of the start pose across the ray.</source>
         <translation>Standardabweichung der Startlage quer zum Strahl.</translation>
     </message>
@@ -2501,12 +2553,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung der Winkel der Startlage; hält, was das Bild nicht verrät.</translation>
     </message>
     <message>
+        <source>Standard deviation of the wire from the vessel&apos;s axis, beside what the vessel&apos;s width lets it.</source>
+        <translation>Standardabweichung des Drahts von der Gefäßachse, neben dem, was die Weite des Gefäßes zulässt.</translation>
+    </message>
+    <message>
         <source>Start depth ±</source>
         <translation>Starttiefe ±</translation>
     </message>
     <message>
         <source>Steps along the flow, at all widths together.</source>
         <translation>Schritte längs des Flusses, alle Breiten zusammen.</translation>
+    </message>
+    <message>
+        <source>Way taken</source>
+        <translation>Genommener Weg</translation>
     </message>
     <message>
         <source>Weight of chosen branches</source>
@@ -2631,6 +2691,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Width of the mixtures&apos; Gaussians in the end.</source>
         <translation>Breite der Gauß-Mischungen am Ende.</translation>
+    </message>
+    <message>
+        <source>Wire or catheter</source>
+        <translation>Draht oder Katheter</translation>
     </message>
     <message>
         <source>affine</source>
@@ -2895,6 +2959,41 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>It may as well take %1 (%2).</source>
+        <comment>wire.may-follow</comment>
+        <translation>Ebenso kann er %1 nehmen (%2).</translation>
+    </message>
+    <message>
+        <source>No way through the vessel tree is likely: the best has a probability of %1.</source>
+        <comment>wire.unlikely</comment>
+        <translation>Kein Weg durch den Gefäßbaum ist wahrscheinlich: der beste hat eine Wahrscheinlichkeit von %1.</translation>
+    </message>
+    <message>
+        <source>Only %1 of the wire lies along the vessel tree.</source>
+        <comment>wire.off-tree</comment>
+        <translation>Nur %1 des Drahts liegen längs des Gefäßbaums.</translation>
+    </message>
+    <message>
+        <source>The traced curves make no single line: %1 of it are gaps. Take out the curves that are no wire.</source>
+        <comment>wire.in-pieces</comment>
+        <translation>Die erkannten Kurven ergeben keine einzelne Linie: %1 davon sind Lücken. Nehmen Sie die Kurven heraus, die kein Draht sind.</translation>
+    </message>
+    <message>
+        <source>The wire lies along no way of the vessel tree near the start pose. Start from the last full registration, or let it be off by more.</source>
+        <comment>wire.nowhere</comment>
+        <translation>Der Draht liegt nahe der Startlage längs keines Wegs im Gefäßbaum. Beginnen Sie mit der letzten vollständigen Registrierung, oder lassen Sie größere Abweichungen zu.</translation>
+    </message>
+    <message>
+        <source>The wire takes the branches %1 with a probability of %2; it lies %3 off their axes.</source>
+        <comment>wire.follows</comment>
+        <translation>Der Draht nimmt mit einer Wahrscheinlichkeit von %2 die Äste %1; er liegt %3 neben ihren Achsen.</translation>
+    </message>
+    <message>
+        <source>There are %1 likely ways: the most likely one is taken instead of the one asked for.</source>
+        <comment>wire.fewer-ways</comment>
+        <translation>Es gibt %1 wahrscheinliche Wege: statt des verlangten wird der wahrscheinlichste genommen.</translation>
+    </message>
     <message>
         <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
         <comment>picture.kind</comment>

@@ -1227,6 +1227,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::ReplayController</name>
     <message>
+        <source>Other way %1 of %2, probability %3 % · %4 takes it</source>
+        <translation>另一路径 %1 / %2，概率 %3 % · %4 采用</translation>
+    </message>
+    <message>
         <source>tilt</source>
         <translation>倾斜</translation>
     </message>
@@ -1598,6 +1602,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>angiopose::app::SolutionController</name>
+    <message>
+        <source>%1 %: %2</source>
+        <translation>%1 %：%2</translation>
+    </message>
+    <message>
+        <source>%1 Return takes it.</source>
+        <translation>%1按回车采用。</translation>
+    </message>
+    <message>
+        <source>Branches %1: probability %2 %, %3 % of the wire along them, %4 mm off their axes.</source>
+        <translation>分支 %1：概率 %2 %，%3 % 的导丝沿其走行，偏离轴线 %4 mm。</translation>
+    </message>
     <message>
         <source>found</source>
         <translation>所求</translation>
@@ -2057,6 +2073,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>core</name>
     <message>
+        <source>1 is the most likely way, 2 the next one, and so on.</source>
+        <translation>1 为最可能的路径，2 为其次，依此类推。</translation>
+    </message>
+    <message>
         <source>Adds the prior chosen above to the attraction.</source>
         <translation>在吸引项上加入上方所选先验。</translation>
     </message>
@@ -2285,6 +2305,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终核宽</translation>
     </message>
     <message>
+        <source>Last pose ±, depth</source>
+        <translation>上次位姿 ±，深度</translation>
+    </message>
+    <message>
+        <source>Last pose ±, rotation</source>
+        <translation>上次位姿 ±，旋转</translation>
+    </message>
+    <message>
+        <source>Last pose ±, shift</source>
+        <translation>上次位姿 ±，平移</translation>
+    </message>
+    <message>
         <source>Least Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, parameters ours).</source>
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
@@ -2355,6 +2387,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Neighbours</source>
         <translation>邻点</translation>
+    </message>
+    <message>
+        <source>Off the axis ±</source>
+        <translation>偏离轴线 ±</translation>
+    </message>
+    <message>
+        <source>Only a wire or catheter is visible: which way of the tree it takes, and the pose near the last full one.</source>
+        <translation>仅可见导丝或导管：它在血管树中走哪条路径，以及上次完整位姿附近的位姿。</translation>
     </message>
     <message>
         <source>Particles</source>
@@ -2489,6 +2529,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>匹配前将点等距化；关闭则按原样使用。</translation>
     </message>
     <message>
+        <source>Standard deviation of the last full pose across the ray.</source>
+        <translation>上次完整位姿垂直于射线的标准差。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the last full pose along the ray.</source>
+        <translation>上次完整位姿沿射线的标准差。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the last full pose&apos;s angles.</source>
+        <translation>上次完整位姿角度的标准差。</translation>
+    </message>
+    <message>
         <source>Standard deviation of the start pose across the ray.</source>
         <translation>初始位姿垂直射线方向的标准差。</translation>
     </message>
@@ -2501,12 +2553,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿角度的标准差；约束图像无法确定的量。</translation>
     </message>
     <message>
+        <source>Standard deviation of the wire from the vessel&apos;s axis, beside what the vessel&apos;s width lets it.</source>
+        <translation>导丝偏离血管轴线的标准差，不含血管管径所允许的部分。</translation>
+    </message>
+    <message>
         <source>Start depth ±</source>
         <translation>初始深度 ±</translation>
     </message>
     <message>
         <source>Steps along the flow, at all widths together.</source>
         <translation>沿流的步数，各宽度合计。</translation>
+    </message>
+    <message>
+        <source>Way taken</source>
+        <translation>采用的路径</translation>
     </message>
     <message>
         <source>Weight of chosen branches</source>
@@ -2631,6 +2691,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Width of the mixtures&apos; Gaussians in the end.</source>
         <translation>高斯混合的最终宽度。</translation>
+    </message>
+    <message>
+        <source>Wire or catheter</source>
+        <translation>导丝或导管</translation>
     </message>
     <message>
         <source>affine</source>
@@ -2895,6 +2959,41 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>It may as well take %1 (%2).</source>
+        <comment>wire.may-follow</comment>
+        <translation>它也可能走 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>No way through the vessel tree is likely: the best has a probability of %1.</source>
+        <comment>wire.unlikely</comment>
+        <translation>血管树中没有可能性高的路径：最佳路径的概率为 %1。</translation>
+    </message>
+    <message>
+        <source>Only %1 of the wire lies along the vessel tree.</source>
+        <comment>wire.off-tree</comment>
+        <translation>仅 %1 的导丝沿血管树走行。</translation>
+    </message>
+    <message>
+        <source>The traced curves make no single line: %1 of it are gaps. Take out the curves that are no wire.</source>
+        <comment>wire.in-pieces</comment>
+        <translation>提取的曲线不构成单一线条：其中 %1 为间隙。请去除不是导丝的曲线。</translation>
+    </message>
+    <message>
+        <source>The wire lies along no way of the vessel tree near the start pose. Start from the last full registration, or let it be off by more.</source>
+        <comment>wire.nowhere</comment>
+        <translation>在起始位姿附近，导丝不沿血管树的任何路径。请从上次完整配准开始，或允许更大的偏差。</translation>
+    </message>
+    <message>
+        <source>The wire takes the branches %1 with a probability of %2; it lies %3 off their axes.</source>
+        <comment>wire.follows</comment>
+        <translation>导丝以 %2 的概率走分支 %1；偏离其轴线 %3。</translation>
+    </message>
+    <message>
+        <source>There are %1 likely ways: the most likely one is taken instead of the one asked for.</source>
+        <comment>wire.fewer-ways</comment>
+        <translation>可能的路径有 %1 条：采用最可能的一条，而非所要求的那条。</translation>
+    </message>
     <message>
         <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
         <comment>picture.kind</comment>

@@ -44,7 +44,8 @@ Way wayTo(const RootedTree& tree, std::size_t leaf)
         } else if (i + 1 < branches.size()) {
             const core::VesselBranch& next = tree.tree.branches[branches[i + 1]];
             const auto gap = [&](const Eigen::Vector3d& end) {
-                return std::min((end - next.pointsInPatient.front()).norm(), (end - next.pointsInPatient.back()).norm());
+                return std::min((end - next.pointsInPatient.front()).norm(),
+                                (end - next.pointsInPatient.back()).norm());
             };
             isTurned = gap(front) < gap(back);
         }
@@ -95,7 +96,8 @@ Points wandering(const Way& way, ForeignRandom& random)
     const double slackMm = random.uniform(0.3, 1.5);
     for (std::size_t i = 0; i < wire.size(); ++i) {
         const double widthMm = slackMm + random.uniform(0.0, 0.6) * way.radiusMm[i];
-        off = 0.95 * off + std::sqrt(1.0 - 0.95 * 0.95) * widthMm * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+        off = 0.95 * off + std::sqrt(1.0 - 0.95 * 0.95) * widthMm *
+                               Eigen::Vector3d(random.normal(), random.normal(), random.normal());
         wire[i] += off;
     }
     const auto pulls = 10 + random.index(60);

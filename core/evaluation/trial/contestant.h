@@ -19,7 +19,7 @@ struct Contestant {
 /// the method has ("dynaweight:seed_noprior:rotationFirst=off"). Fails naming what is unknown.
 Result<Contestant> contestantFrom(const std::string& request);
 
-/// Requests separated by commas. Groups: "all" is every method with its defaults, and DynaWeightPnP
+/// Requests separated by commas. Groups: "all" is every method but that for wires with its defaults, and DynaWeightPnP
 /// without its prior besides, "ablation" the settings of
 /// ALGORITHMS §2: {preset} × {rotation first} × {alternation} of DynaWeightPnP.
 Result<std::vector<Contestant>> contestantsFrom(const std::string& requests);

@@ -9,8 +9,8 @@ MethodSolution solveWire(const RegistrationProblem& problem, const RegistrationO
 {
     MethodSolution solution;
     Stopwatch stopwatch;
-    const auto finding = std::make_shared<const WireFinding>(
-        followWire(problem, options, [&](double share, const RigidTransform& best) {
+    const auto finding =
+        std::make_shared<const WireFinding>(followWire(problem, options, [&](double share, const RigidTransform& best) {
             IterationReport report;
             report.stage = "search";
             report.progress = share;
@@ -22,7 +22,7 @@ MethodSolution solveWire(const RegistrationProblem& problem, const RegistrationO
     for (std::size_t i = 1; i < finding->paths.size(); ++i) {
         solution.alternatives.push_back({finding->paths[i].cameraFromPatient, finding->paths[i].probability});
     }
-    solution.stopReason = progress.isStopped()      ? StopReason::StoppedByUser
+    solution.stopReason = progress.isStopped()     ? StopReason::StoppedByUser
                           : finding->paths.empty() ? StopReason::NoImprovement
                                                    : StopReason::Converged;
     solution.iterations = progress.iterations();

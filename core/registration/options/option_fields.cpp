@@ -135,23 +135,25 @@ std::vector<OptionField> solverFields()
 std::vector<OptionField> wireFields()
 {
     return {
-        onlyFor(wires, number<&Options::wire, &WireOptions::rotationDeg>(
-                           {"wireRotationDeg", "Last pose ±, rotation",
-                            "Standard deviation of the last full pose's angles."},
-                           {"°", 0.1, 30.0, 1})),
-        onlyFor(wires, number<&Options::wire, &WireOptions::lateralMm>(
-                           {"wireLateralMm", "Last pose ±, shift",
-                            "Standard deviation of the last full pose across the ray."},
-                           {"mm", 0.1, 100.0, 1})),
-        onlyFor(wires, number<&Options::wire, &WireOptions::depthMm>(
-                           {"wireDepthMm", "Last pose ±, depth",
-                            "Standard deviation of the last full pose along the ray."},
-                           {"mm", 0.1, 200.0, 1})),
+        onlyFor(wires,
+                number<&Options::wire, &WireOptions::rotationDeg>(
+                    {"wireRotationDeg", "Last pose ±, rotation", "Standard deviation of the last full pose's angles."},
+                    {"°", 0.1, 30.0, 1})),
+        onlyFor(wires,
+                number<&Options::wire, &WireOptions::lateralMm>(
+                    {"wireLateralMm", "Last pose ±, shift", "Standard deviation of the last full pose across the ray."},
+                    {"mm", 0.1, 100.0, 1})),
+        onlyFor(wires,
+                number<&Options::wire, &WireOptions::depthMm>(
+                    {"wireDepthMm", "Last pose ±, depth", "Standard deviation of the last full pose along the ray."},
+                    {"mm", 0.1, 200.0, 1})),
         onlyFor(wires, number<&Options::wire, &WireOptions::offAxisMm>(
                            {"offAxisMm", "Off the axis ±",
                             "Standard deviation of the wire from the vessel's axis, beside what the vessel's width "
                             "lets it."},
                            {"mm", 0.2, 10.0, 1})),
+        onlyFor(wires, count<&Options::wire, &WireOptions::way>(
+                           {"wireWay", "Way taken", "1 is the most likely way, 2 the next one, and so on."}, 1, 9)),
     };
 }
 
@@ -387,9 +389,9 @@ const std::vector<OptionField>& optionFields()
 {
     static const std::vector<OptionField> fields = [] {
         std::vector<OptionField> all;
-        for (const auto make : {commonFields, seedFields, alternatingFields, solverFields, geometryFields, icpFields,
-                                nicpFields, imageFields, globalFields, flowFields, graphFields, wireFields,
-                                closingFields}) {
+        for (const auto make :
+             {commonFields, seedFields, alternatingFields, solverFields, geometryFields, icpFields, nicpFields,
+              imageFields, globalFields, flowFields, graphFields, wireFields, closingFields}) {
             const std::vector<OptionField> group = make();
             all.insert(all.end(), group.begin(), group.end());
         }

@@ -188,6 +188,7 @@ struct WireOptions {
     double lateralMm = 5.0;   ///< 1-σ of the start pose across the ray
     double depthMm = 10.0;   ///< 1-σ of the start pose along the ray
     double offAxisMm = 1.5;   ///< 1-σ of the wire from the vessel's axis, beside what the lumen lets it
+    int way = 1;   ///< that is taken, 1 the most likely: for whoever knows better
 
     bool operator==(const WireOptions&) const = default;
 };

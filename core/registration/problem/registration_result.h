@@ -155,7 +155,7 @@ struct RegistrationResult {
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<UnfilledBranch> unfilled;   ///< in the tree's order; the pose rests on the others
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
-    std::vector<WirePath> wirePaths;   ///< of the method that follows a wire, most likely first, the result's own among them
+    std::vector<WirePath> wirePaths;   ///< of the method that follows a wire: its own first, then the alternatives
     /// What bending the vessels from this pose found; null: it was not asked. Of views that are
     /// registered together every result has it with its own view as the first (MultiViewResult: once for all).
     std::shared_ptr<const DeformableResult> bent;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace angiopose::core {
 namespace {
@@ -12,16 +13,19 @@ constexpr double knotSpacingMm = 2.0;
 constexpr double wireSpacingMm = 2.0;
 constexpr std::size_t mostWirePoints = 120;
 constexpr std::size_t mostKnots = 4000;
-constexpr std::size_t mostWays = 100;   // tried in each of two rounds
+constexpr std::size_t mostWays = 40;   // tried in each of two rounds
 constexpr double firstReachMm = 2.5;   // of ways looked for about each shift of the start
 constexpr double secondReachMm = 1.5;
-constexpr double shiftStepMm = 2.5;   // between shifts
+constexpr double shiftStepMm = 4.0;   // between shifts
 constexpr double shiftSigmas = 2.0;   // how far they go
 constexpr int mostShiftsPerSide = 4;
 constexpr double leastFollowedMm = 3.0;   // of a branch, to be told among those that the wire takes
 constexpr double leastFollowedShare = 0.2;   // of the wire, for a way to count
 constexpr double leastProbability = 0.01;
 constexpr std::size_t mostPaths = 9;
+constexpr double sameCourse = 0.85;   // of two ways, to be told as one
+constexpr double temperature =
+    0.8;   // of probabilities: what turns evidence into hit rates (wire_table --world made-up)
 
 /// The samples as branches again.
 VesselTree treeOf(const TreeSamples& samples)
@@ -52,6 +56,22 @@ struct PosedWay {
     double cost = 0.0;   ///< of way and pose
 };
 
+/// What stands for the ways that the image does not tell apart.
+struct ToldWay {
+    WirePath path;   ///< of the most likely
+    const WireFit* fit = nullptr;   ///< of the same
+    std::vector<std::size_t> course;   ///< knots beside the wire, sorted
+    std::vector<double> logEvidences;   ///< of them all
+};
+
+/// Of the longer course, that the other takes too.
+double sharedPart(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+{
+    std::vector<std::size_t> shared;
+    std::ranges::set_intersection(a, b, std::back_inserter(shared));
+    return static_cast<double>(shared.size()) / static_cast<double>(std::max(a.size(), b.size()));
+}
+
 /// One search under way: ways → fits → paths.
 class WireSearch {
 public:
@@ -64,7 +84,8 @@ public:
           prior_(startPrior(start_, options, problem.freedom)),
           curve_(wireCurve(problem.target, wireSpacingMm / mmPerPx(), mostWirePoints)),
           turned_(reversed(curve_)),
-          wire_{problem.camera, knots_, problem.tree.centroid, problem.tree.spreadMm, curve_, turned_, prior_}
+          wire_{problem.camera, knots_, problem.tree.centroid, problem.tree.spreadMm, curve_, turned_, prior_},
+          wanted_(static_cast<std::size_t>(options.wire.way))
     {
         model_.offAxisMm = options.wire.offAxisMm;
         all_.resize(knots_.size());
@@ -79,7 +100,9 @@ public:
         if (!isStopped_ && !fits_.empty()) {
             tryWays(waysAbout({fits_.front().pose}, secondReachMm), 0.9);
         }
-        report(1.0);
+        if (!isStopped_) {
+            report(1.0);
+        }
         return finding();
     }
 
@@ -127,7 +150,8 @@ private:
                                          [&] { return report(shareDone_); });
             for (const TreeWay& way : ways) {
                 const double cost = way.cost + 0.5 * prior_.cost(pose);
-                const auto known = std::ranges::find(all, way.knots, [](const PosedWay& other) { return other.way.knots; });
+                const auto known =
+                    std::ranges::find(all, way.knots, [](const PosedWay& other) { return other.way.knots; });
                 if (known == all.end()) {
                     all.push_back({way, pose, cost});
                 } else if (cost < known->cost) {
@@ -150,8 +174,7 @@ private:
         for (std::size_t w = 0; w < ways.size() && !isStopped_; ++w) {
             fits_.push_back(fitWire(wire_, ways[w].way, ways[w].seenFrom, model_));
             std::ranges::stable_sort(fits_, std::ranges::greater(), &WireFit::logEvidence);
-            shareDone_ =
-                from + (shareInTheEnd - from) * static_cast<double>(w + 1) / static_cast<double>(ways.size());
+            shareDone_ = from + (shareInTheEnd - from) * static_cast<double>(w + 1) / static_cast<double>(ways.size());
             report(shareDone_);
         }
     }
@@ -183,8 +206,12 @@ private:
         // Wires go from wide vessels into narrow ones.
         const bool isBackwards = knots_.radiusMm[last] > knots_.radiusMm[first];
         path.tipInPatient = knots_.places[isBackwards ? first : last];
+        for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
+            path.courseInPatient.push_back(knots_.places[fit.way.knots[j]]);
+        }
         if (isBackwards) {
             std::ranges::reverse(path.branchIds);
+            std::ranges::reverse(path.courseInPatient);
         }
         path.cameraFromPatient = cameraFromPatient(fit.pose, problem_.tree.centroid);
         path.followedShare = fit.alignment.followedPx(curve_) / std::max(1e-9, curve_.lengthPx());
@@ -193,45 +220,76 @@ private:
         double count = 0.0;
         for (const WirePair& pair : fit.alignment.pairs) {
             const Eigen::Vector2d offPx = seen.pixels[pair.knot] - wire_.curveOf(fit.way).pointsPx[pair.point];
-            squares += pair.measurements * offPx.squaredNorm() * seen.mmPerPx * seen.mmPerPx;
-            count += pair.measurements;
+            squares += pair.lengthMm * offPx.squaredNorm() * seen.mmPerPx * seen.mmPerPx;
+            count += pair.lengthMm;
         }
         path.offAxisMm = count > 0.0 ? std::sqrt(squares / count) : 0.0;
         return path;
     }
 
-    /// The same branches told once: by the most likely of their fits.
-    WireFinding finding() const
+    /// Ways told once: the same branches by the most likely of their fits, and ways of nearly the same visible course,
+    /// which the image does not tell apart, by the most likely of them.
+    std::vector<ToldWay> toldWays() const
     {
-        std::vector<WirePath> paths;
-        std::vector<const WireFit*> fits;
+        std::vector<ToldWay> told;
+        std::vector<std::vector<int>> known;
         for (const WireFit& fit : fits_) {
             if (fit.alignment.followedPx(curve_) < leastFollowedShare * curve_.lengthPx()) {
                 continue;
             }
             WirePath path = pathOf(fit);
-            const auto isSame = [&](const WirePath& other) {
-                return std::ranges::is_permutation(other.branchIds, path.branchIds);
-            };
-            if (std::ranges::none_of(paths, isSame)) {
-                paths.push_back(std::move(path));
-                fits.push_back(&fit);
+            std::vector<int> branches = path.branchIds;
+            std::ranges::sort(branches);
+            if (std::ranges::count(known, branches) > 0) {
+                continue;
+            }
+            known.push_back(std::move(branches));
+            std::vector<std::size_t> course = courseOf(fit);
+            const auto same = std::ranges::find_if(
+                told, [&](const ToldWay& other) { return sharedPart(other.course, course) >= sameCourse; });
+            if (same != told.end()) {
+                same->logEvidences.push_back(fit.logEvidence);
+            } else {
+                told.push_back({std::move(path), &fit, std::move(course), {fit.logEvidence}});
             }
         }
+        return told;
+    }
+
+    WireFinding finding() const
+    {
         WireFinding finding;
         finding.gapShare = curve_.gapShare;
         finding.stdBefore = prior_.std();
-        if (!paths.empty()) {
-            shareOut(paths, fits);
-            finding.covariance = spreadOf(paths, fits);
-            finding.isFollowed = followedBy(*fits.front());
-            std::erase_if(paths, [&](const WirePath& path) {
-                return path.probability < leastProbability && &path != &paths.front();
+        std::vector<ToldWay> told = toldWays();
+        if (!told.empty()) {
+            shareOut(told);
+            std::erase_if(told, [&](const ToldWay& way) {
+                return way.path.probability < leastProbability && &way != &told.front();
             });
-            paths.resize(std::min(paths.size(), mostPaths));
-            finding.paths = std::move(paths);
+            told.resize(std::min(told.size(), mostPaths));
+            finding.isAskedFor = wanted_ <= told.size();
+            if (finding.isAskedFor) {
+                const auto wanted = told.begin() + static_cast<std::ptrdiff_t>(wanted_) - 1;
+                std::rotate(told.begin(), wanted, wanted + 1);
+            }
+            finding.covariance = spreadOf(told);
+            finding.isFollowed = followedBy(*told.front().fit);
+            for (ToldWay& way : told) {
+                finding.paths.push_back(std::move(way.path));
+            }
         }
         return finding;
+    }
+
+    /// Knots beside the wire, sorted.
+    std::vector<std::size_t> courseOf(const WireFit& fit) const
+    {
+        const auto knot = [&](std::size_t place) { return fit.way.knots.begin() + static_cast<std::ptrdiff_t>(place); };
+        std::vector<std::size_t> course(knot(fit.alignment.pairs.front().knot),
+                                        knot(fit.alignment.pairs.back().knot + 1));
+        std::ranges::sort(course);
+        return course;
     }
 
     std::vector<std::uint8_t> followedBy(const WireFit& fit) const
@@ -246,30 +304,34 @@ private:
         return isFollowed;
     }
 
-    /// By evidence; a wire that takes none of them is one more possibility.
-    void shareOut(std::vector<WirePath>& paths, const std::vector<const WireFit*>& fits) const
+    /// By evidence; a wire that takes none of them is one more possibility. The most likely comes first.
+    void shareOut(std::vector<ToldWay>& told) const
     {
-        const double best = fits.front()->logEvidence;
-        double sum = std::exp(-model_.skipCost * curve_.lengthPx() * mmPerPx() / model_.correlationMm - best);
-        for (std::size_t i = 0; i < paths.size(); ++i) {
-            paths[i].probability = std::exp(fits[i]->logEvidence - best);
-            sum += paths[i].probability;
+        const double best = told.front().fit->logEvidence;
+        const auto weight = [&](double logEvidence) { return std::exp((logEvidence - best) / temperature); };
+        double sum = weight(-model_.skipPerMm * curve_.lengthPx() * mmPerPx());
+        for (ToldWay& way : told) {
+            for (const double logEvidence : way.logEvidences) {
+                way.path.probability += weight(logEvidence);
+            }
+            sum += way.path.probability;
         }
-        for (WirePath& path : paths) {
-            path.probability /= sum;
+        for (ToldWay& way : told) {
+            way.path.probability /= sum;
         }
+        std::ranges::stable_sort(told, std::ranges::greater(), [](const ToldWay& way) { return way.path.probability; });
     }
 
     /// Covariance of the first pose about the whole tree's centroid: within every path, and between them.
-    Matrix6d spreadOf(const std::vector<WirePath>& paths, const std::vector<const WireFit*>& fits) const
+    Matrix6d spreadOf(const std::vector<ToldWay>& told) const
     {
-        const CentroidPose& best = fits.front()->pose;
+        const CentroidPose& best = told.front().fit->pose;
         Matrix6d covariance = Matrix6d::Zero();
         double sum = 0.0;
-        for (std::size_t i = 0; i < paths.size(); ++i) {
-            const Vector6d step = stepBetween(best, fits[i]->pose);
-            covariance += paths[i].probability * (fits[i]->covariance + step * step.transpose());
-            sum += paths[i].probability;
+        for (const ToldWay& way : told) {
+            const Vector6d step = stepBetween(best, way.fit->pose);
+            covariance += way.path.probability * (way.fit->covariance + step * step.transpose());
+            sum += way.path.probability;
         }
         Matrix6d carry = Matrix6d::Identity();
         carry.bottomLeftCorner<3, 3>() = -skew(best.rotation * (problem_.wholeTreeCentroid - problem_.tree.centroid));
@@ -286,6 +348,7 @@ private:
     WireCurve turned_;
     WireProblem wire_;
     WireModel model_;
+    std::size_t wanted_;   ///< way, 1 the most likely
     std::vector<std::size_t> all_;   ///< numbers of the knots
     std::vector<WireFit> fits_;   ///< most likely first
     double shareDone_ = 0.0;

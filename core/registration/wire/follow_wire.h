@@ -9,10 +9,13 @@ namespace angiopose::core {
 
 /// What is known of a wire.
 struct WireFinding {
-    std::vector<WirePath> paths;   ///< most likely first; empty where the image lets none be followed
-    Matrix6d covariance = Matrix6d::Zero();   ///< of the first path's pose (see PoseUncertainty), in doubt of the path too
+    std::vector<WirePath>
+        paths;   ///< the one taken, then the others, most likely first; empty where none can be followed
+    Matrix6d covariance =
+        Matrix6d::Zero();   ///< of the first path's pose (see PoseUncertainty), in doubt of the path too
     Vector6d stdBefore = Vector6d::Zero();   ///< 1-σ of the start pose (rad, mm)
     std::vector<std::uint8_t> isFollowed;   ///< 1 for each tree point of the problem that lies on the first path
+    bool isAskedFor = true;   ///< false: there are fewer ways than the options ask for
     double gapShare = 0.0;   ///< of the line, bridged between curves
 };
 

@@ -15,7 +15,7 @@ constexpr double sureProbability = 0.9;
 constexpr double worthTelling = 0.05;   // of another way
 constexpr double leastFollowed = 0.7;   // of the wire
 constexpr double mostGaps = 0.2;
-constexpr double maxExpectedErrorMm = 1.5;
+constexpr double maxExpectedErrorMm = 2.2;   // errors have 0.85 of it as their rms: 5 % of those below exceed 3 mm
 constexpr double observedShare = 0.5;   // of what was known before
 
 Quantity percent(double share)
@@ -78,7 +78,9 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
     result.warnings = problem.notes;
     if (finding.paths.empty()) {
         result.trustworthy = false;
-        result.warnings.insert(result.warnings.begin(), says::wireNowhere());
+        result.warnings.insert(result.warnings.begin(), result.stopReason == StopReason::StoppedByUser
+                                                            ? says::trustStopped()
+                                                            : says::wireNowhere());
         return;
     }
     replaceImageCovariance(result.uncertainty, finding.covariance, problem.tree.spreadMm);
@@ -88,6 +90,9 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
     }
     result.signs.expectedErrorMm = expectedShiftMm(problem, result.cameraFromPatient, result.uncertainty);
     measureAlongWay(problem, finding, result);
+    if (!finding.isAskedFor) {
+        result.warnings.push_back(says::wireFewerWays(std::to_string(finding.paths.size())));
+    }
     const Messages reasons = reasonsAgainst(finding, result);
     result.trustworthy = reasons.empty();
     result.warnings.insert(result.warnings.end(), reasons.begin(), reasons.end());
@@ -95,8 +100,8 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
         result.warnings.push_back(says::trustDepthUnknown());
     }
     const WirePath& best = finding.paths.front();
-    result.warnings.push_back(says::wireFollows(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1))
-                                  .as(Severity::Note));
+    result.warnings.push_back(
+        says::wireFollows(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1)).as(Severity::Note));
 }
 
 }   // namespace angiopose::core

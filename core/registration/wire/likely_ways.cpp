@@ -1,6 +1,7 @@
 #include "core/registration/wire/likely_ways.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 
@@ -15,9 +16,11 @@ using KnotNeighbours = std::vector<std::vector<std::size_t>>;
 KnotNeighbours neighboursOf(const TreeKnots& knots)
 {
     KnotNeighbours neighbours(knots.size());
-    for (const KnotLink& link : knots.links) {
-        neighbours[link.parent].push_back(link.child);
-        neighbours[link.child].push_back(link.parent);
+    for (const auto* links : {&knots.links, &knots.cuts}) {
+        for (const KnotLink& link : *links) {
+            neighbours[link.parent].push_back(link.child);
+            neighbours[link.child].push_back(link.parent);
+        }
     }
     return neighbours;
 }
@@ -36,7 +39,7 @@ std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbours&
     return ends;
 }
 
-/// What can be reached from an entry, every knot after the one that leads to it.
+/// What can be reached from an entry, every knot after the one that leads to it: round a loop by the shorter way.
 struct Outwards {
     std::vector<std::size_t> knots;
     std::vector<std::size_t> before;   ///< place in `knots` of the knot that leads to it; the entry: nothing
@@ -45,10 +48,12 @@ struct Outwards {
 Outwards outwardsFrom(std::size_t entry, const KnotNeighbours& neighbours)
 {
     Outwards outwards{{entry}, {noKnot}};
+    std::vector<std::uint8_t> isReached(neighbours.size(), 0);
+    isReached[entry] = 1;
     for (std::size_t at = 0; at < outwards.knots.size(); ++at) {
-        const std::size_t from = outwards.before[at];
         for (const std::size_t next : neighbours[outwards.knots[at]]) {
-            if (from == noKnot || next != outwards.knots[from]) {
+            if (isReached[next] == 0) {
+                isReached[next] = 1;
                 outwards.knots.push_back(next);
                 outwards.before.push_back(at);
             }
@@ -85,50 +90,50 @@ public:
     {
         WayTip tip{at};
         for (std::size_t k = 0; k < curve_.size(); ++k) {
-            const WayCell& cell = cells_[at * curve_.size() + k];
-            const double cost = cell.cost + skipped(curve_.lengthPx() - curve_.alongPx[k]);
+            const double cost = cell(at, k).cost + skipped(curve_.lengthPx() - curve_.alongPx[k]);
             if (cost < tip.cost) {
                 tip.cost = cost;
-                tip.start = cell.start;
+                tip.start = cell(at, k).start;
             }
         }
         return tip;
     }
 
 private:
-    double skipped(double lengthPx) const
-    {
-        return model_.skipCost * lengthPx * seen_.mmPerPx / model_.correlationMm;
-    }
+    double skipped(double lengthPx) const { return model_.skipPerMm * lengthPx * seen_.mmPerPx; }
 
     void fillRow(std::size_t at)
     {
+        constexpr std::size_t farthest = 3;   // knots in a move
+        std::array<std::size_t, farthest + 1> from{at, noKnot, noKnot, noKnot};
+        std::array<Eigen::Vector2d, farthest + 1> steps;
         const std::size_t knot = outwards_.knots[at];
-        const std::size_t before = outwards_.before[at];
+        for (std::size_t back = 0; back <= farthest && from[back] != noKnot; ++back) {
+            steps[back] = seen_.pixels[knot] - seen_.pixels[outwards_.knots[from[back]]];
+            if (back < farthest) {
+                from[back + 1] = outwards_.before[from[back]];
+            }
+        }
         const double scale = seen_.mmPerPx * seen_.mmPerPx;
         const double variance = model_.varianceMm2(seen_.radiusMm[knot]);
-        const double perPx = seen_.mmPerPx / model_.correlationMm;
-        const Eigen::Vector2d step = before == noKnot
-                                         ? Eigen::Vector2d::Zero()
-                                         : Eigen::Vector2d(seen_.pixels[knot] - seen_.pixels[outwards_.knots[before]]);
-        const double alongTreePx = step.norm();
         for (std::size_t k = 0; k < curve_.size(); ++k) {
             const double squaredMm2 = scale * (seen_.pixels[knot] - curve_.pointsPx[k]).squaredNorm();
-            const double density = perPx * model_.costOf(squaredMm2, variance, step, curve_.tangents[k]);
-            const double alongCurvePx = k == 0 ? 0.0 : curve_.alongPx[k] - curve_.alongPx[k - 1];
+            if (!model_.isBeside(squaredMm2, variance)) {
+                continue;
+            }
+            const double perMm = model_.placeCostPerMm(squaredMm2, variance);
             WayCell best{static_cast<float>(skipped(curve_.alongPx[k])), static_cast<std::uint32_t>(at)};
-            const auto offer = [&](const WayCell& from, double cost) {
-                const float sum = from.cost + static_cast<float>(cost);
-                best = sum < best.cost ? WayCell{sum, from.start} : best;
-            };
-            if (k > 0) {
-                offer(cell(at, k - 1), density * alongCurvePx);
-            }
-            if (before != noKnot) {
-                offer(cell(before, k), density * alongTreePx);
-            }
-            if (k > 0 && before != noKnot) {
-                offer(cell(before, k - 1), density * std::max(alongTreePx, alongCurvePx));
+            for (const WireMove& move : wireMoves) {
+                if (from[move.knots] == noKnot || k < move.points) {
+                    continue;
+                }
+                const WayCell& before = cell(from[move.knots], k - move.points);
+                if (before.cost >= best.cost) {
+                    continue;
+                }
+                const SeenStep step = seenStep(model_, steps[move.knots], curve_, k, move.points, seen_.mmPerPx);
+                const float sum = before.cost + static_cast<float>(step.cost + perMm * step.lengthMm);
+                best = sum < best.cost ? WayCell{sum, before.start} : best;
             }
             cells_[at * curve_.size() + k] = best;
         }
@@ -187,6 +192,9 @@ std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, c
             std::map<EndBranches, WayTip> tips;
             for (std::size_t at = 0; at < outwards.knots.size(); ++at) {
                 const WayTip tip = table.tipAt(at);
+                if (tip.cost == std::numeric_limits<double>::infinity()) {
+                    continue;   // far from the wire
+                }
                 WayTip& known = tips[endBranchesOf(knots, outwards, tip)];
                 known = tip.cost < known.cost ? tip : known;
             }

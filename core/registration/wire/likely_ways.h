@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/registration/wire/seen_knots.h"
+#include "core/registration/wire/seen_steps.h"
 #include "core/registration/wire/wire_curve.h"
 #include "core/registration/wire/wire_model.h"
 

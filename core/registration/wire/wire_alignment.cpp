@@ -6,12 +6,10 @@
 namespace angiopose::core {
 namespace {
 
-enum class WarpFrom : unsigned char { Nothing, Curve, Tree, Both };
-
 struct WarpCell {
     double cost = std::numeric_limits<double>::infinity();
-    double measurements = 0.0;   ///< of the move that led here
-    WarpFrom from = WarpFrom::Nothing;
+    double lengthMm = 0.0;   ///< of the move that led here
+    WireMove move;   ///< none: the alignment begins here
 };
 
 /// All alignments of the first knots with the first points.
@@ -54,32 +52,25 @@ public:
 private:
     const WarpCell& at(std::size_t j, std::size_t k) const { return cells_[j * curve_.size() + k]; }
 
-    double skipped(double lengthPx) const
-    {
-        return model_.skipCost * lengthPx * seen_.mmPerPx / model_.correlationMm;
-    }
+    double skipped(double lengthPx) const { return model_.skipPerMm * lengthPx * seen_.mmPerPx; }
 
     void fill(std::size_t j, std::size_t k)
     {
         const double squaredMm2 = seen_.mmPerPx * seen_.mmPerPx * (seen_.pixels[j] - curve_.pointsPx[k]).squaredNorm();
-        const Eigen::Vector2d step = j == 0 ? Eigen::Vector2d::Zero() : Eigen::Vector2d(seen_.pixels[j] - seen_.pixels[j - 1]);
-        const double cost = model_.costOf(squaredMm2, model_.varianceMm2(seen_.radiusMm[j]), step, curve_.tangents[k]);
-        const double perPx = seen_.mmPerPx / model_.correlationMm;
-        const double alongTree = perPx * step.norm();
-        const double alongCurve = k == 0 ? 0.0 : perPx * (curve_.alongPx[k] - curve_.alongPx[k - 1]);
-        WarpCell best{skipped(curve_.alongPx[k]), 0.0, WarpFrom::Nothing};
-        const auto offer = [&](const WarpCell& before, double measurements, WarpFrom from) {
-            const double sum = before.cost + measurements * cost;
-            best = sum < best.cost ? WarpCell{sum, measurements, from} : best;
-        };
-        if (k > 0) {
-            offer(at(j, k - 1), alongCurve, WarpFrom::Curve);
+        const double variance = model_.varianceMm2(seen_.radiusMm[j]);
+        if (!model_.isBeside(squaredMm2, variance)) {
+            return;
         }
-        if (j > 0) {
-            offer(at(j - 1, k), alongTree, WarpFrom::Tree);
-        }
-        if (j > 0 && k > 0) {
-            offer(at(j - 1, k - 1), std::max(alongTree, alongCurve), WarpFrom::Both);
+        const double perMm = model_.placeCostPerMm(squaredMm2, variance);
+        WarpCell best{skipped(curve_.alongPx[k]), 0.0, {}};
+        for (const WireMove& move : wireMoves) {
+            if (j < move.knots || k < move.points) {
+                continue;
+            }
+            const SeenStep step =
+                seenStep(model_, seen_.pixels[j] - seen_.pixels[j - move.knots], curve_, k, move.points, seen_.mmPerPx);
+            const double sum = at(j - move.knots, k - move.points).cost + step.cost + perMm * step.lengthMm;
+            best = sum < best.cost ? WarpCell{sum, step.lengthMm, move} : best;
         }
         cells_[j * curve_.size() + k] = best;
     }
@@ -89,12 +80,12 @@ private:
         std::vector<WirePair> pairs;
         while (true) {
             const WarpCell& cell = at(j, k);
-            pairs.push_back({j, k, cell.measurements});
-            if (cell.from == WarpFrom::Nothing) {
+            pairs.push_back({j, k, cell.move, cell.lengthMm});
+            if (cell.move.knots + cell.move.points == 0) {
                 break;
             }
-            j -= cell.from == WarpFrom::Curve ? 0 : 1;
-            k -= cell.from == WarpFrom::Tree ? 0 : 1;
+            j -= cell.move.knots;
+            k -= cell.move.points;
         }
         std::ranges::reverse(pairs);
         return pairs;

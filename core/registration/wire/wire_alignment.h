@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/registration/wire/seen_knots.h"
-#include "core/registration/wire/wire_curve.h"
-#include "core/registration/wire/wire_model.h"
+#include "core/registration/wire/seen_steps.h"
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +12,8 @@ namespace angiopose::core {
 struct WirePair {
     std::size_t knot = 0;   ///< place in the way
     std::size_t point = 0;   ///< of the curve
-    double measurements = 0.0;   ///< how many it counts for
+    WireMove move;   ///< that led here; none: the first
+    double lengthMm = 0.0;   ///< of wire or vessel, that it counts for
 };
 
 /// A curve laid along a way, neither going back.

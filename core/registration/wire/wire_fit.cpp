@@ -17,11 +17,14 @@ constexpr int stepsPerRound = 4;
 constexpr double settledWireMm = 0.01;
 constexpr double alongShare = 0.05;   // a shift along the wire is hardly seen
 
-/// One pair as a measurement across the wire, and faintly along it.
+/// One pair as a measurement across the wire, and faintly along it, and of the step that led there.
 struct WireSight {
     Eigen::Vector3d place;   // about the centroid, patient axes, mm
+    Eigen::Vector3d before;   // where the step begins
     Eigen::Vector2d pixel;
     Eigen::Matrix2d whitening;   // px to sigmas
+    Eigen::Vector2d stepPx;   // of the wire
+    Eigen::Matrix2d shape;   // px of the step to sigmas; zero where it tells nothing
 };
 
 /// Half of −2 log posterior of a pose, pairs held.
@@ -36,27 +39,23 @@ public:
     using Look = LookAt;
     using Equations = NormalEquations;
 
-    WireSquares(const WireProblem& problem, const std::vector<WireSight>& sights) : problem_(problem), sights_(sights) {}
+    WireSquares(const WireProblem& problem, const std::vector<WireSight>& sights) : problem_(problem), sights_(sights)
+    {
+    }
 
     bool look(const CentroidPose& pose, LookAt& look) const
     {
         look = {problem_.prior.cost(pose), {}};
         problem_.prior.add(pose, 1.0, look.equations);
         for (const WireSight& sight : sights_) {
-            const Eigen::Vector3d turned = pose.rotation * sight.place;
-            const Eigen::Vector3d inCamera = turned + pose.centroidInCamera;
-            const auto pixel = project(problem_.camera, inCamera);
-            if (!pixel) {
+            const std::optional<Seen> here = seen(pose, sight.place);
+            const std::optional<Seen> before = seen(pose, sight.before);
+            if (!here || !before) {
                 return false;
             }
-            const Eigen::Vector2d residual = sight.whitening * (*pixel - sight.pixel);
-            const Eigen::Matrix<double, 2, 3> byPoint =
-                sight.whitening * projectionJacobian(problem_.camera, inCamera);
-            Eigen::Matrix<double, 2, 6> jacobian;
-            jacobian << -byPoint * skew(turned), byPoint;
-            look.cost += residual.squaredNorm();
-            look.equations.hessian += jacobian.transpose() * jacobian;
-            look.equations.gradient += jacobian.transpose() * residual;
+            add(sight.whitening * (here->pixel - sight.pixel), sight.whitening * here->jacobian, look);
+            add(sight.shape * (here->pixel - before->pixel - sight.stepPx),
+                sight.shape * (here->jacobian - before->jacobian), look);
         }
         return true;
     }
@@ -81,25 +80,66 @@ public:
     double lengthMm(const CentroidPose&, const Vector6d& step) const { return stepLengthMm(step, problem_.spreadMm); }
 
 private:
+    struct Seen {
+        Eigen::Vector2d pixel;
+        Eigen::Matrix<double, 2, 6> jacobian;   // by steps
+    };
+
+    std::optional<Seen> seen(const CentroidPose& pose, const Eigen::Vector3d& place) const
+    {
+        const Eigen::Vector3d turned = pose.rotation * place;
+        const Eigen::Vector3d inCamera = turned + pose.centroidInCamera;
+        const auto pixel = project(problem_.camera, inCamera);
+        if (!pixel) {
+            return std::nullopt;
+        }
+        const Eigen::Matrix<double, 2, 3> byPoint = projectionJacobian(problem_.camera, inCamera);
+        Seen seen{*pixel, {}};
+        seen.jacobian << -byPoint * skew(turned), byPoint;
+        return seen;
+    }
+
+    static void add(const Eigen::Vector2d& residual, const Eigen::Matrix<double, 2, 6>& jacobian, LookAt& look)
+    {
+        look.cost += residual.squaredNorm();
+        look.equations.hessian += jacobian.transpose() * jacobian;
+        look.equations.gradient += jacobian.transpose() * residual;
+    }
+
     const WireProblem& problem_;
     const std::vector<WireSight>& sights_;
 };
 
+/// Sigmas per px, along the wire and across it, of what a step of the way differs from the wire's.
+Eigen::Matrix2d shapeOf(const WireModel& model, const SeenStep& step, const Eigen::Matrix2d& axes, double mmPerPx)
+{
+    if (step.cost >= model.turnedCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::leastStepMm) {
+        return Eigen::Matrix2d::Zero();
+    }
+    const double perMm = 1.0 / std::sqrt(step.lengthMm * model.shapeMm);
+    return mmPerPx * perMm * Eigen::Vector2d(1.0 / model.stretch, 1.0 / model.turn).asDiagonal() * axes;
+}
+
 std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, const SeenKnots& seen,
-                            const WireAlignment& alignment, const WireModel& model)
+                                const WireAlignment& alignment, const WireModel& model)
 {
     const WireCurve& curve = problem.curveOf(way);
     std::vector<WireSight> sights;
     sights.reserve(alignment.pairs.size());
     for (const WirePair& pair : alignment.pairs) {
         const Eigen::Vector2d along = curve.tangents[pair.point];
-        const Eigen::Vector2d across(-along.y(), along.x());
+        Eigen::Matrix2d axes;
+        axes << along.transpose(), -along.y(), along.x();
+        const std::size_t before = pair.knot - pair.move.knots;
+        const SeenStep step = seenStep(model, seen.pixels[pair.knot] - seen.pixels[before], curve, pair.point,
+                                       pair.move.points, seen.mmPerPx);
         const double perSigma =
-            seen.mmPerPx * std::sqrt(pair.measurements / model.varianceMm2(seen.radiusMm[pair.knot]));
-        Eigen::Matrix2d whitening;
-        whitening << perSigma * across.transpose(), alongShare * perSigma * along.transpose();
-        sights.push_back(
-            {problem.knots.places[way.knots[pair.knot]] - problem.centroid, curve.pointsPx[pair.point], whitening});
+            seen.mmPerPx * std::sqrt(pair.lengthMm / (model.placeMm * model.varianceMm2(seen.radiusMm[pair.knot])));
+        const double stepPx = curve.alongPx[pair.point] - curve.alongPx[pair.point - pair.move.points];
+        sights.push_back({problem.knots.places[way.knots[pair.knot]] - problem.centroid,
+                          problem.knots.places[way.knots[before]] - problem.centroid, curve.pointsPx[pair.point],
+                          perSigma * Eigen::Vector2d(alongShare, 1.0).asDiagonal() * axes, stepPx * along,
+                          shapeOf(model, step, axes, seen.mmPerPx)});
     }
     return sights;
 }
@@ -134,7 +174,8 @@ void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
         return;
     }
     const StepBasis free = problem.prior.freedom.freeSteps(fit.pose);
-    const Eigen::MatrixXd all = free.transpose() * Matrix6d(look.equations.hessian.selfadjointView<Eigen::Lower>()) * free;
+    const Eigen::MatrixXd all =
+        free.transpose() * Matrix6d(look.equations.hessian.selfadjointView<Eigen::Lower>()) * free;
     const Eigen::MatrixXd before = free.transpose() * problem.prior.informationAt(fit.pose) * free;
     const auto logDeterminant = [](const Eigen::MatrixXd& matrix) {
         return 2.0 * matrix.llt().matrixLLT().diagonal().array().log().sum();

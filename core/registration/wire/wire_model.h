@@ -2,20 +2,36 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace angiopose::core {
 
+/// How an alignment goes on: so many knots and points further.
+struct WireMove {
+    std::size_t knots = 0;
+    std::size_t points = 0;
+};
+
+inline constexpr std::array<WireMove, 6> wireMoves{{{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 0}, {0, 1}}};
+
 /// How a wire lies in its vessel (ALGORITHMS §6.22): anywhere in the lumen and a little beyond it, for it pulls the
-/// vessel straight; what it is off the axis changes slowly along it. Chosen on made-up trees (wire_table --world made-up).
+/// vessel straight. What it is off the axis changes slowly along it, so it runs nearly as the axis does: its shape
+/// tells more than its place. Chosen on made-up trees (wire_table --world made-up).
 struct WireModel {
     double offAxisMm = 1.5;   ///< 1-σ, whatever the vessel's width
     double offAxisOfRadius = 0.5;   ///< 1-σ, in radii: evenly spread over a disc
-    double correlationMm = 15.0;   ///< so much of the wire counts as one measurement
-    double farCost = 4.5;   ///< of one such measurement off the tree, at most: three sigmas
-    double skipCost = 3.0;   ///< of one that runs on where the tree is not: before it begins, or beyond its ends
-    double directionDeg = 25.0;   ///< 1-σ between wire and axis
+    double placeMm = 30.0;   ///< so much of the wire counts as one measurement of its place
+    double farCost = 4.5;   ///< of one such measurement, at most: three sigmas
+    double turn = 0.2;   ///< 1-σ of what a step of the wire goes aside from the axis' step, of its length
+    double stretch = 0.3;   ///< 1-σ of what it is shorter or longer
+    double shapeMm = 7.5;   ///< so much of the wire counts as one measurement of its shape
+    double turnedCost = 4.5;   ///< of one such measurement, at most
+    double skipPerMm =
+        0.5;   ///< cost where the wire runs on and the tree does not: before it begins, or beyond its ends
+    double mostSigmas = 4.0;   ///< off the axis; farther is another vessel
     double reachMm = 0.0;   ///< 1-σ of what the pose is off still
 
     double varianceMm2(double radiusMm) const
@@ -24,19 +40,28 @@ struct WireModel {
         return offAxisMm * offAxisMm + ofLumenMm * ofLumenMm + reachMm * reachMm;
     }
 
-    /// −log likelihood of one measurement. `alongTree`: the step to the knot from the one before, px, none at the first;
-    /// `alongWire`: unit.
-    double costOf(double squaredMm2, double varianceMm2, const Eigen::Vector2d& alongTree,
-                  const Eigen::Vector2d& alongWire) const
+    bool isBeside(double squaredMm2, double varianceMm2) const
     {
-        const double lengthPx = alongTree.norm();
-        const double cosine = lengthPx > leastStepPx ? alongTree.dot(alongWire) / lengthPx : 1.0;
-        const double sigmas = std::acos(std::clamp(cosine, -1.0, 1.0)) / (directionDeg * std::numbers::pi / 180.0);
-        return std::min(farCost, 0.5 * squaredMm2 / varianceMm2 + 0.5 * sigmas * sigmas +
-                                     std::log(varianceMm2 / this->varianceMm2(0.0)));
+        return squaredMm2 < mostSigmas * mostSigmas * varianceMm2;
     }
 
-    static constexpr double leastStepPx = 1.0;   ///< shorter ones, seen along the ray, tell no direction
+    /// −log likelihood of a mm of wire so far from the axis.
+    double placeCostPerMm(double squaredMm2, double varianceMm2) const
+    {
+        const double widening = 0.5 * std::log(varianceMm2 / this->varianceMm2(0.0));
+        return std::min(farCost, 0.5 * squaredMm2 / varianceMm2 + widening) / placeMm;
+    }
+
+    /// −log likelihood of a step: of the tree (along the wire, and across it) and of the wire, mm; `lengthMm`: the
+    /// longer.
+    double shapeCost(const Eigen::Vector2d& ofTree, double ofWireMm, double lengthMm) const
+    {
+        const double aside = ofTree.y() / turn;
+        const double longer = (ofTree.x() - ofWireMm) / stretch;
+        return std::min(turnedCost * lengthMm, 0.5 * (aside * aside + longer * longer) / lengthMm) / shapeMm;
+    }
+
+    static constexpr double leastStepMm = 0.02;   ///< shorter ones tell nothing
 };
 
 }   // namespace angiopose::core

@@ -125,7 +125,9 @@ std::vector<std::string_view> allMethodIds()
 {
     std::vector<std::string_view> ids;
     for (const MethodInfo& method : methodInfos()) {
-        ids.push_back(method.id);
+        if (method.id != "wire") {   // wants one line, not a tree: wire_test.cpp
+            ids.push_back(method.id);
+        }
     }
     return ids;
 }

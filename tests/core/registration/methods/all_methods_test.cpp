@@ -107,7 +107,9 @@ std::vector<std::string_view> methodIds()
 {
     std::vector<std::string_view> ids;
     for (const MethodInfo& info : methodInfos()) {
-        ids.push_back(info.id);
+        if (info.id != "wire") {   // wants one line, not a tree: wire_test.cpp
+            ids.push_back(info.id);
+        }
     }
     return ids;
 }
