@@ -54,6 +54,7 @@ StopReason toPublic(core::StopReason reason);
 DistanceMetrics toPublic(const core::DistanceMetrics& metrics);
 BranchResidual toPublic(const core::BranchResidual& branch);
 Hypothesis toPublic(const core::Hypothesis& hypothesis);
+WirePath toPublic(const core::WirePath& path);
 
 // A result is of a tree: its covariance is about the centroid, its motions are of the points.
 PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree);

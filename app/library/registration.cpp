@@ -40,6 +40,12 @@ Hypothesis toPublic(const core::Hypothesis& hypothesis)
     return {library::toPublic(cameraFromPatient), score};
 }
 
+WirePath toPublic(const core::WirePath& path)
+{
+    return {path.branchIds, path.tipInPatient,  path.probability,
+            path.offAxisMm, path.followedShare, library::toPublic(path.cameraFromPatient)};
+}
+
 namespace {
 
 template <class Core, class... Context>
@@ -120,6 +126,7 @@ RegistrationResult toPublic(const core::RegistrationResult& result, const core::
     converted.uncertainty = toPublic(result.uncertainty, tree);
     converted.branches = eachPublic(result.branches);
     converted.alternatives = eachPublic(result.alternatives);
+    converted.wirePaths = eachPublic(result.wirePaths);
     if (result.bent) {
         converted.bent = toPublic(*result.bent, tree);
     }

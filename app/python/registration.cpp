@@ -131,6 +131,16 @@ void bindMetrics(py::module_& module)
         .def_property_readonly("cameraFromPatient", asArray<&Hypothesis::cameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
         .def_readonly("score", &Hypothesis::score, "0...1, higher is better");
+
+    py::class_<WirePath>(module, "WirePath", "One way that a wire or catheter may take through the tree.")
+        .def_property_readonly("branchIds", asTuple<&WirePath::branchIds>(),
+                               "in the order that the wire takes them; its tip lies in the last")
+        .def_property_readonly("tipInPatient", asArray<&WirePath::tipInPatient>(), "(3,), LPS mm, on the branch's axis")
+        .def_readonly("probability", &WirePath::probability, "0...1, among all ways looked at and none of them")
+        .def_readonly("offAxisMm", &WirePath::offAxisMm, "rms distance of the wire from the axes, in the image")
+        .def_readonly("followedShare", &WirePath::followedShare, "of the wire's length in the image, 0...1")
+        .def_property_readonly("cameraFromPatient", asArray<&WirePath::cameraFromPatient>(),
+                               "(4, 4), patient LPS mm to camera mm");
 }
 
 void bindResults(py::module_& module)
@@ -147,6 +157,8 @@ void bindResults(py::module_& module)
         .def_property_readonly("branches", asTuple<&Result::branches>(), "used branches, in the tree's order")
         .def_property_readonly("alternatives", asTuple<&Result::alternatives>(),
                                "best first, without the result itself")
+        .def_property_readonly("wirePaths", asTuple<&Result::wirePaths>(),
+                               "of the method wire, most likely first; the pose is that of the first")
         .def_readonly("bent", &Result::bent, "BentVessels where bending was asked (option deformable), else None")
         .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
         .def_readonly(

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <span>
 
 using namespace angiopose;
 
@@ -230,6 +231,60 @@ TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
     EXPECT_EQ(unknown.exitCode, 2);
     EXPECT_NE(unknown.messages.find("along-ray"), std::string::npos);
     EXPECT_EQ(runCli({"register", casePath_, "--method", "assembled-icp", "--lock", "roll"}).exitCode, 2);
+}
+
+/// The case with nothing in its image but a wire that lies 1 mm beside a quarter of its longest branch. Where it
+/// is told to lie less sure than it does: other branches may hold it as well.
+std::string wireCase(const std::string& casePath, const core::RigidTransform& truth, const std::string& path)
+{
+    core::Messages warnings;
+    core::Case theCase = io::loadCase(casePath, warnings).value();
+    core::VesselTree tree = *theCase.vessels.tree;
+    std::ranges::sort(tree.branches, std::ranges::greater(), &core::VesselBranch::lengthMm);
+    const core::ProjectionCamera camera = core::cameraOf(theCase.shown()).value();
+    core::Curve2d wire;
+    const std::vector<Eigen::Vector3d>& course = tree.branches.front().pointsInPatient;
+    for (const Eigen::Vector3d& point : std::span(course).first(course.size() / 4)) {
+        const Eigen::Vector3d beside = point + Eigen::Vector3d(1.0, 0.0, 0.0);
+        wire.pointsPx.push_back(*core::project(camera, truth * beside));
+    }
+    core::Centerline2d centerline;
+    centerline.curves = {wire};
+    theCase.shown().target.centerline = std::make_shared<const core::Centerline2d>(std::move(centerline));
+    theCase.shown().target.editedFrame = theCase.shown().frame;
+    theCase.shown().cameraFromPatient = truth;
+    theCase.shown().cameraFromPatient.translation += Eigen::Vector3d(2.0, -1.5, 3.0);
+    theCase.options.method = "wire";
+    theCase.options.wire.lateralMm = 20.0;
+    theCase.options.wire.offAxisMm = 4.0;
+    EXPECT_TRUE(io::saveCase(theCase, path));
+    return path;
+}
+
+TEST_F(CliOnSimulatedCase, RanksTheWaysOfAWireAndTakesTheOneAskedFor)
+{
+    const auto truth = io::readPose(folder_.file("demo/true-pose.json"));
+    ASSERT_TRUE(truth);
+    const std::string path = wireCase(casePath_, truth.value(), folder_.file("demo/wire.angiopose"));
+    const auto words = runCli({"register", path, "--output", folder_.file("wire")});
+    ASSERT_TRUE(words.exitCode == 0 || words.exitCode == 4) << words.exitCode << words.messages;
+    EXPECT_NE(words.output.find("way taken"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("of the wire along them"), std::string::npos) << words.output;
+
+    const auto first =
+        nlohmann::json::parse(runCli({"register", path, "--output", folder_.file("wire"), "--json"}).output);
+    ASSERT_TRUE(first.contains("ways"));
+    EXPECT_EQ(first["method"], "wire");
+    const auto& ways = first["ways"];
+    ASSERT_FALSE(ways.empty());
+    EXPECT_EQ(ways[0]["cameraFromPatient"], first["pose"]["cameraFromPatient"]);
+    EXPECT_FALSE(ways[0]["branches"].empty());
+    EXPECT_EQ(first["alternatives"].size() + 1, ways.size());
+    ASSERT_GT(ways.size(), 1U);
+    const auto second = nlohmann::json::parse(
+        runCli({"register", path, "--set", "wireWay=2", "--output", folder_.file("wire2"), "--json"}).output);
+    EXPECT_EQ(second["ways"][0]["branches"], ways[1]["branches"]);
+    EXPECT_EQ(second["pose"]["cameraFromPatient"], ways[1]["cameraFromPatient"]);
 }
 
 TEST_F(CliOnSimulatedCase, InputsAreNeverOverwritten)

@@ -19,6 +19,7 @@ using core::Provenance;
 using core::RegistrationResult;
 using core::StageTimes;
 using core::UnfilledBranch;
+using core::WirePath;
 
 constexpr std::size_t longestStageName = 40;
 
@@ -126,6 +127,16 @@ StoredFields<Hypothesis> hypothesisFields()
     return {storedPose(&Hypothesis::cameraFromPatient), storedMeasure("score", &Hypothesis::score)};
 }
 
+StoredFields<WirePath> wirePathFields()
+{
+    return {storedValue("branches", listSchema(Json{{"type", "integer"}}), &WirePath::branchIds),
+            storedMeasures("tip", &WirePath::tipInPatient),
+            storedMeasure("probability", &WirePath::probability),
+            storedMeasure("offAxisMm", &WirePath::offAxisMm),
+            storedMeasure("followedShare", &WirePath::followedShare),
+            storedPose(&WirePath::cameraFromPatient)};
+}
+
 StoredFields<StageTimes> timeFields()
 {
     return {storedMeasure("target", &StageTimes::targetMs), storedMeasure("search", &StageTimes::searchMs),
@@ -194,6 +205,11 @@ const StoredFields<RegistrationResult>& resultFields()
                 &RegistrationResult::unfilled, Json::object(), unfilledFields()),
             storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),
                        hypothesisFields()),
+            storedList("ways",
+                       about(Json::object(),
+                             "That a wire or catheter may take through the tree (method wire), the one "
+                             "of the pose first: branches in its order, and where its tip lies (LPS mm)."),
+                       &RegistrationResult::wirePaths, Json::object(), wirePathFields()),
             storedValue("trustworthy", flagSchema(), &RegistrationResult::trustworthy),
             storedIfSet("probabilityWithin2Mm",
                         about(Json{{"type", "number"}, {"minimum", 0}, {"maximum", 1}},

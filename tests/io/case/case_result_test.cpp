@@ -64,6 +64,8 @@ core::RegistrationResult richResult(const core::Case& theCase)
     result.branches = {{1, 21, 0.5, 2.5, 0.75}, {2, 9, 1.5, 3.5, 0.25}};
     result.unfilled = {{4, 0.75}};
     result.alternatives = {{theCase.shown().cameraFromPatient, 0.9}};
+    result.wirePaths = {{{1, 3, 7}, {1.0 / 3.0, -2.5, 4.0}, 0.8, 1.25, 0.95, theCase.shown().cameraFromPatient, {}},
+                        {{1, 4}, {0.0, 1.0, 2.0}, 0.15, 1.5, 0.9, theCase.shown().cameraFromPatient, {}}};
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.1 + 0.2;
     result.warnings = {core::says::trustPoseUncertain(core::inMm(2.44, 1)), core::says::trustStopped(),
@@ -133,6 +135,15 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     EXPECT_EQ(is.unfilled[0].share, 0.75);
     ASSERT_EQ(is.alternatives.size(), 1U);
     EXPECT_EQ(is.alternatives[0].score, 0.9);
+    ASSERT_EQ(is.wirePaths.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(is.wirePaths[i].branchIds, was.wirePaths[i].branchIds);
+        EXPECT_EQ(is.wirePaths[i].tipInPatient, was.wirePaths[i].tipInPatient);
+        EXPECT_EQ(is.wirePaths[i].probability, was.wirePaths[i].probability);
+        EXPECT_EQ(is.wirePaths[i].offAxisMm, was.wirePaths[i].offAxisMm);
+        EXPECT_EQ(is.wirePaths[i].followedShare, was.wirePaths[i].followedShare);
+        EXPECT_EQ(is.wirePaths[i].cameraFromPatient.matrix(), was.wirePaths[i].cameraFromPatient.matrix());
+    }
     EXPECT_FALSE(is.trustworthy);
     EXPECT_EQ(is.probabilityWithin2Mm, was.probabilityWithin2Mm);
     EXPECT_EQ(is.warnings, was.warnings);   // ids, severities, numbers: they can be told in any language

@@ -72,6 +72,16 @@ struct Hypothesis {
     double score = 0.0;   ///< 0…1, higher is better, comparable within one result
 };
 
+/// One way that a wire or catheter may take through the tree, and the pose that goes with it.
+struct WirePath {
+    std::vector<int> branchIds;   ///< in the order that the wire takes them; its tip lies in the last
+    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< LPS mm, on the branch's axis
+    double probability = 0.0;   ///< 0…1, among all ways looked at and none of them
+    double offAxisMm = 0.0;   ///< rms distance of the wire from the vessels' axes, in the image, at their depth
+    double followedShare = 0.0;   ///< of the wire's length in the image, 0…1
+    Pose cameraFromPatient = Pose::Identity();
+};
+
 struct RegistrationResult {
     std::string method;   ///< empty where a pose was only judged
     Pose cameraFromPatient = Pose::Identity();
@@ -81,6 +91,7 @@ struct RegistrationResult {
     PoseUncertainty uncertainty;
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
+    std::vector<WirePath> wirePaths;   ///< of the method `wire`, most likely first; the pose is that of the first
     std::optional<BentVessels> bent;   ///< where bending was asked (option `deformable`); the pose stays the rigid one
     bool trustworthy = false;   ///< false: look before you use the pose; `warnings` say why
     /// That the overlay lies within 2 mm of the vessels, in the mean over the tree; learned from made-up vessels. Known
