@@ -196,11 +196,17 @@ void ReplayController::showSolution(std::size_t index)
     solution_ = index;
     const core::Hypothesis& other = result->alternatives[index - 1];
     preview_.show(PreviewOf::Solution, other.cameraFromPatient, ResidualColors::Hidden);
-    strip_.showStatus(tr("Other solution %1 of %2, score %3 · %4 takes it")
-                          .arg(index)
-                          .arg(result->alternatives.size())
-                          .arg(ui::numberText(other.score, 2))
-                          .arg(ui::keyOf(ui::Command::TakeSolution)));
+    const QString takes = ui::keyOf(ui::Command::TakeSolution);
+    strip_.showStatus(result->wirePaths.empty() ? tr("Other solution %1 of %2, score %3 · %4 takes it")
+                                                      .arg(index)
+                                                      .arg(result->alternatives.size())
+                                                      .arg(ui::numberText(other.score, 2))
+                                                      .arg(takes)
+                                                : tr("Other way %1 of %2, probability %3 % · %4 takes it")
+                                                      .arg(index)
+                                                      .arg(result->alternatives.size())
+                                                      .arg(ui::numberText(100.0 * other.score, 0))
+                                                      .arg(takes));
     emit solutionChanged(index);
 }
 

@@ -38,8 +38,48 @@ std::vector<core::RigidTransform> posesOf(const core::Case& current)
     return poses;
 }
 
+/// "3 › 7 › 9": the first and the last of many.
+QString courseWords(const core::WirePath& way)
+{
+    constexpr std::size_t mostNamed = 3;
+    QStringList names;
+    for (const int id : way.branchIds) {
+        names.push_back(QString::number(id));
+    }
+    if (way.branchIds.size() > mostNamed) {
+        names = {names.front(), QStringLiteral("…"), names.back()};
+    }
+    return names.join(QStringLiteral(" › "));
+}
+
+/// Of a wire: which ways through the tree it may take.
+std::vector<ui::SolutionLine> wayLines(const std::vector<core::WirePath>& ways, std::size_t count)
+{
+    std::vector<ui::SolutionLine> lines;
+    for (std::size_t i = 0; i < std::min(count, ways.size()); ++i) {
+        QStringList branches;
+        for (const int id : ways[i].branchIds) {
+            branches.push_back(QString::number(id));
+        }
+        const QString percent = ui::numberText(100.0 * ways[i].probability, 0);
+        const QString words = SolutionController::tr(
+                                  "Branches %1: probability %2 %, %3 % of the wire along them, %4 mm "
+                                  "off their axes.")
+                                  .arg(branches.join(QStringLiteral(", ")))
+                                  .arg(percent)
+                                  .arg(ui::numberText(100.0 * ways[i].followedShare, 0))
+                                  .arg(ui::numberText(ways[i].offAxisMm, 1));
+        lines.push_back({SolutionController::tr("%1 %: %2").arg(percent).arg(courseWords(ways[i])),
+                         i == 0 ? words : SolutionController::tr("%1 Return takes it.").arg(words)});
+    }
+    return lines;
+}
+
 std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t count)
 {
+    if (!current.shown().result->wirePaths.empty()) {
+        return wayLines(current.shown().result->wirePaths, count);
+    }
     std::vector<ui::SolutionLine> lines;
     const Eigen::Vector3d pivot = core::centroidInPatient(*current.vessels.tree);
     lines.push_back({SolutionController::tr("found"), SolutionController::tr("The solution itself")});
