@@ -2693,10 +2693,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Breite der Gauß-Mischungen am Ende.</translation>
     </message>
     <message>
-        <source>Wire or catheter</source>
-        <translation>Draht oder Katheter</translation>
-    </message>
-    <message>
         <source>affine</source>
         <translation>affin</translation>
     </message>

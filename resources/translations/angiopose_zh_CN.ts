@@ -2693,10 +2693,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>高斯混合的最终宽度。</translation>
     </message>
     <message>
-        <source>Wire or catheter</source>
-        <translation>导丝或导管</translation>
-    </message>
-    <message>
         <source>affine</source>
         <translation>仿射</translation>
     </message>
