@@ -3876,6 +3876,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur ein Teil des Gefäßbaums scheint gefüllt zu sein, und er erklärt das Bild zu wenig, um sicher zu sein.</translation>
     </message>
     <message>
+        <source>Only one path of the vessels is seen. It fits in many places, and a wire or catheter lies beside its axis: the method for wires ranks its ways.</source>
+        <comment>trust.single-path</comment>
+        <translation>Nur ein Weg der Gefäße ist zu sehen. Er passt an viele Stellen, und ein Draht oder Katheter liegt neben seiner Achse: Das Verfahren für Drähte ordnet dessen Wege.</translation>
+    </message>
+    <message>
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
         <comment>trust.depth-unknown</comment>
         <translation>Eine Ansicht allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>

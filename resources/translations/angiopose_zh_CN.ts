@@ -3876,6 +3876,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>似乎只有部分血管树充盈，而它对图像的解释不足以确定位姿。</translation>
     </message>
     <message>
+        <source>Only one path of the vessels is seen. It fits in many places, and a wire or catheter lies beside its axis: the method for wires ranks its ways.</source>
+        <comment>trust.single-path</comment>
+        <translation>只见血管的一条路径。它与多处相符，而且导丝或导管偏离血管轴线：导丝方法会给出各路径的排序。</translation>
+    </message>
+    <message>
         <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
         <comment>trust.depth-unknown</comment>
         <translation>单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>

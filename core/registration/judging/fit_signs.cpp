@@ -1,6 +1,7 @@
 #include "core/registration/judging/fit_signs.h"
 
 #include "core/registration/alignment/agreement_score.h"
+#include "core/registration/alignment/branch_pieces.h"
 #include "core/registration/judging/followed_vessels.h"
 #include "core/registration/judging/pose_shift.h"
 
@@ -18,6 +19,30 @@ double shareOf(const std::vector<Value>& values, const Predicate& holds)
 double agreementOf(const PoseInImage& seen, const RigidTransform& pose)
 {
     return AgreementScore(seen.problem, seen.target).of(aboutCentroid(pose, seen.problem.tree.centroid));
+}
+
+constexpr int mostOfPath = 4;   // branches: a tree of which more is followed is no single path
+
+/// Whether what lies on vessels of a connected tree forks nowhere: a wire, a catheter, one vessel.
+bool isSinglePath(const PoseInImage& seen)
+{
+    const BranchPieces parts = branchPieces(seen.problem.tree);
+    const auto isSeen = [&seen](const BranchPiece& piece) {
+        const double* from = seen.projected.distancePx.data() + piece.from;
+        const auto count = static_cast<std::ptrdiff_t>(piece.to - piece.from);
+        return 2 * std::count_if(from, from + count, [](double px) { return px <= agreementPx; }) >= count;
+    };
+    std::vector<int> meeting(static_cast<std::size_t>(parts.junctionCount), 0), seenThere(meeting);
+    for (const PieceAtJunction& joint : parts.joints) {
+        const auto junction = static_cast<std::size_t>(joint.junction);
+        ++meeting[junction];
+        seenThere[junction] += isSeen(parts.pieces[static_cast<std::size_t>(joint.piece)]) ? 1 : 0;
+    }
+    auto components = static_cast<int>(parts.pieces.size());
+    for (const int pieces : meeting) {
+        components -= std::max(0, pieces - 1);
+    }
+    return components <= 1 && std::ranges::all_of(seenThere, [](int pieces) { return pieces < 3; });
 }
 
 }   // namespace
@@ -40,6 +65,7 @@ FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, c
     }
     signs.isFilledInParts = std::ranges::count(solution.isFilled, std::uint8_t{1}) > 0;
     signs.filledForks = solution.filledForks;
+    signs.isSinglePath = followed.branchesFollowed <= mostOfPath && isSinglePath(seen);
     return signs;
 }
 

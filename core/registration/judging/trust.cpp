@@ -60,6 +60,9 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
     if (signs.isFilledInParts && (signs.agreement < minFilledAgreement || signs.filledForks < leastFilledForks)) {
         reasons.push_back(says::trustFilledDoubtful());
     }
+    if (signs.isSinglePath) {
+        reasons.push_back(says::trustSinglePath());
+    }
     if (signs.settlingMm > maxSettlingMm) {
         reasons.push_back(says::trustBetterAside(inMm(signs.settlingMm, 1)));
     }

@@ -133,6 +133,7 @@ struct FitSigns {
     double rivalMm = 0.0;   ///< how far the farthest alternative puts the tree elsewhere
     bool isFilledInParts = false;
     int filledForks = 0;   ///< places where three filled pieces or more meet; of a tree filled in parts
+    bool isSinglePath = false;   ///< nowhere do three pieces meet that lie on vessels
 };
 
 /// Who had a result found, when, by which program and with what.

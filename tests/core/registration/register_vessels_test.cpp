@@ -102,6 +102,31 @@ TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
     EXPECT_TRUE(result.value().trustworthy) << result.value().warnings.front();
 }
 
+TEST(RegisterVessels, DoesNotTrustASinglePath)
+{
+    const test::CleanCase clean(5);
+    CounterRandom random(2);
+    const VesselBranch& trunk = clean.tree.branches.front();
+    const auto registered = [&](const VesselTree& seen) {
+        RegistrationInput input = clean.from(clean.nearbyStart(random));
+        input.target = projectTree(seen, clean.camera, clean.truth);
+        for (const VesselBranch& branch : clean.tree.branches) {
+            if (!seen.find(branch.id)) {
+                input.excludedBranchIds.push_back(branch.id);
+            }
+        }
+        return registerVessels(input).value();
+    };
+    VesselTree alone = clean.tree;
+    alone.branches = {trunk};
+    const RegistrationResult path = registered(alone);
+    EXPECT_FALSE(path.trustworthy);
+    EXPECT_EQ(std::ranges::count(path.warnings, says::trustSinglePath()), 1);
+    const RegistrationResult whole = registered(clean.tree);
+    EXPECT_TRUE(whole.trustworthy);
+    EXPECT_EQ(std::ranges::count(whole.warnings, says::trustSinglePath()), 0);
+}
+
 TEST(RegisterVessels, PriorDoesNotPullVisibly)
 {
     test::CleanCase clean(5);
