@@ -1,5 +1,7 @@
+#include "app/texts/word_of_run.h"
 #include "tests/app/open_window.h"
 #include "ui/actions/window_actions.h"
+#include "ui/panels/result_sentences.h"
 
 #include <QListWidget>
 
@@ -23,6 +25,10 @@ struct WireWindow : OpenWindow {
         result.wirePaths = {{{1, 3, 7, 9}, Eigen::Vector3d::Zero(), 0.71, 1.3, 0.96, pose, {}},
                             {{1, 2}, Eigen::Vector3d::Zero(), 0.24, 1.8, 0.82, other, {}}};
         result.alternatives = {{other, 0.24}};
+        result.metrics.medianPx = 0.75;
+        for (core::BranchResidual& branch : result.branches) {
+            branch.medianPx = 100.0;
+        }
         found.shown().result = std::move(result);
         controller.document().replace(std::move(found), {});
         waitForJudgement();
@@ -43,6 +49,16 @@ TEST(WindowWire, ListsTheWaysWithTheirProbabilities)
     EXPECT_TRUE(w.ways().item(0)->toolTip().contains(QStringLiteral("1, 3, 7, 9")))
         << w.ways().item(0)->toolTip().toStdString();
     EXPECT_TRUE(w.ways().item(1)->toolTip().contains(QStringLiteral("82 % of the wire")));
+}
+
+TEST(WindowWire, TellsTheFiguresOfTheWayAlone)
+{
+    WireWindow w;
+    core::RegistrationResult judged = w.controller.judgement()->result;
+    EXPECT_EQ(takeWordOfRun(judged, w.current().shown()), FoundBy::ItsRun);
+    EXPECT_EQ(judged.metrics.medianPx, 0.75);
+    const QString words = ui::sentencesOf(judged, *w.current().vessels.tree, 1.0).doubtful.join(QLatin1Char(' '));
+    EXPECT_TRUE(words.contains(QStringLiteral("4 branches are up to"))) << words.toStdString();
 }
 
 TEST(WindowWire, TakesTheChosenWayAndUndoesIt)

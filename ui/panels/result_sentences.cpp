@@ -123,7 +123,13 @@ bool isExplainedByBending(const core::RegistrationResult& result, int branchId)
     });
 }
 
-/// Of branches that the run itself does not call empty and that no bend explains.
+/// Whether nothing of this branch is expected in the image: a wire takes other ones.
+bool isBesideWire(const core::RegistrationResult& result, int branchId)
+{
+    return !result.wirePaths.empty() && std::ranges::count(result.wirePaths.front().branchIds, branchId) == 0;
+}
+
+/// Of branches that the run itself does not call empty, that no bend explains and that lie on the way of a wire.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
     QStringList names;
@@ -133,7 +139,7 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
         const double medianMm = residual.medianPx * mmPerPx;
         const auto isIt = [&residual](const core::UnfilledBranch& each) { return each.branchId == residual.branchId; };
         if (branch && medianMm > disagreeingMm && std::ranges::none_of(result.unfilled, isIt) &&
-            !isExplainedByBending(result, residual.branchId)) {
+            !isExplainedByBending(result, residual.branchId) && !isBesideWire(result, residual.branchId)) {
             names << displayName(*branch);
             worstMm = std::max(worstMm, medianMm);
         }
