@@ -1,5 +1,10 @@
 #include "ui/views/shadowed_text.h"
 
+#include <QCache>
+#include <QImage>
+
+#include <cmath>
+
 namespace angiopose::ui {
 
 QColor colorOf(const Color& color, double opacity)
@@ -20,17 +25,73 @@ QFont sized(QFont font, int px)
     return font;
 }
 
-void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
-                      const Color& rim)
+namespace {
+
+constexpr double rimPx = 1.0;
+constexpr int mostKeptKiB = 2048;
+
+void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
+                 const Color& rim)
 {
     painter.setPen(colorOf(rim, 0.6));
-    for (const double y : {-1.0, 0.0, 1.0}) {   // a rim all round: readable on any picture, without a box
-        for (const double x : {-1.0, 0.0, 1.0}) {
+    for (const double y : {-rimPx, 0.0, rimPx}) {   // a rim all round: readable on any picture, without a box
+        for (const double x : {-rimPx, 0.0, rimPx}) {
             painter.drawText(box.translated(x, y), flags, text);
         }
     }
     painter.setPen(color);
     painter.drawText(box, flags, text);
+}
+
+QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text, const QColor& color,
+              const Color& rim)
+{
+    return QStringLiteral("shadowed/%1/%2x%3/%4/%5/%6/%7/%8")
+        .arg(font.key())
+        .arg(size.width())
+        .arg(size.height())
+        .arg(ratio)
+        .arg(flags)
+        .arg(color.rgba())
+        .arg(colorOf(rim).rgba())
+        .arg(text);
+}
+
+/// The words on a ground of their own, with room for the rim. Kept: they stay while the vessels under them move, and
+/// ten times shaping and drawing them is dearer than all else that lies on the picture.
+QImage wordsWithRim(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
+                    const QColor& color, const Color& rim)
+{
+    static QCache<QString, QImage> kept(mostKeptKiB);
+    const QString key = keyOfWords(font, size, ratio, flags, text, color, rim);
+    if (const QImage* words = kept.object(key)) {
+        return *words;
+    }
+    const QSizeF whole = size + QSizeF(2.0 * rimPx, 2.0 * rimPx);
+    QImage words((whole * ratio).toSize() + QSize(1, 1), QImage::Format_ARGB32_Premultiplied);
+    words.setDevicePixelRatio(ratio);
+    words.fill(Qt::transparent);
+    QPainter painter(&words);
+    painter.setFont(font);
+    drawWithRim(painter, {QPointF(rimPx, rimPx), size}, flags, text, color, rim);
+    painter.end();
+    kept.insert(key, new QImage(words), static_cast<int>(words.sizeInBytes() / 1024) + 1);
+    return words;
+}
+
+}   // namespace
+
+void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
+                      const Color& rim)
+{
+    if (painter.deviceTransform().type() > QTransform::TxTranslate && painter.device()->devicePixelRatio() == 1.0) {
+        drawWithRim(painter, box, flags, text, color, rim);
+        return;
+    }
+    const double ratio = painter.device()->devicePixelRatio();
+    const auto onPixel = [ratio](double at) { return std::round((at - rimPx) * ratio) / ratio; };
+    painter.drawImage(QPointF(onPixel(box.left()), onPixel(box.top())),
+                      wordsWithRim(painter.font(), box.size(), ratio, flags, text, color, rim));
 }
 
 }   // namespace angiopose::ui
