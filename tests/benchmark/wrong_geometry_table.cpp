@@ -95,66 +95,56 @@ core::Case caseOf(const std::vector<core::RegistrationInput>& inputs, core::Regi
     return values;
 }
 
-Answer askEstimating(std::vector<ForeignCase> asked, const NamedError& told, std::uint64_t trial,
-                     core::RegistrationOptions options)
+/// The questions with the geometry that is told of them.
+std::vector<core::RegistrationInput> toldInputs(const std::vector<ForeignCase>& asked, const NamedError& told,
+                                                std::uint64_t trial)
 {
-    const double trueFocalPx = asked.front().input.camera.fy;
     std::vector<core::RegistrationInput> inputs;
-    for (ForeignCase& view : asked) {
-        view.input.cameraSpread = spreadOfHeader(view.input.camera);
-        spoil(view.input, told.error, trial);
-        inputs.push_back(view.input);
+    for (const ForeignCase& view : asked) {
+        core::RegistrationInput& input = inputs.emplace_back(view.input);
+        input.cameraSpread = spreadOfHeader(input.camera);
+        spoil(input, told.error, trial);
     }
-    Answer answer;
-    const auto run = core::registerCase(caseOf(inputs, std::move(options)));
-    if (!run) {
-        return answer;
-    }
-    const core::RegistrationResult& result = run.value().result();
+    return inputs;
+}
+
+/// What a run says of the first view.
+void hearRun(Answer& answer, const core::RegistrationResult& result, const ForeignCase& asked, const NamedError& told)
+{
     answer.isTrusted = result.trustworthy;
     answer.timeMs = result.time.totalMs;
     answer.gain = result.camera ? result.camera->gain : 0.0;
-    const double focalPx = core::cameraOf(run.value().theCase.shown()).value().fy;
-    answer.focalOffPercent = 100.0 * std::abs(focalPx / trueFocalPx - 1.0);
     hear(answer, result.warnings, told);
-    compare(answer, asked.front(), result.cameraFromPatient, result.uncertainty);
+    compare(answer, asked, result.cameraFromPatient, result.uncertainty);
+}
+
+Answer askEstimating(const std::vector<ForeignCase>& asked, const NamedError& told, std::uint64_t trial,
+                     const core::RegistrationOptions& options)
+{
+    Answer answer;
+    if (const auto run = core::registerCase(caseOf(toldInputs(asked, told, trial), options))) {
+        const double focalPx = core::cameraOf(run.value().theCase.shown()).value().fy;
+        answer.focalOffPercent = 100.0 * std::abs(focalPx / asked.front().input.camera.fy - 1.0);
+        hearRun(answer, run.value().result(), asked.front(), told);
+    }
     return answer;
 }
 
-Answer askOne(ForeignCase asked, const NamedError& told, std::uint64_t trial, const core::RegistrationOptions& options)
+Answer askOne(const ForeignCase& asked, const NamedError& told, std::uint64_t trial,
+              const core::RegistrationOptions& options)
 {
-    if (options.geometry.estimate) {
-        return askEstimating({std::move(asked)}, told, trial, options);
-    }
-    asked.input.cameraSpread = spreadOfHeader(asked.input.camera);
-    spoil(asked.input, told.error, trial);
     Answer answer;
-    const auto result = core::registerVessels(asked.input, options);
-    if (!result) {
-        return answer;
+    if (const auto result = core::registerVessels(toldInputs({asked}, told, trial).front(), options)) {
+        hearRun(answer, result.value(), asked, told);
     }
-    answer.isTrusted = result.value().trustworthy;
-    answer.timeMs = result.value().time.totalMs;
-    answer.gain = result.value().camera ? result.value().camera->gain : 0.0;
-    hear(answer, result.value().warnings, told);
-    compare(answer, asked, result.value().cameraFromPatient, result.value().uncertainty);
     return answer;
 }
 
-Answer askBoth(std::array<ForeignCase, 2> asked, const NamedError& told, std::uint64_t trial,
-               const core::RegistrationOptions& options)
+Answer askTogether(const std::vector<ForeignCase>& asked, const NamedError& told, std::uint64_t trial,
+                   const core::RegistrationOptions& options)
 {
-    if (options.geometry.estimate) {
-        return askEstimating({asked.begin(), asked.end()}, told, trial, options);
-    }
-    std::vector<core::RegistrationInput> inputs;
-    for (ForeignCase& view : asked) {
-        view.input.cameraSpread = spreadOfHeader(view.input.camera);
-        spoil(view.input, told.error, trial);
-        inputs.push_back(view.input);
-    }
     Answer answer;
-    const auto result = core::registerViews(inputs, options);
+    const auto result = core::registerViews(toldInputs(asked, told, trial), options);
     if (!result) {
         return answer;
     }
@@ -163,6 +153,25 @@ Answer askBoth(std::array<ForeignCase, 2> asked, const NamedError& told, std::ui
     hear(answer, result.value().warnings, told);
     compare(answer, asked.front(), result.value().views.front().cameraFromPatient, result.value().uncertainty);
     return answer;
+}
+
+Answer ask(const std::vector<ForeignCase>& asked, const NamedError& told, std::uint64_t trial,
+           const core::RegistrationOptions& options)
+{
+    if (options.geometry.estimate) {
+        return askEstimating(asked, told, trial, options);
+    }
+    return asked.size() > 1 ? askTogether(asked, told, trial, options) : askOne(asked.front(), told, trial, options);
+}
+
+std::vector<ForeignCase> questions(const std::vector<RootedTree>& trees, std::size_t tree, const std::string& views,
+                                   std::uint64_t trial)
+{
+    if (views == "two") {
+        const auto pair = makeForeignPair(trees, tree, trial);
+        return {pair.begin(), pair.end()};
+    }
+    return {makeForeignCase(trees, tree, ForeignScene::WholeTree, trial)};
 }
 
 template <class Predicate>
@@ -219,9 +228,7 @@ std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedErro
     std::vector<Answer> answers;
     for (std::size_t tree = 0; tree < trees.size(); ++tree) {
         for (std::uint64_t trial = first; trial < first + trials; ++trial) {
-            answers.push_back(views == "two" ? askBoth(makeForeignPair(trees, tree, trial), told, trial, options)
-                                             : askOne(makeForeignCase(trees, tree, ForeignScene::WholeTree, trial),
-                                                      told, trial, options));
+            answers.push_back(ask(questions(trees, tree, views, trial), told, trial, options));
             if (arguments.isSet("each")) {
                 printAnswer(told, views, trees[tree], trial, answers.back());
             }
