@@ -43,8 +43,8 @@ void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString&
     painter.drawText(box, flags, text);
 }
 
-QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text, const QColor& color,
-              const Color& rim)
+QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
+                   const QColor& color, const Color& rim)
 {
     return QStringLiteral("shadowed/%1/%2x%3/%4/%5/%6/%7/%8")
         .arg(font.key())
