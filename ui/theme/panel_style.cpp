@@ -58,7 +58,7 @@ QToolButton[role="tabTool"]:hover, QToolButton[role="tabTool"]:focus,
 QToolButton[role="tab"]:hover, QToolButton[role="tab"]:focus { color: @textStrong@; background: @field@; }
 QToolButton[role="tab"]:checked { color: @textStrong@; background: @field@; font-weight: 600; }
 QToolButton[role="fold"] { border: none; background: transparent; padding: 0px; width: 12px; height: 12px; }
-QToolButton[role="fold"]:focus { background: @accentHover@; border-radius: 3px; }
+QToolButton[role="fold"]:focus { border: 1px solid @accent@; border-radius: 3px; width: 10px; height: 10px; }
 )";
 
 void replaceAll(std::string& text, const std::string& name, const Color& color)
