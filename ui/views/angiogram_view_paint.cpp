@@ -184,7 +184,7 @@ void AngiogramView::render(Canvas canvas, const StrokeMesh& above)
             std::reverse(canvas.row(row), canvas.row(row) + canvas.width);
         }
     }
-    fillStrokes(above, canvas.height, canvas);
+    forBands(canvas.height, [&](const Rows& rows) { fillStrokes(above, canvas.height, canvas, rows); });
 }
 
 void AngiogramView::paintEvent(QPaintEvent*)

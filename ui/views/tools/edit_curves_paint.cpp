@@ -12,29 +12,11 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double curveThinningPx = 0.7;
 constexpr double curveWidth = 2.2;   ///< px at 100 %
 
 const Palette& curveTones()
 {
     return palette(ThemeMode::Dark);
-}
-
-void addShadowedLine(StrokeMesh& mesh, const StrokeLine& line, double widthPx, double opacity)
-{
-    StrokeLine shade = line;
-    for (StrokePoint& point : shade) {
-        point.color = curveTones().canvas;
-    }
-    addLine(mesh, shade, {widthPx + 2.0, 0.55 * opacity, 1.5});
-    addLine(mesh, line, {widthPx, opacity});
-}
-
-void addDashes(StrokeMesh& mesh, const StrokeLine& line, double widthPx, double dashPx)
-{
-    for (const StrokeLine& part : dashed(line, {dashPx, dashPx})) {
-        addShadowedLine(mesh, part, widthPx, 1.0);
-    }
 }
 
 Eigen::Vector2d nearestPoint(const core::Centerline2d& curves, int id, const Eigen::Vector2d& to)
@@ -52,92 +34,117 @@ Eigen::Vector2d nearestPoint(const core::Centerline2d& curves, int id, const Eig
     return nearest;
 }
 
-}   // namespace
-
-Eigen::Vector2d EditCurvesTool::onCanvas(const Eigen::Vector2d& imagePx, int heightPx) const
+/// Its runs of points within `radiusPx` of a place, image px.
+std::vector<std::vector<Eigen::Vector2d>> runsNear(const core::Curve2d& curve, const Eigen::Vector2d& place,
+                                                   double radiusPx)
 {
-    const QPointF at = view().widgetFromImage(imagePx) * view().devicePixelRatio();
-    return {at.x(), heightPx - at.y()};
+    std::vector<std::vector<Eigen::Vector2d>> runs;
+    bool isOpen = false;
+    for (const Eigen::Vector2d& point : curve.pointsPx) {
+        const bool isNear = (point - place).norm() <= radiusPx;
+        if (isNear && !isOpen) {
+            runs.emplace_back();
+        }
+        if (isNear) {
+            runs.back().push_back(point);
+        }
+        isOpen = isNear;
+    }
+    return runs;
 }
 
-StrokeLine EditCurvesTool::lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone,
-                                        int heightPx) const
+}   // namespace
+
+CurveCanvas EditCurvesTool::canvas(int heightPx) const
 {
-    StrokeLine line;
-    for (const Eigen::Vector2d& point : points) {
-        const bool isTouched = brushes() && (point - mouse_->imagePx).norm() <= brushPx();
-        line.push_back({onCanvas(point, heightPx), isTouched ? curveTones().attention : tone});
-    }
-    return thinned(line, curveThinningPx);
+    const double ratio = view().devicePixelRatio();
+    const QPointF origin = view().widgetFromImage({0.0, 0.0}) * ratio;
+    const QPointF step = view().widgetFromImage({1.0, 1.0}) * ratio - origin;
+    CurveCanvas canvas;
+    canvas.canvasFromImage.linear() = Eigen::Vector2d(step.x(), -step.y()).asDiagonal();
+    canvas.canvasFromImage.translation() = Eigen::Vector2d(origin.x(), heightPx - origin.y());
+    canvas.widthPx = view().width() * ratio;
+    canvas.heightPx = heightPx;
+    canvas.pixelRatio = ratio;
+    return canvas;
 }
 
 StrokeMesh EditCurvesTool::strokes(int heightPx) const
 {
+    const CurveCanvas canvas = this->canvas(heightPx);
     StrokeMesh mesh;
-    addCurves(mesh, heightPx);
-    addRegion(mesh, heightPx);
-    addPath(mesh, heightPx);
-    if (brushes()) {
-        addBrush(mesh, heightPx);
+    if (isDragging_) {   // what goes stays visible, faintly
+        addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
+        addCurves(mesh, canvas, shown_, {.widthPx = curveWidth, .inDoubt = suspects_});
+    } else {
+        mesh = strokesAtRest_.of(shownRevision_, canvas, shown_, {.widthPx = curveWidth, .inDoubt = suspects_});
     }
+    addTouched(mesh, canvas);
+    addPicked(mesh, canvas);
+    addRegion(mesh, canvas);
+    addPath(mesh, canvas);
+    addBrush(mesh, canvas);
     return mesh;
 }
 
-void EditCurvesTool::addCurves(StrokeMesh& mesh, int heightPx) const
+/// What the brush would erase.
+void EditCurvesTool::addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    const double ratio = view().devicePixelRatio();
-    const double width = curveWidth * ratio;
-    if (isDragging_) {
-        for (const core::Curve2d& curve : curves_.curves) {   // what goes stays visible, faintly
-            addLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().hint, heightPx), {width, 0.6});
-        }
+    if (!brushes()) {
+        return;
     }
     for (const core::Curve2d& curve : shown_.curves) {
-        const bool isSuspect = std::ranges::find(suspects_, curve.id) != suspects_.end();
+        for (const std::vector<Eigen::Vector2d>& run : runsNear(curve, mouse_->imagePx, brushPx())) {
+            addShadowed(mesh, canvas, lineOn(canvas, run, curveTones().attention), curveWidth * canvas.pixelRatio, 1.0);
+        }
+    }
+}
+
+void EditCurvesTool::addPicked(StrokeMesh& mesh, const CurveCanvas& canvas) const
+{
+    for (const core::Curve2d& curve : shown_.curves) {
         if (curve.id == hovered_ || curve.id == chosenSuspect_) {
-            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().textStrong, heightPx), 2.0 * width, 1.0);
-        } else if (isSuspect) {
-            addDashes(mesh, lineOnCanvas(curve.pointsPx, curveTones().attention, heightPx), width, 7.0 * ratio);
-        } else {
-            addShadowedLine(mesh, lineOnCanvas(curve.pointsPx, curveTones().accent, heightPx), width, 1.0);
+            addShadowed(mesh, canvas, lineOn(canvas, curve.pointsPx, curveTones().textStrong),
+                        2.0 * curveWidth * canvas.pixelRatio, 1.0);
         }
     }
     if (hovered_ >= 0 && edit_ == CurveEdit::Cut) {
-        addDot(mesh, {onCanvas(nearestPoint(curves_, hovered_, mouse_->imagePx), heightPx), curveTones().attention},
-               5.0 * ratio, 1.0);
+        const Eigen::Vector2d cutPx = nearestPoint(curves_, hovered_, mouse_->imagePx);
+        addDot(mesh, {canvas.canvasFromImage * cutPx, curveTones().attention}, 5.0 * canvas.pixelRatio, 1.0);
     }
 }
 
-void EditCurvesTool::addRegion(StrokeMesh& mesh, int heightPx) const
+void EditCurvesTool::addRegion(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    const double ratio = view().devicePixelRatio();
     if (std::vector<Eigen::Vector2d> ring = outline(); isDragging_ && ring.size() > 1) {
         ring.push_back(ring.front());
         const Color& tone = isKeeping_ ? curveTones().textStrong : curveTones().attention;
-        addDashes(mesh, lineOnCanvas(ring, tone, heightPx), 1.4 * ratio, 5.0 * ratio);
+        addShadowedDashes(mesh, canvas, lineOn(canvas, ring, tone), 1.4 * canvas.pixelRatio, 5.0 * canvas.pixelRatio);
     }
 }
 
-void EditCurvesTool::addPath(StrokeMesh& mesh, int heightPx) const
+void EditCurvesTool::addPath(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    const double ratio = view().devicePixelRatio();
-    const double width = curveWidth * ratio;
-    addShadowedLine(mesh, lineOnCanvas(path_.points(), curveTones().textStrong, heightPx), width, 1.0);
-    addDashes(mesh, lineOnCanvas(path_.aimed(), curveTones().textStrong, heightPx), width, 5.0 * ratio);
+    const double width = curveWidth * canvas.pixelRatio;
+    addShadowed(mesh, canvas, lineOn(canvas, path_.points(), curveTones().textStrong), width, 1.0);
+    addShadowedDashes(mesh, canvas, lineOn(canvas, path_.aimed(), curveTones().textStrong), width,
+                      5.0 * canvas.pixelRatio);
     for (const Eigen::Vector2d& anchor : path_.anchors()) {
-        addDot(mesh, {onCanvas(anchor, heightPx), curveTones().textStrong}, 4.0 * ratio, 1.0);
+        addDot(mesh, {canvas.canvasFromImage * anchor, curveTones().textStrong}, 4.0 * canvas.pixelRatio, 1.0);
     }
 }
 
-void EditCurvesTool::addBrush(StrokeMesh& mesh, int heightPx) const
+void EditCurvesTool::addBrush(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    StrokeLine circle;
+    if (!brushes()) {
+        return;
+    }
+    std::vector<Eigen::Vector2d> circle;
     for (int k = 0; k <= 48; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 48;
-        const Eigen::Vector2d onRim = mouse_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-        circle.push_back({onCanvas(onRim, heightPx), curveTones().textStrong});
+        circle.push_back(mouse_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
-    addShadowedLine(mesh, circle, 1.4 * view().devicePixelRatio(), 0.9);
+    addShadowed(mesh, canvas, lineOn(canvas, circle, curveTones().textStrong), 1.4 * canvas.pixelRatio, 0.9);
 }
 
 bool EditCurvesTool::brushes() const

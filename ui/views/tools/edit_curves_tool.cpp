@@ -32,7 +32,8 @@ EditCurvesTool::~EditCurvesTool() = default;
 
 void EditCurvesTool::showCurves(const core::Centerline2d& curves, const std::vector<int>& suspectIds)
 {
-    curves_ = shown_ = curves;
+    curves_ = curves;
+    setShown(curves);
     suspects_ = suspectIds;
     if (std::ranges::find(suspects_, chosenSuspect_) == suspects_.end()) {
         chosenSuspect_ = -1;
@@ -40,6 +41,12 @@ void EditCurvesTool::showCurves(const core::Centerline2d& curves, const std::vec
     hovered_ = -1;
     region_.clear();
     view().update();
+}
+
+void EditCurvesTool::setShown(core::Centerline2d curves)
+{
+    shown_ = std::move(curves);
+    ++shownRevision_;
 }
 
 void EditCurvesTool::setReady(bool ready)
@@ -118,7 +125,7 @@ void EditCurvesTool::report(const core::Centerline2d& curves, const Words& what)
     if (!isSame(curves, curves_)) {
         emit edited(curves, what);
     }
-    shown_ = curves_;   // as the answer to the report left it
+    setShown(curves_);   // as the answer to the report left it
     view().update();
 }
 
@@ -126,9 +133,11 @@ void EditCurvesTool::eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector
 {
     const double radiusPx = brushRadius_ / view().zoom();
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (0.5 * radiusPx))));
+    core::Centerline2d left = shown_;
     for (int k = 0; k <= steps; ++k) {
-        shown_ = core::erased(shown_, from + (to - from) * k / steps, radiusPx);
+        left = core::erased(left, from + (to - from) * k / steps, radiusPx);
     }
+    setShown(std::move(left));
 }
 
 bool EditCurvesTool::startDrag(const ToolPoint& pressed)
@@ -154,7 +163,7 @@ void EditCurvesTool::drag(const ToolPoint& point)
         eraseAlong(mouse_ ? mouse_->imagePx : point.imagePx, point.imagePx);
     } else {
         region_.push_back(point.imagePx);
-        shown_ = isKeeping_ ? core::restrictedTo(curves_, outline()) : core::withoutRegion(curves_, outline());
+        setShown(isKeeping_ ? core::restrictedTo(curves_, outline()) : core::withoutRegion(curves_, outline()));
     }
     mouse_ = point;
     view().update();
@@ -180,7 +189,7 @@ void EditCurvesTool::cancelDrag()
 {
     isDragging_ = false;
     region_.clear();
-    shown_ = curves_;
+    setShown(curves_);
 }
 
 bool EditCurvesTool::click(const ToolPoint& point)

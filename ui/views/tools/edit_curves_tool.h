@@ -4,6 +4,7 @@
 #include "core/vessel/centerline2d.h"
 #include "ui/scenes/stroke_mesh.h"
 #include "ui/views/image_tool.h"
+#include "ui/views/tools/curve_strokes.h"
 #include "ui/views/tools/wire_path.h"
 #include "ui/words/spoken.h"
 
@@ -82,15 +83,18 @@ private:
     void suspectKey(const QKeyEvent& event);
     void chooseSuspect(int step);
     void decide(int curveId, bool isVessel);
-    Eigen::Vector2d onCanvas(const Eigen::Vector2d& imagePx, int heightPx) const;
-    StrokeLine lineOnCanvas(const std::vector<Eigen::Vector2d>& points, const Color& tone, int heightPx) const;
-    void addCurves(StrokeMesh& mesh, int heightPx) const;
-    void addRegion(StrokeMesh& mesh, int heightPx) const;
-    void addPath(StrokeMesh& mesh, int heightPx) const;
-    void addBrush(StrokeMesh& mesh, int heightPx) const;
+    void setShown(core::Centerline2d curves);
+    CurveCanvas canvas(int heightPx) const;
+    void addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const;
+    void addPicked(StrokeMesh& mesh, const CurveCanvas& canvas) const;
+    void addRegion(StrokeMesh& mesh, const CurveCanvas& canvas) const;
+    void addPath(StrokeMesh& mesh, const CurveCanvas& canvas) const;
+    void addBrush(StrokeMesh& mesh, const CurveCanvas& canvas) const;
 
     core::Centerline2d curves_;
     core::Centerline2d shown_;   ///< with the drag under way
+    int shownRevision_ = 0;
+    mutable KeptCurveStrokes strokesAtRest_;
     std::vector<int> suspects_;
     int chosenSuspect_ = -1;   ///< by keys; −1: none
     std::shared_ptr<CurveGround> ground_;

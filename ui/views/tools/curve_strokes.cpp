@@ -1,0 +1,107 @@
+#include "ui/views/tools/curve_strokes.h"
+
+#include "ui/theme/theme.h"
+
+#include <algorithm>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr double curveThinningPx = 0.7;
+constexpr double marginPx = 64.0;   ///< beyond the picture: more than any stroke is wide
+constexpr double dashAt100Px = 7.0;
+
+const Palette& tones()
+{
+    return palette(ThemeMode::Dark);
+}
+
+/// The parts that may show.
+std::vector<StrokeLine> onPicture(const CurveCanvas& canvas, const StrokeLine& line)
+{
+    const Eigen::Vector2d margin(marginPx, marginPx);
+    const Eigen::Vector2d size(canvas.widthPx, canvas.heightPx);
+    const bool isWhole = std::ranges::all_of(line, [&](const StrokePoint& point) {
+        return (point.at.array() >= -marginPx).all() && (point.at.array() <= (size + margin).array()).all();
+    });
+    return isWhole ? std::vector<StrokeLine>{line} : clipped(line, -margin, size + margin);
+}
+
+void addStroke(StrokeMesh& mesh, const StrokeLine& line, double widthPx, double opacity)
+{
+    StrokeLine shade = line;
+    for (StrokePoint& point : shade) {
+        point.color = tones().canvas;
+    }
+    addLine(mesh, shade, {widthPx + 2.0, 0.55 * opacity, 1.5});
+    addLine(mesh, line, {widthPx, opacity});
+}
+
+void addFaint(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Curve2d& curve, double widthPx)
+{
+    for (const StrokeLine& part : onPicture(canvas, lineOn(canvas, curve.pointsPx, tones().hint))) {
+        addLine(mesh, part, {widthPx, 0.6});
+    }
+}
+
+}   // namespace
+
+bool CurveCanvas::isSame(const CurveCanvas& other) const
+{
+    return canvasFromImage.matrix() == other.canvasFromImage.matrix() && widthPx == other.widthPx &&
+           heightPx == other.heightPx && pixelRatio == other.pixelRatio;
+}
+
+StrokeLine lineOn(const CurveCanvas& canvas, const std::vector<Eigen::Vector2d>& pointsPx, const Color& tone)
+{
+    StrokeLine line;
+    line.reserve(pointsPx.size());
+    for (const Eigen::Vector2d& point : pointsPx) {
+        line.push_back({canvas.canvasFromImage * point, tone});
+    }
+    return thinned(line, curveThinningPx);
+}
+
+void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx, double opacity)
+{
+    for (const StrokeLine& part : onPicture(canvas, line)) {
+        addStroke(mesh, part, widthPx, opacity);
+    }
+}
+
+void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx,
+                       double dashPx)
+{
+    for (const StrokeLine& part : onPicture(canvas, line)) {
+        for (const StrokeLine& dash : dashed(part, {dashPx, dashPx})) {
+            addStroke(mesh, dash, widthPx, 1.0);
+        }
+    }
+}
+
+void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveLook& look)
+{
+    const double width = look.widthPx * canvas.pixelRatio;
+    for (const core::Curve2d& curve : curves.curves) {
+        if (look.isFaint) {
+            addFaint(mesh, canvas, curve, width);
+        } else if (std::ranges::find(look.inDoubt, curve.id) != look.inDoubt.end()) {
+            addShadowedDashes(mesh, canvas, lineOn(canvas, curve.pointsPx, tones().attention), width,
+                              dashAt100Px * canvas.pixelRatio);
+        } else {
+            addShadowed(mesh, canvas, lineOn(canvas, curve.pointsPx, tones().accent), width, 1.0);
+        }
+    }
+}
+
+const StrokeMesh& KeptCurveStrokes::of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
+                                       const CurveLook& look)
+{
+    if (!kept_ || kept_->revision != revision || !kept_->canvas.isSame(canvas)) {
+        kept_ = Kept{revision, canvas, {}};
+        addCurves(kept_->mesh, canvas, curves, look);
+    }
+    return kept_->mesh;
+}
+
+}   // namespace angiopose::ui
