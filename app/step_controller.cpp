@@ -4,6 +4,8 @@
 #include "ui/main_window.h"
 #include "ui/words/message_text.h"
 
+#include <QTimer>
+
 namespace angiopose::app {
 
 StepController::StepController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
@@ -42,7 +44,8 @@ void StepController::goTo(ui::Step step)
         on_.window.actions()[ui::Command::Open]->trigger();
     } else {
         emit wentTo(step);
-        on_.window.focusStep(step);
+        QTimer::singleShot(0, &on_.window,   // by then the layout is there: two short answers, not one long
+                           [this, step] { on_.window.focusStep(step); });
     }
 }
 

@@ -49,10 +49,10 @@ ColumnLayout MainWindow::columns() const
 
 void MainWindow::setColumns(const ColumnLayout& layout)
 {
+    leftColumn_->setOpenWidth(layout.leftWidth);   // first: a column that unfolds is laid out once, as wide as it stays
+    rightColumn_->setOpenWidth(layout.rightWidth);
     leftColumn_->setFolded(layout.isLeftFolded);
     rightColumn_->setFolded(layout.isRightFolded);
-    leftColumn_->setOpenWidth(layout.leftWidth);
-    rightColumn_->setOpenWidth(layout.rightWidth);
     const int left = layout.isLeftFolded ? leftColumn_->minimumWidth() : layout.leftWidth;
     const int right = layout.isRightFolded ? rightColumn_->minimumWidth() : layout.rightWidth;
     columns_->setSizes({left, std::max(1, width() - left - right - 2 * columnBorderWidth), right});
