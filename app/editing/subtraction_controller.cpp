@@ -164,10 +164,15 @@ void SubtractionController::publish()
 {
     const Outcome outcome = takeResult(run_);
     const Wish done = *std::exchange(computing_, std::nullopt);
-    if (outcome) {
+    const auto& stored = core::storedRunOf(document_.current().shown());
+    if (outcome && done.stored == stored) {   // a run that was left meanwhile is let go
         made_.remember(done.stored, done.treatment, outcome.value());
     }
+    if (wish_ && wish_->stored != stored) {
+        wish_.reset();
+    }
     if (!wish_) {
+        showState();
         return;
     }
     if (!(wish_->stored == done.stored && wish_->treatment == done.treatment)) {
@@ -177,7 +182,7 @@ void SubtractionController::publish()
     wish_.reset();
     if (!outcome) {
         notices_.showNote(ui::messageText(outcome.error().message));
-    } else if (core::storedRunOf(document_.current().shown()) == done.stored) {
+    } else {
         take(done, outcome.value());
     }
     showState();

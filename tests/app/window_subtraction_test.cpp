@@ -216,5 +216,15 @@ TEST_F(WindowSubtraction, ThePlotShowsFramesAndChoosesThem)
     open.front()->close();
 }
 
+TEST_F(WindowSubtraction, ARunThatIsLeftWhileItIsSubtractedIsLetGo)
+{
+    w.press(Qt::Key_B);
+    ASSERT_TRUE(w.controller.angiogram().subtraction().isComputing());
+    const std::weak_ptr<const core::Angiogram> run = std::exchange(stored, nullptr);
+    w.controller.document().replace({}, {});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return run.expired(); }, test::patienceMs)) << run.use_count();
+    EXPECT_FALSE(w.controller.angiogram().subtraction().isComputing());
+}
+
 }   // namespace
 }   // namespace angiopose::app

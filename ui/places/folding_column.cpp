@@ -41,12 +41,13 @@ void FoldingColumn::setFolded(bool folded)
     const QWidget* had = QApplication::focusWidget();
     const bool hadFocus = had && (isAncestorOf(had) || had == button_);
     isFolded_ = folded;
-    place();
+    placeRail();
+    emit foldedChanged(folded);
+    showContent();
     if (hadFocus) {   // the keys stay at what was folded, or unfolded
         QWidget* next = folded ? rail_ : button_;
         next->setFocus(Qt::OtherFocusReason);
     }
-    emit foldedChanged(folded);
 }
 
 void FoldingColumn::holdOpen(bool hold)
@@ -59,8 +60,27 @@ void FoldingColumn::holdOpen(bool hold)
 
 void FoldingColumn::place()
 {
-    const bool isRail = isFolded_ && !isHeldOpen_;
-    content_->setVisible(!isRail);
+    placeRail();
+    showContent();
+}
+
+void FoldingColumn::showContent()
+{
+    content_->setVisible(!isRail());
+}
+
+bool FoldingColumn::isRail() const
+{
+    return isFolded_ && !isHeldOpen_;
+}
+
+/// Before the content comes and after it went: it is laid out once, for the width that it keeps.
+void FoldingColumn::placeRail()
+{
+    const bool isRail = this->isRail();
+    if (isRail) {
+        content_->hide();
+    }
     rail_->setVisible(isRail);
     const int railWidth = rail_->sizeHint().width();
     setMinimumWidth(isRail ? railWidth : 0);

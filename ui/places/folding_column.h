@@ -33,6 +33,9 @@ protected:
 
 private:
     void place();
+    void placeRail();
+    void showContent();
+    bool isRail() const;
 
     ColumnSide side_;
     QWidget* content_;
