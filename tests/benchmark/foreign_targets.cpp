@@ -276,6 +276,59 @@ std::vector<Pixels> noVessels(ForeignScene scene, ForeignRandom& random)
     return found;
 }
 
+/// Where the filled vessels run and how wide the image shows them.
+struct WideLine {
+    Pixels at;
+    std::vector<double> radiusPx;
+
+    /// Of the vessel at a pixel; nothing beside the vessels.
+    double widthAt(const Eigen::Vector2d& pixel) const
+    {
+        double nearest = 25.0;   // px²
+        double radius = 0.0;
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            if (const double squared = (at[i] - pixel).squaredNorm(); squared < nearest) {
+                nearest = squared;
+                radius = radiusPx[i];
+            }
+        }
+        return radius;
+    }
+};
+
+WideLine wideLines(const RootedTree& shown, const std::vector<std::size_t>& filled, const core::RigidTransform& view)
+{
+    WideLine lines;
+    for (const std::size_t branch : filled) {
+        const core::VesselBranch& vessel = shown.tree.branches[branch];
+        for (std::size_t i = 0; i < vessel.radiusMm.size(); ++i) {
+            const Eigen::Vector3d inCamera = view * vessel.pointsInPatient[i];
+            lines.at.push_back(pixelOf(inCamera));
+            lines.radiusPx.push_back(vessel.radiusMm[i] * sourceToDetectorMm / inCamera.z() / pixelMm);
+        }
+    }
+    return lines;
+}
+
+/// Widths as a tracer tells them: all of them too wide or too narrow by some share, each by another that neighbours
+/// have in common, none below a pixel and a half.
+void addWidths(core::Centerline2d& target, const WideLine& lines, ForeignRandom random)
+{
+    constexpr double narrowestPx = 0.75;
+    constexpr double keptAlong = 0.91;
+    const double bias = std::exp(0.12 * random.normal());
+    for (core::Curve2d& curve : target.curves) {
+        const double foreignPx = random.uniform(1.0, 5.0);
+        double wander = random.normal();
+        for (const Eigen::Vector2d& pixel : curve.pointsPx) {
+            wander = keptAlong * wander + std::sqrt(1.0 - keptAlong * keptAlong) * random.normal();
+            const double ownPx = lines.widthAt(pixel);
+            const double trueness = bias * std::exp(0.2 * wander);
+            curve.radiusPx.push_back(std::max(narrowestPx, trueness * (ownPx > 0.0 ? ownPx : foreignPx)));
+        }
+    }
+}
+
 /// The gantry turned about the isocentre; `degrees` to the side.
 core::RigidTransform turnedGantry(double degrees)
 {
@@ -317,6 +370,10 @@ ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tr
     result.input.camera = camera();
     result.input.target = handedOver(std::move(curves), scene, random);
     result.input.initialCameraFromPatient = displacedStart(result.truth, centroid, random);
+    const bool isPoints = scene == ForeignScene::ShuffledPoints || scene == ForeignScene::SkeletonPixels;
+    if (!isPoints && scene < ForeignScene::Scribbles) {
+        addWidths(result.input.target, wideLines(shown, filled, view), ForeignRandom(104'729 * trial + 307 * tree + 5));
+    }
     return result;
 }
 

@@ -166,6 +166,17 @@ core::RigidTransform before(const core::RigidTransform& pose, const Eigen::Vecto
     return {rotation, pose * centroid + shift - rotation * centroid};
 }
 
+/// A wire or a catheter is as wide everywhere, as a tracer tells it.
+void addDeviceWidth(core::Curve2d& curve, ForeignRandom random)
+{
+    const double devicePx = random.uniform(0.18, 1.35) * 6000.0 / 740.0;   // 0.014 inch to 8 French
+    double wander = random.normal();
+    for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
+        wander = 0.91 * wander + 0.41 * random.normal();
+        curve.radiusPx.push_back(std::max(0.75, devicePx * std::exp(0.15 * wander)));
+    }
+}
+
 WireCase imaged(const RootedTree& tree, const Way& way, const Points& wire, ForeignRandom& random)
 {
     WireCase made;
@@ -190,6 +201,7 @@ WireCase imaged(const RootedTree& tree, const Way& way, const Points& wire, Fore
     if (random.uniform() < 0.5) {
         std::ranges::reverse(curve.pointsPx);
     }
+    addDeviceWidth(curve, ForeignRandom(7'000'003 + curve.pointsPx.size()));
     made.offAxisMm = std::sqrt(squares / std::max<double>(1.0, static_cast<double>(curve.pointsPx.size())));
     made.input.target.curves.push_back(std::move(curve));
     return made;

@@ -4,6 +4,7 @@
 #include "core/registration/alignment/branch_pieces.h"
 #include "core/registration/judging/followed_vessels.h"
 #include "core/registration/judging/pose_shift.h"
+#include "core/registration/judging/seen_calibre.h"
 
 #include <algorithm>
 
@@ -65,6 +66,7 @@ FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, c
     }
     signs.isFilledInParts = std::ranges::count(solution.isFilled, std::uint8_t{1}) > 0;
     signs.filledForks = solution.filledForks;
+    signs.isLumen = isLumen(seenCalibre(seen.problem, seen.target, pose, seen.projected));
     signs.isSinglePath = followed.branchesFollowed <= mostOfPath && isSinglePath(seen);
     return signs;
 }

@@ -57,10 +57,11 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
             reasons.push_back(littleAgreement(signs.treeShare, coverage));
         }
     }
-    if (signs.isFilledInParts && (signs.agreement < minFilledAgreement || signs.filledForks < leastFilledForks)) {
+    const bool forksTooLittle = signs.filledForks < leastFilledForks && !signs.isLumen;
+    if (signs.isFilledInParts && (signs.agreement < minFilledAgreement || forksTooLittle)) {
         reasons.push_back(says::trustFilledDoubtful());
     }
-    if (signs.isSinglePath) {
+    if (signs.isSinglePath && !signs.isLumen) {
         reasons.push_back(says::trustSinglePath());
     }
     if (signs.settlingMm > maxSettlingMm) {

@@ -134,6 +134,7 @@ struct FitSigns {
     bool isFilledInParts = false;
     int filledForks = 0;   ///< places where three filled pieces or more meet; of a tree filled in parts
     bool isSinglePath = false;   ///< nowhere do three pieces meet that lie on vessels
+    bool isLumen = false;   ///< by their widths these are filled vessels, no wire or catheter; false: or not known
 };
 
 /// Who had a result found, when, by which program and with what.
