@@ -5,6 +5,8 @@
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
 
+#include <utility>
+
 namespace angiopose::core {
 namespace {
 
@@ -23,6 +25,14 @@ FrameTracker::FrameTracker(RegistrationProblem first, const RegistrationOptions&
       motion_(aboutCentroid(problem_.start, problem_.tree.centroid), problem_.tree.spreadMm, noise),
       points_(alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), usedTrackingPoints)))
 {
+}
+
+/// Poses go on being told about the same point.
+void FrameTracker::followAsBent(RegistrationProblem bent)
+{
+    bent.tree.centroid = problem_.tree.centroid;
+    problem_ = std::move(bent);
+    points_ = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), usedTrackingPoints));
 }
 
 double FrameTracker::medianScore() const

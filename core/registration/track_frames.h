@@ -30,6 +30,9 @@ public:
     /// frame whose search it stopped has been looked at in part only.
     Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
+    /// The vessels have changed their shape: `bent` is the problem of the same branches as they are now.
+    void followAsBent(RegistrationProblem bent);
+
 private:
     bool isFit(double score) const;
     double medianScore() const;

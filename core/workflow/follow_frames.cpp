@@ -1,8 +1,12 @@
 #include "core/workflow/follow_frames.h"
 
+#include "core/case/known_bend.h"
 #include "core/messages/says.h"
+#include "core/registration/deformable/smooth_bends.h"
+#include "core/registration/follow_run.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::core {
 namespace {
@@ -24,8 +28,8 @@ Status checkCase(const Case& theCase)
 /// Walks away from the first frame in one direction.
 class Walk {
 public:
-    Walk(const Case& theCase, RegistrationProblem problem)
-        : case_(theCase), tracker_(std::move(problem), theCase.options), last_(theCase.shown().cameraFromPatient)
+    Walk(const Case& theCase, RunFollower follower)
+        : case_(theCase), follower_(std::move(follower)), last_(theCase.shown().cameraFromPatient)
     {
     }
 
@@ -36,21 +40,29 @@ public:
         followed.tracked.cameraFromPatient = last_;
         case_.shown().frame = frame;
         const auto target = targetOf(case_.shown());
-        const auto tracked = target ? tracker_.next(target.value(), observe) : Result<TrackedFrame>(target.error());
-        if (tracked) {
-            followed.tracked = tracked.value();
+        const auto found = target ? follower_.next(target.value(), observe) : Result<TrackedVessels>(target.error());
+        if (found) {
+            followed.tracked = found.value().tracked;
+            followed.bent = found.value().bent;
             last_ = followed.tracked.cameraFromPatient;
         } else {
-            followed.problem = tracked.error().message;
+            followed.problem = found.error().message;
         }
         return followed;
     }
 
 private:
     Case case_;
-    FrameTracker tracker_;
+    RunFollower follower_;
     RigidTransform last_;
 };
+
+/// Of one view: of several it is known in space, and one run does not tell how that goes on.
+std::shared_ptr<const DeformableResult> bendToFollow(const Case& theCase)
+{
+    const auto bent = knownBend(theCase.shown(), theCase.vessels, theCase.shown().cameraFromPatient);
+    return bent && bent->viewPoses.size() == 1 ? bent : nullptr;
+}
 
 FollowedFrame givenFrame(const Case& theCase)
 {
@@ -59,7 +71,22 @@ FollowedFrame givenFrame(const Case& theCase)
     given.tracked.cameraFromPatient = theCase.shown().cameraFromPatient;
     given.tracked.isTrustworthy = true;
     given.tracked.score = 1.0;
+    given.bent = bendToFollow(theCase);
     return given;
+}
+
+/// Each frame was bent by itself; in time they belong together.
+void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
+{
+    std::vector<BendInTime> bends;
+    for (const FollowedFrame& each : frames) {
+        if (each.bent) {
+            bends.push_back({each.frame, each.tracked.cameraFromPatient, each.bent});
+        }
+    }
+    for (const BendInTime& smooth : smoothInTime(tree, bends)) {
+        std::ranges::find(frames, smooth.frame, &FollowedFrame::frame)->bent = smooth.bent;
+    }
 }
 
 }   // namespace
@@ -77,16 +104,16 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
     if (!input) {
         return input.error();
     }
-    const auto problem = makeProblem(input.value(), theCase.options);
-    if (!problem) {
-        return problem.error();
+    const auto follower = RunFollower::from(input.value(), bendToFollow(theCase), theCase.options);
+    if (!follower) {
+        return follower.error();
     }
     const int count = theCase.shown().angiogram->frameCount();
     std::vector<FollowedFrame> frames{givenFrame(theCase)};
     Course course(observe);
     course.enter(0.0, 1.0, theCase.shownView);
     for (const int direction : {1, -1}) {
-        Walk walk(theCase, problem.value());
+        Walk walk(theCase, follower.value());
         for (int frame = theCase.shown().frame + direction; frame >= 0 && frame < count && !course.isStopped();
              frame += direction) {
             const double done = static_cast<double>(frames.size()) / count;
@@ -99,6 +126,9 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
         }
     }
     std::ranges::sort(frames, {}, &FollowedFrame::frame);
+    if (theCase.vessels.tree) {
+        smoothBends(*theCase.vessels.tree, frames);
+    }
     return frames;
 }
 

@@ -4,6 +4,7 @@
 #include "core/registration/track_frames.h"
 #include "core/workflow/observer.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -14,10 +15,13 @@ struct FollowedFrame {
     int frame = 0;
     TrackedFrame tracked;   ///< without a traced vessel: the pose of the frame before, not trustworthy
     std::optional<Message> problem;   ///< why nothing was traced
+    /// How the vessels are bent there, beside that pose; null where they are not, or were not found bent before.
+    std::shared_ptr<const DeformableResult> bent{};
 };
 
 /// Follows the vessels from the case's frame and pose to the end of the run, then back to its beginning
-/// (ALGORITHMS §6.11); frames in order, a stopped run only as far as it came. Fails where the case is not ready, where
+/// (ALGORITHMS §6.11); frames in order, a stopped run only as far as it came. Vessels that are known to be bent in the
+/// case's frame are followed bent, and smoothed in time (§11.7). Fails where the case is not ready, where
 /// its frame's target is given rather than traced, or where the gantry turns during the run.
 Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkObserver& observe = {});
 

@@ -94,15 +94,16 @@ std::vector<Eigen::Vector2d> projected(const core::VesselBranch& branch, const B
     return inside;
 }
 
-core::Centerline2d targetOf(const BentCase& bentCase, const BentView& view, core::CounterRandom& random)
+core::Centerline2d targetOf(const core::VesselTree& bent, const std::vector<bool>& isMissing, const BentView& view,
+                            core::CounterRandom& random)
 {
     std::vector<std::vector<Eigen::Vector2d>> pieces;
-    for (std::size_t b = 0; b < bentCase.bent.branches.size(); ++b) {
-        if (!bentCase.isMissing[b]) {
-            addPieces(jittered(projected(bentCase.bent.branches[b], view), random), random, pieces);
+    for (std::size_t b = 0; b < bent.branches.size(); ++b) {
+        if (!isMissing[b]) {
+            addPieces(jittered(projected(bent.branches[b], view), random), random, pieces);
         }
     }
-    const auto foreign = static_cast<int>(foreignShare * static_cast<double>(bentCase.tree.branches.size()));
+    const auto foreign = static_cast<int>(foreignShare * static_cast<double>(bent.branches.size()));
     for (int k = 0; k < foreign; ++k) {
         addPieces(jittered(foreignCurve(view.camera, random), random), random, pieces);
     }
@@ -165,10 +166,33 @@ BentCase makeBentCase(const core::VesselTree& tree, const TrueMotion& motion, co
         view.camera = {-3800.0, 3800.0, 511.5, 511.5, 1024, 1024};
         view.truth = viewOf(primaryDeg + turnDeg, secondaryDeg, random);
         view.nominal = view.truth * patientError;
-        view.target = targetOf(made, view, random);
+        view.target = targetOf(made.bent, made.isMissing, view, random);
         made.views.push_back(std::move(view));
     }
     return made;
+}
+
+std::vector<BentFrame> makeBentRun(const BentCase& first, const TrueMotion& motion, double breathMm,
+                                   double framesPerBreath, std::size_t frames, core::CounterRandom random)
+{
+    const core::VesselTree other = bentBy(first.tree, motion, random.fork(2));
+    std::vector<BentFrame> run;
+    for (std::size_t t = 0; t < frames; ++t) {
+        const double phase = 2.0 * std::numbers::pi * static_cast<double>(t) / framesPerBreath;
+        BentFrame frame{first.tree, first.views.front()};
+        for (std::size_t b = 0; b < frame.bent.branches.size(); ++b) {
+            for (std::size_t i = 0; i < frame.bent.branches[b].pointsInPatient.size(); ++i) {
+                const Eigen::Vector3d& still = first.tree.branches[b].pointsInPatient[i];
+                frame.bent.branches[b].pointsInPatient[i] +=
+                    std::cos(phase) * (first.bent.branches[b].pointsInPatient[i] - still) +
+                    0.5 * std::sin(phase) * (other.branches[b].pointsInPatient[i] - still);
+            }
+        }
+        frame.view.truth.translation.y() += 0.5 * breathMm * (1.0 - std::cos(phase));
+        frame.view.target = targetOf(frame.bent, first.isMissing, frame.view, random);
+        run.push_back(std::move(frame));
+    }
+    return run;
 }
 
 }   // namespace angiopose::benchmarks

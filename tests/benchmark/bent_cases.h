@@ -34,4 +34,15 @@ core::VesselTree centred(core::VesselTree tree);
 BentCase makeBentCase(const core::VesselTree& tree, const TrueMotion& motion, const std::vector<double>& turnsDeg,
                       core::CounterRandom random);
 
+/// One frame of a run: how the vessels are bent and lie there, and what is seen of them.
+struct BentFrame {
+    core::VesselTree bent;
+    BentView view;
+};
+
+/// A run in which breath moves the vessels of a case up and down by `breathMm` and bends them to and fro: by the
+/// motion, and by another one of half its size that comes a quarter of a period later. Frame 0 is the first.
+std::vector<BentFrame> makeBentRun(const BentCase& first, const TrueMotion& motion, double breathMm,
+                                   double framesPerBreath, std::size_t frames, core::CounterRandom random);
+
 }   // namespace angiopose::benchmarks

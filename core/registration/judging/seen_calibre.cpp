@@ -80,8 +80,7 @@ SeenCalibre seenCalibre(const RegistrationProblem& problem, const TargetLines& t
         return {};
     }
     return {pairs.size(), middle(pairs, [](const WidthPair& pair) { return pair.seenMm; }),
-            middle(pairs, [](const WidthPair& pair) { return pair.seenMm / pair.expectedMm; }),
-            correlationOf(pairs)};
+            middle(pairs, [](const WidthPair& pair) { return pair.seenMm / pair.expectedMm; }), correlationOf(pairs)};
 }
 
 bool isLumen(const SeenCalibre& calibre)

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/registration/deformable/bend_fit.h"
+#include "core/registration/deformable/deform_vessels.h"
+
+#include <span>
+
+namespace angiopose::core {
+
+/// What the fit of these views starts from; fails where views or options cannot be used.
+Result<BendProblem> makeBendProblem(std::span<const DeformableView> views, const DeformableOptions& options);
+
+/// The same tree in another image, or from another rigid pose: knots and kernel stay. As it was where that fails.
+Status lookElsewhere(BendProblem& problem, const DeformableView& view, const DeformableOptions& options);
+
+}   // namespace angiopose::core
