@@ -7,7 +7,8 @@ namespace angiopose::io {
 
 core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const std::string& path)
 {
-    std::string table = "frame,trustworthy,searched,score,r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz\n";
+    std::string table =
+        "frame,trustworthy,searched,score,r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz,bentMeanMm,bentLargestMm\n";
     for (const core::FollowedFrame& frame : frames) {
         const core::TrackedFrame& tracked = frame.tracked;
         table += std::to_string(frame.frame) + (tracked.isTrustworthy ? ",1" : ",0") +
@@ -18,6 +19,7 @@ core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const s
                 table += "," + toText(matrix(row, column));
             }
         }
+        table += frame.bent ? "," + toText(frame.bent->meanMotionMm) + "," + toText(frame.bent->largestMotionMm) : ",,";
         table += "\n";
     }
     return writeAtomically(path, table);

@@ -61,6 +61,8 @@ void addTrack(CLI::App& app, int& exitCode)
     command->add_option("--output", arguments->outputPath, "Table of poses to write, .csv")->required();
     command->add_flag("--keep-pose", arguments->keepPose,
                       "Follow from the pose of the case (default: its frame is registered first)");
+    command->add_option("--bent", arguments->bentFolder,
+                        "Folder for the vessels as they are bent in each frame (frame0.vtp, …), where they are");
     command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
     command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });
 }

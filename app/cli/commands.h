@@ -32,6 +32,7 @@ int runRegister(const RegisterArguments& arguments);
 struct TrackArguments {
     std::string casePath;
     std::string outputPath;   ///< table of poses
+    std::string bentFolder;   ///< of a tree for every frame in which vessels are bent; empty: none
     bool keepPose = false;   ///< follow from the case's pose instead of registering its frame first
 };
 int runTrack(const TrackArguments& arguments);

@@ -39,7 +39,8 @@ core::Result<core::Case> registered(core::Case theCase)
     return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
 }
 
-core::Status followInto(MoviePlan& plan, const core::Case& theCase)
+/// Poses into the plan, how the vessels are bent at them into the case.
+core::Status followInto(MoviePlan& plan, core::Case& theCase)
 {
     ProgressLine progress("following");
     auto followed = core::followFrames(theCase, progress.observer());
@@ -47,6 +48,7 @@ core::Status followInto(MoviePlan& plan, const core::Case& theCase)
         return followed.error();
     }
     plan.followed = std::move(followed).value();
+    theCase.shown().followedBends = core::bendsOf(plan.followed);
     return core::Done{};
 }
 
@@ -78,7 +80,7 @@ int runMovie(const MovieArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
-    const core::Case& theCase = loaded.value();
+    core::Case theCase = std::move(loaded).value();
     MoviePlan plan = planOf(arguments, theCase);
     if (arguments.isFollowed && arguments.content == MovieContent::Run) {
         if (const auto followed = followInto(plan, theCase); !followed) {

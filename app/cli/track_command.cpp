@@ -1,12 +1,17 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
+#include "app/messages/says.h"
 #include "app/texts/number_text.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/workflow/follow_frames.h"
 #include "io/pose_table.h"
+#include "io/vessel_tree_file.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <string>
 
 namespace angiopose::app {
 namespace {
@@ -24,8 +29,41 @@ void printFrames(const std::vector<core::FollowedFrame>& frames)
                               : !frame.tracked.isTrustworthy ? "not explained"
                               : frame.tracked.searched       ? "found again"
                                                              : "followed";
-        std::printf("frame %-6d agreement %s  %s\n", frame.frame, fixedText(frame.tracked.score, 2).c_str(), verdict);
+        std::printf("frame %-6d agreement %s  %s%s\n", frame.frame, fixedText(frame.tracked.score, 2).c_str(), verdict,
+                    frame.bent ? (", bent by up to " + fixedText(frame.bent->largestMotionMm, 1) + " mm").c_str() : "");
     }
+}
+
+void printPeriod(const char* whose, const std::optional<core::PeriodicMotion>& motion)
+{
+    if (motion) {
+        std::printf("%s every %s s, %s mm to and fro\n", whose, fixedText(motion->periodS, 2).c_str(),
+                    fixedText(2.0 * motion->amplitudeMm, 1).c_str());
+    }
+}
+
+/// The vessels as they lie in each frame, in patient axes at its pose.
+core::Status writeBentTrees(const core::Case& theCase, const std::vector<core::FollowedFrame>& frames,
+                            const std::string& folder)
+{
+    std::error_code failure;
+    std::filesystem::create_directories(folder, failure);
+    if (failure) {
+        return core::Error(says::folderNotMade(folder, failure.message()));
+    }
+    for (const core::FollowedFrame& frame : frames) {
+        if (!frame.bent) {
+            continue;
+        }
+        const core::VesselTree bent =
+            core::bentTreeAt(*theCase.vessels.tree, *frame.bent, frame.tracked.cameraFromPatient);
+        const std::string path =
+            (std::filesystem::path(folder) / ("frame" + std::to_string(frame.frame) + ".vtp")).string();
+        if (auto written = io::writeVesselTree(bent, path); !written) {
+            return written;
+        }
+    }
+    return core::Done{};
 }
 
 }   // namespace
@@ -51,7 +89,15 @@ int runTrack(const TrackArguments& arguments)
     if (const auto status = io::writePoseTable(frames.value(), arguments.outputPath); !status) {
         return failInput(status.error());
     }
+    if (!arguments.bentFolder.empty()) {
+        if (const auto status = writeBentTrees(theCase, frames.value(), arguments.bentFolder); !status) {
+            return failInput(status.error());
+        }
+    }
     printFrames(frames.value());
+    const core::RunPeriods periods = core::periodsOf(theCase, frames.value());
+    printPeriod("breath", periods.breath);
+    printPeriod("heartbeat", periods.heart);
     if (isInterrupted()) {
         return exitStopped;
     }

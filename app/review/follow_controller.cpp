@@ -18,6 +18,23 @@ bool isFollowedPose(const core::RigidTransform& a, const core::RigidTransform& b
     return a.matrix() == b.matrix();
 }
 
+/// " · breath every 3.7 s, 8.2 mm to and fro", or nothing.
+QString periodWords(const core::RunPeriods& periods)
+{
+    const auto words = [](const QString& sentence, const core::PeriodicMotion& motion) {
+        return QStringLiteral(" · ") +
+               sentence.arg(ui::numberText(motion.periodS, 1), ui::numberText(2.0 * motion.amplitudeMm, 1));
+    };
+    QString text;
+    if (periods.breath) {
+        text += words(FollowController::tr("breath every %1 s, %2 mm to and fro"), *periods.breath);
+    }
+    if (periods.heart) {
+        text += words(FollowController::tr("heartbeat every %1 s, %2 mm to and fro"), *periods.heart);
+    }
+    return text;
+}
+
 }   // namespace
 
 FollowController::FollowController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
@@ -79,13 +96,15 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
         on_.notices.showNote(tr("The vessels were moved meanwhile: follow them again."));
         return;
     }
+    on_.document.keepFollowed(core::bendsOf(frames_));
     showMotion();
     const auto lost = std::ranges::count_if(frames_, [](const auto& each) { return !each.tracked.isTrustworthy; });
     const auto count = static_cast<int>(frames_.size());
-    on_.notices.showNote(
+    const QString followed =
         lost == 0
             ? tr("Followed through %1 frames: scroll or play them").arg(count)
-            : tr("Followed through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost));
+            : tr("Followed through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost);
+    on_.notices.showNote(followed + periodWords(core::periodsOf(startedFrom_, frames_)));
 }
 
 std::optional<core::RigidTransform> FollowController::poseOf(int frame) const
@@ -152,6 +171,7 @@ void FollowController::showMotion()
 void FollowController::forget()
 {
     frames_.clear();
+    on_.document.keepFollowed(nullptr);
     on_.preview.end(PreviewOf::Frame);
     startedFrom_ = {};   // a run is large
     showMotion();

@@ -55,7 +55,8 @@ DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, 
         core::VesselTree bent = core::bentTreeAt(*vessels.tree, *drawn.known, pose);
         drawn.motion = motionMap(*vessels.tree, bent, pose, drawn.known->viewPoses.size());
         drawn.shape = wanted;
-        if (!core::resultOfShownFrame(view)) {
+        const bool isOfResult = view.result && view.result->bent == drawn.known;
+        if (isOfResult && !core::resultOfShownFrame(view)) {
             drawn.otherFrame = view.result->provenance.frame;
         }
         if (wanted == VesselShape::Bent) {

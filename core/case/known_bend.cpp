@@ -4,9 +4,33 @@
 
 namespace angiopose::core {
 
+namespace {
+
+std::shared_ptr<const DeformableResult> followedBend(const View& view, const VesselTree& tree,
+                                                     const RigidTransform& pose)
+{
+    if (!view.followedBends) {
+        return nullptr;
+    }
+    for (const auto& [there, bent] : *view.followedBends) {
+        if (there.matrix() == pose.matrix() && isOf(tree, *bent)) {
+            return bent;
+        }
+    }
+    return nullptr;
+}
+
+}   // namespace
+
 std::shared_ptr<const DeformableResult> knownBend(const View& view, const Vessels& vessels, const RigidTransform& pose)
 {
-    if (!view.result || !view.result->bent || !vessels.tree) {
+    if (!vessels.tree) {
+        return nullptr;
+    }
+    if (auto followed = followedBend(view, *vessels.tree, pose)) {
+        return followed;
+    }
+    if (!view.result || !view.result->bent) {
         return nullptr;
     }
     const DeformableResult& bent = *view.result->bent;

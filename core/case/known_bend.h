@@ -7,8 +7,8 @@
 
 namespace angiopose::core {
 
-/// What bending found for a view and holds where its vessels are seen at `pose`: that is the pose from which it was
-/// found, it is of this tree, and there is something to see. Else null.
+/// What bending found for a view, or following its run for one of the frames, and holds where its vessels are seen at
+/// `pose`: that is the pose from which it was found, it is of this tree, and there is something to see. Else null.
 std::shared_ptr<const DeformableResult> knownBend(const View& view, const Vessels& vessels, const RigidTransform& pose);
 
 }   // namespace angiopose::core

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/case/followed_bends.h"
 #include "core/case/input_file.h"
 #include "core/geometry/camera_spread.h"
 #include "core/geometry/image_annotation.h"
@@ -59,6 +60,7 @@ struct View {
     std::vector<Sighting> sightings;   ///< of check points of the vessels, one for each of them and frame
     std::vector<ImageAnnotation> annotations;   ///< arrows and words on its frames
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
+    std::shared_ptr<const FollowedBends> followedBends;   ///< of its run's frames; not stored, null: not followed bent
     std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 
     std::string extraKeys;   ///< JSON object with the keys of the file about this view that this version does not know

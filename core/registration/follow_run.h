@@ -15,7 +15,7 @@ struct TrackedVessels {
 };
 
 /// Follows vessels, bent or not, from frame to frame of one view. Bent ones move on as they were bent in the
-/// frame before; beside that motion the bend of every frame is found from there (ALGORITHMS §11.7).
+/// frame before; beside that motion the bend of every frame is found from there (ALGORITHMS §11.6).
 class RunFollower {
 public:
     /// `input` with the pose of the frame before the first one followed as its start, and that frame's target. `bent`:

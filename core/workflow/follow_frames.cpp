@@ -132,4 +132,30 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
     return frames;
 }
 
+std::shared_ptr<const FollowedBends> bendsOf(const std::vector<FollowedFrame>& frames)
+{
+    FollowedBends bends;
+    for (const FollowedFrame& each : frames) {
+        if (each.bent) {
+            bends.emplace_back(each.tracked.cameraFromPatient, each.bent);
+        }
+    }
+    return bends.empty() ? nullptr : std::make_shared<const FollowedBends>(std::move(bends));
+}
+
+RunPeriods periodsOf(const Case& theCase, const std::vector<FollowedFrame>& frames)
+{
+    const auto& run = theCase.shown().angiogram;
+    if (!run || !theCase.vessels.tree || !(run->frameTimeMs > 1.0)) {   // 1 ms and less: not told
+        return {};
+    }
+    std::vector<TimedPose> poses;
+    for (const FollowedFrame& each : frames) {
+        if (each.tracked.isTrustworthy) {
+            poses.push_back({1e-3 * run->frameTimeMs * each.frame, each.tracked.cameraFromPatient});
+        }
+    }
+    return findPeriods(poses, centroidInPatient(*theCase.vessels.tree));
+}
+
 }   // namespace angiopose::core

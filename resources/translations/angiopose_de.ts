@@ -499,6 +499,14 @@
         <translation>Die Gefäße wurden inzwischen bewegt: verfolgen Sie sie erneut.</translation>
     </message>
     <message>
+        <source>breath every %1 s, %2 mm to and fro</source>
+        <translation>Atmung alle %1 s, %2 mm hin und her</translation>
+    </message>
+    <message>
+        <source>heartbeat every %1 s, %2 mm to and fro</source>
+        <translation>Herzschlag alle %1 s, %2 mm hin und her</translation>
+    </message>
+    <message>
         <source>Followed through %1 frames: scroll or play them</source>
         <translation>Durch %1 Bilder verfolgt: blättern oder abspielen</translation>
     </message>

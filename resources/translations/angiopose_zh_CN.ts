@@ -499,6 +499,14 @@
         <translation>血管已被移动：请重新跟踪。</translation>
     </message>
     <message>
+        <source>breath every %1 s, %2 mm to and fro</source>
+        <translation>呼吸周期 %1 秒，往复 %2 毫米</translation>
+    </message>
+    <message>
+        <source>heartbeat every %1 s, %2 mm to and fro</source>
+        <translation>心跳周期 %1 秒，往复 %2 毫米</translation>
+    </message>
+    <message>
         <source>Followed through %1 frames: scroll or play them</source>
         <translation>已跟踪 %1 帧：可滚动或播放</translation>
     </message>

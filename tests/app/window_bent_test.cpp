@@ -55,6 +55,34 @@ TEST(WindowBent, DrawsTheBentVesselsAndComparesByOneKey)
     EXPECT_FALSE(w.history().canUndo()) << "how it is shown is no edit";
 }
 
+TEST(WindowBent, DrawsTheBendThatFollowingFoundForAFrame)
+{
+    BentWindow w;
+    const core::VesselTree& tree = *w.current().vessels.tree;
+    auto ofFrame = std::make_shared<core::DeformableResult>(w.bent());
+    core::RigidTransform pose = w.current().shown().cameraFromPatient;
+    pose.translation.y() += 3.0;
+    ofFrame->cameraFromPatient = pose;
+    for (core::BranchMotion& motion : ofFrame->branches) {
+        for (Eigen::Vector3d& displacement : motion.displacementMm) {
+            displacement *= 0.5;
+        }
+    }
+    w.controller.document().keepFollowed(
+        std::make_shared<const core::FollowedBends>(core::FollowedBends{{pose, ofFrame}}));
+    EXPECT_TRUE(w.isBentDrawn()) << "the frame itself as it was";
+    EXPECT_FALSE(w.history().canUndo()) << "no edit";
+    core::Case atFrame = w.current();
+    atFrame.shown().cameraFromPatient = pose;
+    w.controller.document().replace(atFrame, {});
+    EXPECT_LT(w.farthestFrom(core::bentTreeAt(tree, *ofFrame, pose)), 1e-6);
+    w.press(Qt::Key_Y, Qt::ShiftModifier);
+    EXPECT_TRUE(w.isRigidDrawn());
+    w.press(Qt::Key_Y, Qt::ShiftModifier);
+    w.controller.document().keepFollowed(nullptr);
+    EXPECT_TRUE(w.isRigidDrawn()) << "nothing is known of that pose any more";
+}
+
 TEST(WindowBent, DrawsThemAtNoOtherPose)
 {
     BentWindow w;

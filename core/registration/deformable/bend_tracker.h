@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Follows bent vessels through the frames of a run (ALGORITHMS §11.7): each frame starts from the bend of the one
+/// Follows bent vessels through the frames of a run (ALGORITHMS §11.6): each frame starts from the bend of the one
 /// before and needs a few steps where a cold start takes three runs. Where little of the tree finds its vessel that
 /// way, the frame is bent from nothing.
 class BendTracker {

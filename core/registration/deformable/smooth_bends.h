@@ -15,7 +15,7 @@ struct BendInTime {
     std::shared_ptr<const DeformableResult> bent;
 };
 
-/// The same bends, smooth in time (ALGORITHMS §11.7): beside the rigid pose of its frame every point of the vessels
+/// The same bends, smooth in time (ALGORITHMS §11.6): beside the rigid pose of its frame every point of the vessels
 /// walks at random from frame to frame, as far as the frames themselves tell, and each frame saw it with its own
 /// covariance (Rauch, Tung and Striebel 1965). Covariances stay those of the single frames: what is off in one of them,
 /// is off in its neighbours likewise.

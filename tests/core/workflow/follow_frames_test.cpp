@@ -1,0 +1,56 @@
+#include "core/workflow/follow_frames.h"
+
+#include "core/case/known_bend.h"
+#include "core/workflow/register_case.h"
+#include "tests/support/simulated_views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+/// A run of vessels that lie bent in all of its frames, traced and registered.
+Case registeredRun(double bentStdMm)
+{
+    DsaOptions dsa;
+    dsa.nonRigidStdMm = bentStdMm;
+    dsa.missingBranchShare = dsa.extraBranchShare = dsa.catheterProbability = dsa.shutterProbability = 0.0;
+    Case values = test::caseOf(simulateCase(5, {}, dsa));
+    values.shown().target.centerline = nullptr;   // traced, frame by frame
+    const auto registered = registerCase(values, {}, {});
+    EXPECT_TRUE(registered);
+    return registered.value().theCase;
+}
+
+TEST(FollowFrames, FollowsBentVesselsBent)
+{
+    Case theCase = registeredRun(3.0);
+    ASSERT_TRUE(knownBend(theCase.shown(), theCase.vessels, theCase.shown().cameraFromPatient));
+    const auto frames = followFrames(theCase);
+    ASSERT_TRUE(frames);
+    const auto bent =
+        std::ranges::count_if(frames.value(), [](const FollowedFrame& each) { return each.bent != nullptr; });
+    const auto shown =
+        std::ranges::count_if(frames.value(), [](const FollowedFrame& each) { return each.tracked.isTrustworthy; });
+    EXPECT_GE(bent, 3);
+    EXPECT_LE(bent, shown) << "frames without contrast tell of no bend";
+    theCase.shown().followedBends = bendsOf(frames.value());
+    for (const FollowedFrame& each : frames.value()) {
+        const auto known = knownBend(theCase.shown(), theCase.vessels, each.tracked.cameraFromPatient);
+        EXPECT_TRUE(!each.bent || known == each.bent) << each.frame;
+    }
+}
+
+TEST(FollowFrames, FindsNoBendWhereNoneIsKnown)
+{
+    Case theCase = registeredRun(0.0);
+    const auto frames = followFrames(theCase);
+    ASSERT_TRUE(frames);
+    EXPECT_TRUE(std::ranges::all_of(frames.value(), [](const FollowedFrame& each) { return !each.bent; }));
+    EXPECT_FALSE(bendsOf(frames.value()));
+}
+
+}   // namespace
+}   // namespace angiopose::core
