@@ -19,7 +19,9 @@ core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const s
                 table += "," + toText(matrix(row, column));
             }
         }
-        table += frame.bent ? "," + toText(frame.bent->meanMotionMm) + "," + toText(frame.bent->largestMotionMm) : ",,";
+        table += frame.bent && !frame.bentAsInFrame
+                     ? "," + toText(frame.bent->meanMotionMm) + "," + toText(frame.bent->largestMotionMm)
+                     : ",,";
         table += "\n";
     }
     return writeAtomically(path, table);

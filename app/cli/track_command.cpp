@@ -30,7 +30,9 @@ void printFrames(const std::vector<core::FollowedFrame>& frames)
                               : frame.tracked.searched       ? "found again"
                                                              : "followed";
         std::printf("frame %-6d agreement %s  %s%s\n", frame.frame, fixedText(frame.tracked.score, 2).c_str(), verdict,
-                    frame.bent ? (", bent by up to " + fixedText(frame.bent->largestMotionMm, 1) + " mm").c_str() : "");
+                    frame.bent && !frame.bentAsInFrame
+                        ? (", bent by up to " + fixedText(frame.bent->largestMotionMm, 1) + " mm").c_str()
+                        : "");
     }
 }
 
@@ -52,7 +54,7 @@ core::Status writeBentTrees(const core::Case& theCase, const std::vector<core::F
         return core::Error(says::folderNotMade(folder, failure.message()));
     }
     for (const core::FollowedFrame& frame : frames) {
-        if (!frame.bent) {
+        if (!frame.bent || frame.bentAsInFrame) {
             continue;
         }
         const core::VesselTree bent =

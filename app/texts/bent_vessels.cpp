@@ -34,6 +34,18 @@ MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& bent,
     return map;
 }
 
+/// Of the run in which a bend was found, where the one that is shown is another.
+std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransform& pose,
+                                const core::DeformableResult& bent)
+{
+    const core::FollowedBend* followed = view.followedBends ? core::bendAt(*view.followedBends, pose) : nullptr;
+    if (followed && followed->bent.get() == &bent) {
+        return followed->foundInFrame;
+    }
+    const bool isElsewhere = view.result && view.result->bent.get() == &bent && !core::resultOfShownFrame(view);
+    return isElsewhere ? view.result->provenance.frame : std::nullopt;
+}
+
 }   // namespace
 
 std::shared_ptr<const core::DeformableResult> drawableBend(const core::View& view, const core::Vessels& vessels,
@@ -55,10 +67,7 @@ DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, 
         core::VesselTree bent = core::bentTreeAt(*vessels.tree, *drawn.known, pose);
         drawn.motion = motionMap(*vessels.tree, bent, pose, drawn.known->viewPoses.size());
         drawn.shape = wanted;
-        const bool isOfResult = view.result && view.result->bent == drawn.known;
-        if (isOfResult && !core::resultOfShownFrame(view)) {
-            drawn.otherFrame = view.result->provenance.frame;
-        }
+        drawn.otherFrame = otherFrameOf(view, pose, *drawn.known);
         if (wanted == VesselShape::Bent) {
             drawn.tree = std::move(bent);
         }

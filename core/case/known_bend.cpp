@@ -9,15 +9,8 @@ namespace {
 std::shared_ptr<const DeformableResult> followedBend(const View& view, const VesselTree& tree,
                                                      const RigidTransform& pose)
 {
-    if (!view.followedBends) {
-        return nullptr;
-    }
-    for (const auto& [there, bent] : *view.followedBends) {
-        if (there.matrix() == pose.matrix() && isOf(tree, *bent)) {
-            return bent;
-        }
-    }
-    return nullptr;
+    const FollowedBend* known = view.followedBends ? bendAt(*view.followedBends, pose) : nullptr;
+    return known && isOf(tree, *known->bent) ? known->bent : nullptr;
 }
 
 }   // namespace

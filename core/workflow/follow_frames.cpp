@@ -6,6 +6,7 @@
 #include "core/registration/follow_run.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace angiopose::core {
@@ -89,6 +90,30 @@ void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
     }
 }
 
+/// Poses were found for bent vessels: frames that do not show them have them bent as in the nearest that does.
+void carryBends(std::vector<FollowedFrame>& frames)
+{
+    const std::vector<FollowedFrame> found = frames;
+    for (FollowedFrame& each : frames) {
+        const FollowedFrame* nearest = nullptr;
+        for (const FollowedFrame& other : found) {
+            if (other.bent &&
+                (!nearest || std::abs(other.frame - each.frame) < std::abs(nearest->frame - each.frame))) {
+                nearest = &other;
+            }
+        }
+        if (each.bent || !nearest || each.tracked.isTrustworthy) {
+            continue;
+        }
+        auto carried = std::make_shared<DeformableResult>(*nearest->bent);
+        carried->cameraFromPatient =
+            each.tracked.cameraFromPatient * nearest->tracked.cameraFromPatient.inverse() * carried->cameraFromPatient;
+        carried->viewPoses = {carried->cameraFromPatient};
+        each.bent = carried;
+        each.bentAsInFrame = nearest->frame;
+    }
+}
+
 }   // namespace
 
 Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkObserver& observe)
@@ -128,6 +153,7 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
     std::ranges::sort(frames, {}, &FollowedFrame::frame);
     if (theCase.vessels.tree) {
         smoothBends(*theCase.vessels.tree, frames);
+        carryBends(frames);
     }
     return frames;
 }
@@ -137,7 +163,7 @@ std::shared_ptr<const FollowedBends> bendsOf(const std::vector<FollowedFrame>& f
     FollowedBends bends;
     for (const FollowedFrame& each : frames) {
         if (each.bent) {
-            bends.emplace_back(each.tracked.cameraFromPatient, each.bent);
+            bends.push_back({each.tracked.cameraFromPatient, each.bent, each.bentAsInFrame});
         }
     }
     return bends.empty() ? nullptr : std::make_shared<const FollowedBends>(std::move(bends));

@@ -18,6 +18,7 @@ struct FollowedFrame {
     std::optional<Message> problem;   ///< why nothing was traced
     /// How the vessels are bent there, beside that pose; null where they are not, or were not found bent before.
     std::shared_ptr<const DeformableResult> bent{};
+    std::optional<int> bentAsInFrame{};   ///< the nearest that shows them, where this one does not
 };
 
 /// Follows the vessels from the case's frame and pose to the end of the run, then back to its beginning

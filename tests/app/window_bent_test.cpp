@@ -69,7 +69,7 @@ TEST(WindowBent, DrawsTheBendThatFollowingFoundForAFrame)
         }
     }
     w.controller.document().keepFollowed(
-        std::make_shared<const core::FollowedBends>(core::FollowedBends{{pose, ofFrame}}));
+        std::make_shared<const core::FollowedBends>(core::FollowedBends{{pose, ofFrame, std::nullopt}}));
     EXPECT_TRUE(w.isBentDrawn()) << "the frame itself as it was";
     EXPECT_FALSE(w.history().canUndo()) << "no edit";
     core::Case atFrame = w.current();
