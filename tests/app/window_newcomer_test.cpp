@@ -79,8 +79,9 @@ protected:
         click(w.window.registration().registerButton());
         w.waitForRun();
         click(buttonCalled<ui::StepButton>(&w.window.steps(), "Export"));
-        auto* choice = w.window.findChild<ui::ExportDialog*>();
-        ASSERT_TRUE(choice);
+        ui::ExportDialog* choice = nullptr;
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return (choice = w.window.findChild<ui::ExportDialog*>()); }, test::patienceMs));
         click(buttonCalled(choice, "Export …"));
         QFileDialog* files = nullptr;
         ASSERT_TRUE(QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); },

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace angiopose::core {
@@ -102,14 +103,17 @@ TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
     EXPECT_TRUE(result.value().trustworthy) << result.value().warnings.front();
 }
 
-TEST(RegisterVessels, DoesNotTrustASinglePath)
+TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
 {
     const test::CleanCase clean(5);
     CounterRandom random(2);
     const VesselBranch& trunk = clean.tree.branches.front();
-    const auto registered = [&](const VesselTree& seen) {
+    const auto registered = [&](const VesselTree& seen, std::optional<double> radiusPx = std::nullopt) {
         RegistrationInput input = clean.from(clean.nearbyStart(random));
         input.target = projectTree(seen, clean.camera, clean.truth);
+        for (Curve2d& curve : input.target.curves) {
+            curve.radiusPx.assign(radiusPx ? curve.pointsPx.size() : 0, radiusPx.value_or(0.0));
+        }
         for (const VesselBranch& branch : clean.tree.branches) {
             if (!seen.find(branch.id)) {
                 input.excludedBranchIds.push_back(branch.id);
@@ -119,9 +123,16 @@ TEST(RegisterVessels, DoesNotTrustASinglePath)
     };
     VesselTree alone = clean.tree;
     alone.branches = {trunk};
-    const RegistrationResult path = registered(alone);
-    EXPECT_FALSE(path.trustworthy);
-    EXPECT_EQ(std::ranges::count(path.warnings, says::trustSinglePath()), 1);
+    for (const auto& radiusPx : {std::optional<double>(), std::optional(2.0)}) {   // not known; a catheter's
+        const RegistrationResult path = registered(alone, radiusPx);
+        EXPECT_FALSE(path.trustworthy);
+        EXPECT_FALSE(path.signs.isLumen);
+        EXPECT_EQ(std::ranges::count(path.warnings, says::trustSinglePath()), 1);
+    }
+    const double trunkPx = trunk.radiusMm[trunk.radiusMm.size() / 2] / millimetresPerPixel(clean.camera, 800.0);
+    const RegistrationResult vessel = registered(alone, trunkPx);
+    EXPECT_TRUE(vessel.signs.isLumen) << "nearly 6 mm wide";
+    EXPECT_EQ(std::ranges::count(vessel.warnings, says::trustSinglePath()), 0);
     const RegistrationResult whole = registered(clean.tree);
     EXPECT_TRUE(whole.trustworthy);
     EXPECT_EQ(std::ranges::count(whole.warnings, says::trustSinglePath()), 0);
