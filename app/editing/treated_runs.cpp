@@ -29,7 +29,8 @@ TreatedRuns::SharedRun TreatedRuns::find(const SharedRun& stored, const core::Ru
 void TreatedRuns::forgetAllBut(const SharedRun& stored)
 {
     const auto before = made_.size();
-    std::erase_if(made_, [&stored](const Made& made) { return made.stored.lock() != stored; });
+    // No run is open: what was made of one that is gone would count as made of it.
+    std::erase_if(made_, [&stored](const Made& made) { return !stored || made.stored.lock() != stored; });
     if (made_.size() != before) {
         kept_.clear();
     }

@@ -91,6 +91,15 @@ private:
     std::weak_ptr<const core::Angiogram> stored_;
 };
 
+/// Pictures are as large as the views that show them.
+void layOutAfresh(ui::MainWindow& window)
+{
+    for (const ui::Command alone : {ui::Command::ImageOnly, ui::Command::CornerOnly, ui::Command::SlicesLarge}) {
+        window.actions()[alone]->setChecked(false);
+    }
+    window.actions()[ui::Command::ResetLayout]->trigger();
+}
+
 /// Opens the files as a fresh case, so that memory is comparable before and after.
 bool openAfresh(app::CaseController& controller, const QStringList& paths)
 {
@@ -149,6 +158,7 @@ int run(benchmarks::TimedApplication& application, const QElapsedTimer& sinceSta
     act(std::min(300, actions / 5));   // fonts, caches and dialogs are made once
     const bool isAtRest = user.comeToRest();
     found.putBack();
+    layOutAfresh(host.window());
     if (!isAtRest || !openAfresh(host.controller(), paths)) {
         std::fputs("The window did not come to rest.\n", stderr);
         return 1;
@@ -167,6 +177,7 @@ int run(benchmarks::TimedApplication& application, const QElapsedTimer& sinceSta
                                                  : QStringLiteral("something that does not end");
     const Remains closed(host.controller().document().current());
     found.putBack();
+    layOutAfresh(host.window());
     openAfresh(host.controller(), paths);
     const double grownMiB = heapMiB() - before;
 
