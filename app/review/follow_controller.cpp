@@ -52,6 +52,7 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
+        forget();   // it holds the case that it started from
         on_.strip.showIdle(tr("Ready"));
         on_.notices.showProblem(tr("The vessels cannot be followed"), ui::messageText(reason));
     });

@@ -1,6 +1,7 @@
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
+#include <QDialog>
 #include <QImage>
 #include <QLabel>
 #include <QTemporaryDir>
@@ -122,6 +123,28 @@ TEST(WindowFollow, StopKeepsTheFramesItCameTo)
     QApplication::processEvents();
     EXPECT_GE(w.controller.following().frames().size(), 1U);
     EXPECT_LT(w.controller.following().frames().size(), 10U);
+}
+
+TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
+{
+    OpenWindow w;
+    w.openSample();
+    core::Case given = w.current();
+    given.shown().target.centerline = std::make_shared<const core::Centerline2d>(
+        core::Centerline2d{{{0, {{10.0, 10.0}, {90.0, 90.0}}, {}}}});   // not traced: nothing leads from frame to frame
+    w.controller.document().replace(std::move(given), {});
+    const std::weak_ptr<const core::Angiogram> run = w.current().shown().angiogram;
+    w.press(Qt::Key_F, Qt::ShiftModifier);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.following().isRunning(); }, test::patienceMs));
+    QApplication::processEvents();
+    EXPECT_TRUE(w.controller.following().frames().empty());
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+        if (auto* dialog = qobject_cast<QDialog*>(top); dialog && dialog->isVisible()) {
+            dialog->reject();   // what was wrong
+        }
+    }
+    w.controller.document().replace({}, {});
+    EXPECT_TRUE(QTest::qWaitFor([&] { return run.expired(); }, test::patienceMs)) << run.use_count();
 }
 
 TEST(WindowFollow, OneFrameIsNothingToFollow)
