@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t leastPairs = 20;
 constexpr double leastRatio = 0.67;   // a wire fills less of a vessel that it passes
 constexpr double mostRatio = 1.5;
-constexpr double wideOfDevices = 3.0;   // mm: a catheter of 9 French
 constexpr double likeTheTree = 0.7;
 constexpr double leastChange = 0.1;   // σ of the logarithms: less is one width, as catheters have
 
@@ -79,14 +78,14 @@ SeenCalibre seenCalibre(const RegistrationProblem& problem, const TargetLines& t
     if (pairs.empty()) {
         return {};
     }
-    return {pairs.size(), middle(pairs, [](const WidthPair& pair) { return pair.seenMm; }),
-            middle(pairs, [](const WidthPair& pair) { return pair.seenMm / pair.expectedMm; }), correlationOf(pairs)};
+    return {pairs.size(), middle(pairs, [](const WidthPair& pair) { return pair.seenMm / pair.expectedMm; }),
+            correlationOf(pairs)};
 }
 
 bool isLumen(const SeenCalibre& calibre)
 {
     return calibre.pairs >= leastPairs && calibre.ratio >= leastRatio && calibre.ratio <= mostRatio &&
-           (calibre.diameterMm >= wideOfDevices || calibre.correlation >= likeTheTree);
+           calibre.correlation >= likeTheTree;
 }
 
 }   // namespace angiopose::core

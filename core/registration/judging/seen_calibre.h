@@ -10,7 +10,6 @@ namespace angiopose::core {
 /// How the widths of the traced vessels go with those of the tree that lies on them.
 struct SeenCalibre {
     std::size_t pairs = 0;   ///< tree points on vessels, both widths known
-    double diameterMm = 0.0;   ///< seen, at the vessels; the median
     double ratio = 0.0;   ///< seen over expected; the median
     double correlation = 0.0;   ///< of the logarithms of both along the vessels; 0 where one of them does not change
 };
@@ -20,7 +19,7 @@ SeenCalibre seenCalibre(const RegistrationProblem& problem, const TargetLines& t
                         const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 
 /// Whether these are vessels filled with contrast medium, not a wire or catheter that lies in them: about as wide as
-/// they should be, and either wider than any catheter or as narrow and wide by turns as the tree (ALGORITHMS §6.10).
+/// they should be, and narrow and wide where the tree is, as no device is (ALGORITHMS §6.16).
 bool isLumen(const SeenCalibre& calibre);
 
 }   // namespace angiopose::core

@@ -57,7 +57,7 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
             reasons.push_back(littleAgreement(signs.treeShare, coverage));
         }
     }
-    const bool forksTooLittle = signs.filledForks < leastFilledForks && !signs.isLumen;
+    const bool forksTooLittle = signs.filledForks < leastFilledForks && !(signs.isSinglePath && signs.isLumen);
     if (signs.isFilledInParts && (signs.agreement < minFilledAgreement || forksTooLittle)) {
         reasons.push_back(says::trustFilledDoubtful());
     }

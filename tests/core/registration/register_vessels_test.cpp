@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
 #include <set>
 
 namespace angiopose::core {
@@ -105,14 +105,22 @@ TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
 
 TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
 {
-    const test::CleanCase clean(5);
+    test::CleanCase clean(5);
     CounterRandom random(2);
-    const VesselBranch& trunk = clean.tree.branches.front();
-    const auto registered = [&](const VesselTree& seen, std::optional<double> radiusPx = std::nullopt) {
+    VesselBranch& trunk = clean.tree.branches.front();
+    for (std::size_t i = 0; i < trunk.radiusMm.size(); ++i) {
+        trunk.radiusMm[i] = 3.0 - 2.0 * static_cast<double>(i) / static_cast<double>(trunk.radiusMm.size());
+    }
+    const double mmPerPx = millimetresPerPixel(clean.camera, 800.0);
+    const auto registered = [&](const VesselTree& seen, const std::function<double(double)>& seenRadiusMm) {
         RegistrationInput input = clean.from(clean.nearbyStart(random));
         input.target = projectTree(seen, clean.camera, clean.truth);
-        for (Curve2d& curve : input.target.curves) {
-            curve.radiusPx.assign(radiusPx ? curve.pointsPx.size() : 0, radiusPx.value_or(0.0));
+        for (std::size_t b = 0; b < seen.branches.size(); ++b) {
+            std::vector<double>& radiusPx = input.target.curves[b].radiusPx;
+            radiusPx.clear();
+            for (const double radiusMm : seen.branches[b].radiusMm) {
+                radiusPx.push_back(seenRadiusMm(radiusMm) / mmPerPx);
+            }
         }
         for (const VesselBranch& branch : clean.tree.branches) {
             if (!seen.find(branch.id)) {
@@ -123,17 +131,15 @@ TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
     };
     VesselTree alone = clean.tree;
     alone.branches = {trunk};
-    for (const auto& radiusPx : {std::optional<double>(), std::optional(2.0)}) {   // not known; a catheter's
-        const RegistrationResult path = registered(alone, radiusPx);
+    for (const double deviceMm : {0.0, 1.0}) {   // not known; a catheter's
+        const RegistrationResult path = registered(alone, [deviceMm](double) { return deviceMm; });
         EXPECT_FALSE(path.trustworthy);
-        EXPECT_FALSE(path.signs.isLumen);
         EXPECT_EQ(std::ranges::count(path.warnings, says::trustSinglePath()), 1);
     }
-    const double trunkPx = trunk.radiusMm[trunk.radiusMm.size() / 2] / millimetresPerPixel(clean.camera, 800.0);
-    const RegistrationResult vessel = registered(alone, trunkPx);
-    EXPECT_TRUE(vessel.signs.isLumen) << "nearly 6 mm wide";
+    const RegistrationResult vessel = registered(alone, [](double radiusMm) { return 0.9 * radiusMm; });
+    EXPECT_TRUE(vessel.signs.isLumen);
     EXPECT_EQ(std::ranges::count(vessel.warnings, says::trustSinglePath()), 0);
-    const RegistrationResult whole = registered(clean.tree);
+    const RegistrationResult whole = registered(clean.tree, [](double) { return 0.0; });
     EXPECT_TRUE(whole.trustworthy);
     EXPECT_EQ(std::ranges::count(whole.warnings, says::trustSinglePath()), 0);
 }
