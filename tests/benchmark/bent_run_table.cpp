@@ -7,7 +7,6 @@
 #include "core/registration/follow_run.h"
 #include "core/registration/registration.h"
 #include "core/registration/run_periods.h"
-#include "core/simulation/simulated_case.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
@@ -204,18 +203,6 @@ Outcome runCase(const BentCase& first, const std::vector<BentFrame>& run)
     return outcome;
 }
 
-core::VesselTree treeOf(const std::string& which, std::uint64_t number)
-{
-    if (which == "grown") {
-        core::TreeOptions options;
-        options.branchCount = 30 + static_cast<int>(number % 4) * 10;
-        options.extentMm = 150.0;
-        return core::simulateTree(900 + number, options);
-    }
-    return benchmarks::graphTree(static_cast<int>(number % benchmarks::graphTreeCount),
-                                 core::CounterRandom(500 + number));
-}
-
 double meanOver(const std::vector<Outcome>& outcomes, double Outcome::*value)
 {
     double sum = 0.0;
@@ -274,8 +261,8 @@ int main(int argc, char** argv)
         std::vector<Outcome> outcomes;
         for (std::uint64_t number = 1; number <= cases; ++number) {
             const core::CounterRandom random = core::CounterRandom(131000 + 1000 * row).fork(number);
-            const BentCase first = benchmarks::makeBentCase(benchmarks::centred(treeOf(trees, number)), motions[row],
-                                                            {0.0}, random.fork(1));
+            const BentCase first = benchmarks::makeBentCase(benchmarks::centred(benchmarks::treeToBend(trees, number)),
+                                                            motions[row], {0.0}, random.fork(1));
             outcomes.push_back(runCase(first, benchmarks::makeBentRun(first, motions[row], breathMm, framesPerBreath,
                                                                       frames, random.fork(2))));
             if (arguments.isSet("each")) {

@@ -5,7 +5,6 @@
 #include "core/registration/deformable/bent_tree.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
-#include "core/simulation/simulated_case.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
@@ -169,18 +168,6 @@ Outcome runCase(const BentCase& bentCase)
     return outcome;
 }
 
-core::VesselTree treeOf(const std::string& which, std::uint64_t number)
-{
-    const core::CounterRandom random(500 + number);
-    if (which == "grown") {
-        core::TreeOptions options;
-        options.branchCount = 30 + static_cast<int>(number % 4) * 10;
-        options.extentMm = 150.0;
-        return core::simulateTree(900 + number, options);
-    }
-    return benchmarks::graphTree(static_cast<int>(number % benchmarks::graphTreeCount), random);
-}
-
 template <class Value>
 double meanOver(const std::vector<Outcome>& outcomes, const Value& value)
 {
@@ -262,7 +249,8 @@ int main(int argc, char** argv)
         for (std::uint64_t k = 0; k < cases; ++k) {
             const std::uint64_t number = seed + k;
             const core::CounterRandom random = core::CounterRandom(77000 + 1000 * row).fork(number);
-            outcomes.push_back(runCase(benchmarks::makeBentCase(treeOf(trees, number), motions[row], turns, random)));
+            outcomes.push_back(
+                runCase(benchmarks::makeBentCase(benchmarks::treeToBend(trees, number), motions[row], turns, random)));
             if (arguments.isSet("each")) {
                 std::printf("%s %d: %s\n", motions[row].name().c_str(), static_cast<int>(number),
                             textOf(outcomes.back()).c_str());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include "core/simulation/simulated_case.h"
 
 namespace angiopose::benchmarks {
 namespace {
@@ -76,6 +77,17 @@ core::VesselTree graphTree(int number, core::CounterRandom random)
         tree.branches.push_back(std::move(branch));
     }
     return core::resampled(tree, 1.0);
+}
+
+core::VesselTree treeToBend(const std::string& which, std::uint64_t number)
+{
+    if (which == "grown") {
+        core::TreeOptions options;
+        options.branchCount = 30 + static_cast<int>(number % 4) * 10;
+        options.extentMm = 150.0;
+        return core::simulateTree(900 + number, options);
+    }
+    return graphTree(static_cast<int>(number % graphTreeCount), core::CounterRandom(500 + number));
 }
 
 }   // namespace angiopose::benchmarks
