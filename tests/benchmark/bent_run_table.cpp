@@ -139,66 +139,106 @@ void judgePeriod(const std::vector<core::TimedPose>& poses, const core::VesselTr
     }
 }
 
+/// The vessels of a run as following finds them, frame by frame.
+struct FollowedRun {
+    std::vector<Found> frames;
+    std::vector<core::BendInTime> bends;   ///< of the frames that have one
+};
+
+/// Rigid pose and bend of the first frame.
+core::DeformableView registeredFirst(const BentCase& first, const BentFrame& frame)
+{
+    core::RegistrationInput input = inputOf(first.tree, frame, first.views.front().nominal);
+    input.initialCameraFromPatient = core::registerVessels(input).value().cameraFromPatient;
+    return {input, input.initialCameraFromPatient, 0};
+}
+
+std::shared_ptr<const core::DeformableResult> bendOf(const core::DeformableView& view)
+{
+    auto found = core::deformVessels(std::span(&view, 1)).value();
+    return found.verdict == core::BendVerdict::Rigid ? nullptr
+                                                     : std::make_shared<const core::DeformableResult>(std::move(found));
+}
+
+FollowedRun followBent(const core::DeformableView& first, const std::vector<BentFrame>& run, Outcome& outcome)
+{
+    const core::VesselTree& tree = first.input.tree;
+    const auto known = bendOf(first);
+    core::RunFollower follower = core::RunFollower::from(first.input, known, {}).value();
+    FollowedRun followed;
+    for (std::size_t t = 0; t < run.size(); ++t) {
+        core::RigidTransform pose = first.rigidCameraFromPatient;
+        std::shared_ptr<const core::DeformableResult> bent = known;
+        if (t > 0) {
+            const core::ThreadStopwatch watch;
+            const core::TrackedVessels found = follower.next(run[t].view.target).value();
+            outcome.followedMs.push_back(watch.elapsedMs());
+            outcome.lost += found.tracked.isTrustworthy ? 0.0 : 1.0 / static_cast<double>(run.size() - 1);
+            pose = found.tracked.cameraFromPatient;
+            bent = found.bent;
+        }
+        followed.frames.push_back(foundIn(tree, pose, bent));
+        if (bent) {
+            followed.bends.push_back({static_cast<int>(t), pose, bent});
+        }
+    }
+    return followed;
+}
+
+/// Followed rigidly, and bent from nothing at the poses of that.
+void followRigidly(const core::DeformableView& first, const std::vector<BentFrame>& run, Outcome& outcome)
+{
+    const core::VesselTree& tree = first.input.tree;
+    const double share = 1.0 / static_cast<double>(run.size() - 1);
+    core::RunFollower follower = core::RunFollower::from(first.input, nullptr, {}).value();
+    for (std::size_t t = 1; t < run.size(); ++t) {
+        const core::RigidTransform pose = follower.next(run[t].view.target).value().tracked.cameraFromPatient;
+        outcome.rigidMm += share * meanError(run[t], {tree, pose});
+        const core::DeformableView alone{inputOf(tree, run[t], pose), pose, 0};
+        const core::ThreadStopwatch watch;
+        const auto cold = core::deformVessels(std::span(&alone, 1)).value();
+        outcome.coldMs.push_back(watch.elapsedMs());
+        outcome.coldMm += share * meanError(run[t], {core::bentTree(tree, cold), cold.cameraFromPatient});
+    }
+}
+
+std::vector<Found> smoothed(const core::VesselTree& tree, const std::vector<BentFrame>& run,
+                            const FollowedRun& followed, Outcome& outcome)
+{
+    std::vector<Found> smooth = followed.frames;
+    const double share = 1.0 / std::max(1.0, static_cast<double>(followed.bends.size()));
+    for (const core::BendInTime& each : core::smoothInTime(tree, followed.bends)) {
+        const auto t = static_cast<std::size_t>(each.frame);
+        smooth[t] = foundIn(tree, each.rigidCameraFromPatient, each.bent);
+        outcome.coverage += share * coverageOf(run[t], smooth[t], *each.bent);
+    }
+    return smooth;
+}
+
+double meanOfRun(const std::vector<BentFrame>& run, const std::vector<Found>& found)
+{
+    double sum = 0.0;
+    for (std::size_t t = 1; t < run.size(); ++t) {
+        sum += meanError(run[t], found[t]);
+    }
+    return sum / static_cast<double>(run.size() - 1);
+}
+
 Outcome runCase(const BentCase& first, const std::vector<BentFrame>& run)
 {
     Outcome outcome;
-    core::RegistrationInput input = inputOf(first.tree, run.front(), first.views.front().nominal);
-    const core::RigidTransform pose = core::registerVessels(input).value().cameraFromPatient;
-    input.initialCameraFromPatient = pose;
-    const core::DeformableView view{input, pose, 0};
-    auto known = std::make_shared<const core::DeformableResult>(core::deformVessels(std::span(&view, 1)).value());
-    if (known->verdict == core::BendVerdict::Rigid) {
-        known = nullptr;
-    }
-    auto bentOnes = core::RunFollower::from(input, known, {});
-    auto rigidOnes = core::RunFollower::from(input, nullptr, {});
-    core::RunFollower follower = std::move(bentOnes).value();
-    core::RunFollower rigidFollower = std::move(rigidOnes).value();
-
-    std::vector<core::BendInTime> bends;
-    std::vector<Found> single{foundIn(first.tree, pose, known)};
-    std::vector<core::RigidTransform> poses{pose};
-    if (known) {
-        bends.push_back({0, pose, known});
-    }
-    std::vector<core::TimedPose> timed{{0.0, pose}};
-    const auto frames = static_cast<double>(run.size() - 1);
-    for (std::size_t t = 1; t < run.size(); ++t) {
-        const core::ThreadStopwatch followWatch;
-        const core::TrackedVessels found = follower.next(run[t].view.target).value();
-        outcome.followedMs.push_back(followWatch.elapsedMs());
-        const core::RigidTransform& there = found.tracked.cameraFromPatient;
-        outcome.lost += found.tracked.isTrustworthy ? 0.0 : 1.0 / frames;
-        single.push_back(foundIn(first.tree, there, found.bent));
-        poses.push_back(there);
-        if (found.bent) {
-            bends.push_back({static_cast<int>(t), there, found.bent});
-        }
-        timed.push_back({static_cast<double>(t) / framesPerSecond, there});
-        outcome.followedMm += meanError(run[t], single.back()) / frames;
-
-        const core::RigidTransform rigid = rigidFollower.next(run[t].view.target).value().tracked.cameraFromPatient;
-        outcome.rigidMm += meanError(run[t], {first.tree, rigid}) / frames;
-        const core::DeformableView alone{inputOf(first.tree, run[t], rigid), rigid, 0};
-        const core::ThreadStopwatch coldWatch;
-        const auto cold = core::deformVessels(std::span(&alone, 1)).value();
-        outcome.coldMs.push_back(coldWatch.elapsedMs());
-        outcome.coldMm += meanError(run[t], {core::bentTree(first.tree, cold), cold.cameraFromPatient}) / frames;
-    }
-    std::vector<Found> smooth = single;
-    double covered = 0.0;
-    for (const core::BendInTime& each : core::smoothInTime(first.tree, bends)) {
-        const auto t = static_cast<std::size_t>(each.frame);
-        smooth[t] = foundIn(first.tree, poses[t], each.bent);
-        outcome.coverage += coverageOf(run[t], smooth[t], *each.bent);
-        covered += 1.0;
-    }
-    outcome.coverage /= std::max(1.0, covered);
-    for (std::size_t t = 1; t < run.size(); ++t) {
-        outcome.smoothMm += meanError(run[t], smooth[t]) / frames;
-    }
-    outcome.unrestMm = unrest(run, single);
+    const core::DeformableView start = registeredFirst(first, run.front());
+    const FollowedRun followed = followBent(start, run, outcome);
+    followRigidly(start, run, outcome);
+    const std::vector<Found> smooth = smoothed(first.tree, run, followed, outcome);
+    outcome.followedMm = meanOfRun(run, followed.frames);
+    outcome.smoothMm = meanOfRun(run, smooth);
+    outcome.unrestMm = unrest(run, followed.frames);
     outcome.smoothUnrestMm = unrest(run, smooth);
+    std::vector<core::TimedPose> timed;
+    for (std::size_t t = 0; t < run.size(); ++t) {
+        timed.push_back({static_cast<double>(t) / framesPerSecond, followed.frames[t].pose});
+    }
     judgePeriod(timed, first.tree, outcome);
     return outcome;
 }
