@@ -2,7 +2,7 @@
 
 namespace angiopose::core {
 
-CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> geometry, std::size_t view)
+CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view)
 {
     const RigidTransform& there = geometry[view].cameraFromFirst;
     const CentroidPose carried{there.rotation * joint.first.rotation, there * joint.first.centroidInCamera};
@@ -12,7 +12,7 @@ CentroidPose poseInView(const JointPose& joint, std::span<const ViewGeometry> ge
 namespace {
 
 /// Of a view's step for a step of the first pose.
-Matrix6d inViewPerFirst(const JointPose& joint, std::span<const ViewGeometry> geometry, std::size_t view)
+Matrix6d inViewPerFirst(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view)
 {
     const Eigen::Matrix3d& turn = geometry[view].cameraFromFirst.rotation;
     Matrix6d J = Matrix6d::Zero();
@@ -24,7 +24,7 @@ Matrix6d inViewPerFirst(const JointPose& joint, std::span<const ViewGeometry> ge
 }   // namespace
 
 StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
-                         std::span<const ViewGeometry> geometry)
+                         std::span<const PlacedCamera> geometry)
 {
     const auto count = static_cast<Eigen::Index>(6 * perView.size());
     StackedEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
@@ -45,7 +45,7 @@ StackedEquations stacked(std::span<const NormalEquations> perView, const JointPo
 }
 
 StackedEquations stacked(std::span<const CameraEquations> perView, const JointPose& joint,
-                         std::span<const ViewGeometry> geometry)
+                         std::span<const PlacedCamera> geometry)
 {
     std::vector<NormalEquations> ofPoses;
     for (const CameraEquations& view : perView) {

@@ -38,7 +38,7 @@ public:
     using Look = JointLook;
     using Equations = StackedEquations;
 
-    JointAtScale(const JointSolve::Views& views, const std::vector<ViewGeometry>& geometry, const StartPrior& prior,
+    JointAtScale(const JointSolve::Views& views, const std::vector<PlacedCamera>& geometry, const StartPrior& prior,
                  const Vector6d& correctionStd)
         : views_(views),
           geometry_(geometry),
@@ -87,7 +87,7 @@ private:
     void addPriors(const JointPose& joint, JointLook& look) const;
 
     const JointSolve::Views& views_;
-    const std::vector<ViewGeometry>& geometry_;
+    const std::vector<PlacedCamera>& geometry_;
     const StartPrior& prior_;
     Vector6d correctionInformation_;
     double scalePx_ = jointStartScalePx;

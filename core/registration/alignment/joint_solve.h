@@ -64,7 +64,7 @@ private:
     StackedEquations equations(const JointPose& joint) const;
 
     const Views& views_;
-    std::vector<ViewGeometry> geometry_;
+    std::vector<PlacedCamera> geometry_;
     StartPrior prior_;
     Vector6d correctionStd_;
 };

@@ -69,7 +69,7 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
 {
     const TwoViews two;
     const Eigen::Vector3d centroid = centroidInPatient(two.clean.tree);
-    const std::array<ViewGeometry, 2> geometry{ViewGeometry{{}, two.clean.camera},
+    const std::array<PlacedCamera, 2> geometry{PlacedCamera{{}, two.clean.camera},
                                                {two.truth[1] * two.truth[0].inverse(), two.clean.camera}};
     Vector6d correction;
     correction << 0.02, -0.03, 0.01, 2.0, 1.0, -3.0;
