@@ -51,6 +51,7 @@ void ColorController::apply(ui::ColorScheme scheme)
 {
     ui::setColorScheme(scheme);
     view_.scene().recolor();
+    view_.redraw();
     treeView_.setTheme(ui::activeTheme());
     for (QWidget* part : window_.findChildren<QWidget*>()) {
         part->update();

@@ -94,7 +94,7 @@ ui::AngiogramView& LookController::image() const
 
 void LookController::redraw()
 {
-    ui_.view.update();
+    ui_.view.redraw();
     emit changed();
 }
 

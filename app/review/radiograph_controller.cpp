@@ -77,7 +77,7 @@ void RadiographController::followDocument()
 void RadiographController::show(const core::ImageF& picture)
 {
     on_.view.scene().setRadiograph(picture);
-    on_.view.update();
+    on_.view.redraw();
 }
 
 }   // namespace angiopose::app

@@ -105,7 +105,7 @@ void ViewSync::drawTree()
     drawn_ = drawnVessels(current.shown(), current.vessels, preview_.pose(), preview_.shape());
     const core::VesselTree tree = core::without(drawn_.tree, shownHidden_);
     ui_.view.scene().setTree(tree);
-    ui_.view.update();
+    ui_.view.redraw();
     ui_.treeView.scene().setTree(tree);
     ui_.treeView.requestRender();
 }
@@ -170,7 +170,7 @@ void ViewSync::showPose()
     const core::RigidTransform& cameraFromPatient = preview_.pose();
     ui_.view.setPose(cameraFromPatient);
     ui_.treeView.scene().setPose(cameraFromPatient);
-    ui_.view.update();
+    ui_.view.redraw();
     ui_.treeView.requestRender();
     emit poseShown(cameraFromPatient);
 }
@@ -190,7 +190,7 @@ void ViewSync::followPreview()
 void ViewSync::showMarks(const ui::BranchMarks& marks)
 {
     ui_.view.scene().setMarks(marks);
-    ui_.view.update();
+    ui_.view.redraw();
     ui_.treeView.scene().setMarks(marks);
     ui_.treeView.requestRender();
     ui_.branches.showMarks(marks);
@@ -203,7 +203,7 @@ void ViewSync::showTarget(const SharedCenterline& target)
 {
     target_ = target;
     ui_.view.scene().setTracedCenterline(target ? *target : core::Centerline2d{});
-    ui_.view.update();
+    ui_.view.redraw();
 }
 
 void ViewSync::showJudgement(const SharedJudgement& judgement)
@@ -240,7 +240,7 @@ void ViewSync::showResidualColors()
             colorByResiduals(residualScaleMaximumPx(*shownCamera_, depthMm), mmPerPx);
         }
     }
-    view.update();
+    view.redraw();
 }
 
 void ViewSync::colorByMotion(double mmPerPx)

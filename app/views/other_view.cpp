@@ -78,7 +78,7 @@ void OtherView::drawTree()
     CornerLines lines;
     lines.bottomLeft = shapeLines(drawn_);
     image.setCornerTexts(windowTexts(lines));
-    image.update();
+    image.redraw();
 }
 
 void OtherView::showImage()
@@ -158,7 +158,7 @@ void OtherView::showResiduals(const core::PoseJudgement& judgement)
     image.scene().setResiduals(
         isBent ? core::branchDistances(drawn_.tree, *judged_->target, image.camera(), pose_) : judgement.residualPx,
         residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
-    image.update();
+    image.redraw();
 }
 
 void OtherView::hideResiduals()
@@ -166,7 +166,7 @@ void OtherView::hideResiduals()
     job_.cancel();
     judged_.reset();
     on_.pane.image().scene().clearResiduals();
-    on_.pane.image().update();
+    on_.pane.image().redraw();
 }
 
 void OtherView::takeLook()
@@ -174,7 +174,7 @@ void OtherView::takeLook()
     ui::AngiogramView& image = on_.pane.image();
     image.takeLookOf(on_.shown);
     image.scene().setMode(on_.look.lines());
-    image.update();
+    image.redraw();
 }
 
 void OtherView::clear()

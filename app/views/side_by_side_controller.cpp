@@ -93,7 +93,7 @@ void SideBySideController::connectLook()
             [this] {
                 for (ui::AngiogramView* image : ui_.images.images()) {
                     image->scene().recolor();
-                    image->update();
+                    image->redraw();
                 }
             },
             Qt::QueuedConnection);

@@ -75,6 +75,7 @@ QString likelihood(const core::RegistrationResult& result)
 {
     return result.probabilityWithin2Mm ? ResultWords::tr("Within 2 mm of the vessels with a probability of %1 %.")
                                              .arg(percentText(*result.probabilityWithin2Mm))
+                                             .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // on one line
                                        : QString();
 }
 

@@ -28,9 +28,11 @@ AngiogramView::AngiogramView(ImageRole role, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
     setAttribute(Qt::WA_OpaquePaintEvent);
+    turnTimer_.setSingleShot(true);
+    connect(&turnTimer_, &QTimer::timeout, this, &AngiogramView::takeTurn);
     speak(this, [this] {
         setAccessibleName(tr("Angiogram with the projected vessel tree"));
-        update();
+        redraw();
     });
 }
 
@@ -39,14 +41,14 @@ AngiogramView::~AngiogramView() = default;
 void AngiogramView::setPivot(const Eigen::Vector3d& pivotInPatient)
 {
     interaction_->pivotInPatient = pivotInPatient;
-    update();
+    redraw();
 }
 
 void AngiogramView::setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient)
 {
     if (pickedInPatient != interaction_->pickedPivot) {
         interaction_->pickedPivot = pickedInPatient;
-        update();
+        redraw();
     }
 }
 
@@ -54,14 +56,14 @@ void AngiogramView::setPose(const core::RigidTransform& cameraFromPatient)
 {
     interaction_->cameraFromPatient = cameraFromPatient;
     scene_.setPose(cameraFromPatient);
-    update();
+    redraw();
 }
 
 void AngiogramView::setCamera(const core::ProjectionCamera& camera)
 {
     interaction_->camera = camera;
     scene_.setCamera(camera);
-    update();
+    redraw();
 }
 
 void AngiogramView::setFrame(const core::ImageF& frame)
@@ -77,13 +79,13 @@ void AngiogramView::setFrame(const core::ImageF& frame)
         fitToWindow();
         autoWindowLevel();
     }
-    update();
+    redraw();
 }
 
 void AngiogramView::setFramePosition(int index, int count)
 {
     interaction_->frame = {index, count};
-    update();
+    redraw();
 }
 
 QString AngiogramView::frameText() const
@@ -95,27 +97,27 @@ QString AngiogramView::frameText() const
 void AngiogramView::setCornerTexts(const CornerTexts& texts)
 {
     interaction_->annotations.texts = texts;
-    update();
+    redraw();
 }
 
 void AngiogramView::setResidualScale(double maximumPx, double maximumMm)
 {
     interaction_->annotations.scaleMaximumPx = maximumPx;
     interaction_->annotations.scaleMaximumMm = maximumMm;
-    update();
+    redraw();
 }
 
 void AngiogramView::setLineWidth(double px)
 {
     interaction_->lineWidth = px;
-    update();
+    redraw();
 }
 
 void AngiogramView::setMarks(std::vector<ImageMark> marks)
 {
     if (!marks.empty() || !interaction_->marks.empty()) {
         interaction_->marks = std::move(marks);
-        update();
+        redraw();
     }
 }
 
@@ -123,7 +125,7 @@ void AngiogramView::setPlacedMarks(std::vector<ImageMark> marks)
 {
     if (!marks.empty() || !interaction_->placedMarks.empty()) {
         interaction_->placedMarks = std::move(marks);
-        update();
+        redraw();
     }
 }
 
@@ -143,7 +145,7 @@ void AngiogramView::setCrosshair(const ImageCrosshair& crosshair)
     const bool isNothing = !crosshair.linePx && !crosshair.pointInPatient;
     if (!isNothing || former.linePx || former.pointInPatient) {
         interaction_->crosshair = crosshair;
-        update();
+        redraw();
     }
 }
 
@@ -155,7 +157,7 @@ const ImageCrosshair& AngiogramView::crosshair() const
 void AngiogramView::setAbsence(const QString& words)
 {
     interaction_->absence = words;
-    update();
+    redraw();
 }
 
 void AngiogramView::takeLookOf(const AngiogramView& other)
@@ -164,7 +166,7 @@ void AngiogramView::takeLookOf(const AngiogramView& other)
     interaction_->mouse = other.interaction_->mouse;
     interaction_->lineWidth = other.interaction_->lineWidth;
     interaction_->viewport.setMirrored(other.isFromSource());
-    update();
+    redraw();
 }
 
 void AngiogramView::setCutout(Cutout::Shape shape)
@@ -179,19 +181,19 @@ void AngiogramView::placeCutout(const QPointF& position)
     constexpr double lensRadius = 70.0;
     interaction_->cutout = {cutout_, imageFromWidget(position), lensRadius / zoom()};
     scene_.setCutout(interaction_->cutout);
-    update();
+    redraw();
 }
 
 void AngiogramView::setOrientationKnown(bool known)
 {
     interaction_->isOrientationKnown = known;
-    update();
+    redraw();
 }
 
 void AngiogramView::setFromSource(bool fromSource)
 {
     interaction_->viewport.setMirrored(fromSource);
-    update();
+    redraw();
 }
 
 bool AngiogramView::isFromSource() const
@@ -209,14 +211,14 @@ void AngiogramView::showPart(const ViewRect& part)
 {
     interaction_->viewport.show(part);
     emit zoomChanged(zoom());
-    update();
+    redraw();
 }
 
 void AngiogramView::fitToWindow()
 {
     interaction_->viewport.fit();
     emit zoomChanged(zoom());
-    update();
+    redraw();
 }
 
 void AngiogramView::autoWindowLevel()
@@ -230,7 +232,7 @@ void AngiogramView::setWindowLevel(double window, double level)
     interaction_->annotations.range = {level - 0.5 * window, level + 0.5 * window};
     scene_.setWindowLevel(window, level);
     emit windowLevelChanged(window, level);
-    update();
+    redraw();
 }
 
 core::DisplayRange AngiogramView::shownRange() const

@@ -8,6 +8,7 @@
 #include "ui/scenes/render_offscreen.h"
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 
 #include <memory>
@@ -32,14 +33,16 @@ struct ImageCrosshair {
 /// The angiogram with the projected tree: window/level, pan and zoom by dragging as the mouse preset says, zoom also by
 /// Ctrl+wheel, frames by wheel, ↑ ↓, Home, End; a right click or the menu key asks for a menu. A tool may take the left
 /// button and keys; Esc takes its drag back, then puts it away. Shows what it is told, reports what the user wants;
-/// decides nothing.
+/// decides nothing. Angiogram with tree, and what lies over them, are drawn in two turns of the event loop; painting
+/// the window is but a copy of both.
 class AngiogramView : public QWidget {
     Q_OBJECT
 public:
     explicit AngiogramView(ImageRole role = ImageRole::Working, QWidget* parent = nullptr);
     ~AngiogramView() override;
 
-    OverlayScene& scene() { return scene_; }   ///< call update() after changing it
+    OverlayScene& scene() { return scene_; }   ///< call redraw() after changing it
+    void redraw();   ///< asks for a new picture; update() copies the last one
     void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: where ring and cross sit, …
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< … unless picked; marked then
     void setPose(const core::RigidTransform& cameraFromPatient);
@@ -101,6 +104,7 @@ signals:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -111,11 +115,17 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:
     struct Interaction;
-    void drawPicture();
+    enum class Turn { Picture, Whole };
+    void takeTurn();
+    bool drawPicture();
+    void drawWhole();
+    void paintOver(QPainter& painter);
+    void bringAnnotationsUpToDate();
     void render(Canvas canvas, const StrokeMesh& above);
     void placeCutout(const QPointF& position);
     QSize deviceSize() const;
@@ -129,6 +139,8 @@ private:
     void paintAbsence(QPainter& painter) const;
     void paintCrosshair(QPainter& painter) const;
     void paintAllMarks(QPainter& painter) const;
+    std::vector<ImageMark> seenMarks() const;
+    void strokeMarks();
     bool showsVessels() const;
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);
@@ -154,6 +166,11 @@ private:
     bool isRendererKnown_ = false;
     QImage picture_;   ///< angiogram with tree and handles, in device px
     std::optional<PictureState> drawn_;   ///< not set: with a tool, whose strokes change at will
+    QImage whole_;   ///< with all that lies over it: what is painted; null: not drawn since it was out of sight
+    std::vector<QRectF> barsInWhole_;   ///< which it leaves room for
+    QTimer turnTimer_;
+    Turn nextTurn_ = Turn::Picture;
+    bool isRedrawDue_ = false;   ///< something changed since the last picture was begun
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     Cutout::Shape cutout_ = Cutout::Shape::None;

@@ -35,7 +35,7 @@ void AngiogramView::dragBy(const QPointF& position, Qt::KeyboardModifiers modifi
     switch (i.dragAction) {
         case DragAction::Pan:
             i.viewport.panBy({step.x(), step.y()});
-            update();
+            redraw();
             break;
         case DragAction::Zoom:
             zoomAt(i.pressedAt, std::pow(zoomPerDragPx, -step.y()));
@@ -68,7 +68,7 @@ bool AngiogramView::cancelDrag()
     i.isCancelled = true;
     if (std::exchange(i.isToolDragging, false) && i.tool) {
         i.tool->cancelDrag();
-        update();
+        redraw();
     }
     showCursor();
     return true;

@@ -89,7 +89,7 @@ void AngiogramView::mouseReleaseEvent(QMouseEvent* event)
     i.isDragging = false;
     if (std::exchange(i.isToolDragging, false) && i.tool) {
         i.tool->finishDrag(i.toolPoint(event->position(), event->modifiers()));
-        update();
+        redraw();
     }
     if (wasStill && event->button() == Qt::LeftButton) {
         click(event->position(), event->modifiers());
@@ -104,7 +104,7 @@ void AngiogramView::click(const QPointF& position, Qt::KeyboardModifiers modifie
 {
     Interaction& i = *interaction_;
     if (i.tool && i.tool->click(i.toolPoint(position, modifiers))) {
-        update();
+        redraw();
         return;
     }
     if (i.tool && !i.tool->picksBranches()) {
@@ -176,7 +176,7 @@ void AngiogramView::mouseDoubleClickEvent(QMouseEvent* event)
         return;
     }
     if (i.tool && i.tool->doubleClick(i.toolPoint(event->position(), event->modifiers()))) {
-        update();
+        redraw();
         return;
     }
     emit roomRequested();
@@ -185,7 +185,7 @@ void AngiogramView::mouseDoubleClickEvent(QMouseEvent* event)
 void AngiogramView::zoomAt(const QPointF& position, double factor)
 {
     interaction_->viewport.zoomAt({position.x(), position.y()}, factor);
-    update();
+    redraw();
     emit zoomChanged(zoom());
 }
 
@@ -239,8 +239,20 @@ void AngiogramView::leaveEvent(QEvent*)
         if (interaction_->tool) {
             interaction_->tool->leave();
         }
-        update();
+        redraw();
     }
+}
+
+void AngiogramView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    redraw();
+}
+
+void AngiogramView::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    redraw();
 }
 
 void AngiogramView::hideEvent(QHideEvent* event)

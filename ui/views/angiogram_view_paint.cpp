@@ -1,12 +1,9 @@
-// The drawing half of AngiogramView.
+// What lies over the picture of AngiogramView.
 #include "ui/actions/key_hint.h"
-#include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
 #include "ui/views/crosshair_mark.h"
 #include "ui/views/cutout_edge.h"
-#include "ui/views/gl_driver.h"
-#include "ui/views/gl_overlay.h"
 #include "ui/views/paint_marks.h"
 #include "ui/views/pivot_mark.h"
 
@@ -39,7 +36,7 @@ QImage hatched(const core::Mask2d& fieldMask)
 void AngiogramView::setKeptOut(const core::Mask2d& fieldMask)
 {
     interaction_->keptOut = fieldMask.isEmpty() ? QImage() : hatched(fieldMask);
-    update();
+    redraw();
 }
 
 bool AngiogramView::showsVessels() const
@@ -70,18 +67,26 @@ void AngiogramView::paintCrosshair(QPainter& painter) const
 }
 
 /// Measured and placed ones together: their labels make room for each other and for the vessels.
-void AngiogramView::paintAllMarks(QPainter& painter) const
+std::vector<ImageMark> AngiogramView::seenMarks() const
 {
+    if (!interaction_->hasFrame || (interaction_->tool && interaction_->tool->hidesOverlay())) {
+        return {};
+    }
     std::vector<ImageMark> all = interaction_->marks;
     all.insert(all.end(), interaction_->placedMarks.begin(), interaction_->placedMarks.end());
+    return all;
+}
+
+/// The labels: lines are part of the picture.
+void AngiogramView::paintAllMarks(QPainter& painter) const
+{
+    const std::vector<ImageMark> all = seenMarks();
     if (all.empty()) {
         return;
     }
-    const auto placeOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
-        const QPointF place = widgetFromImage(pixel);
-        return {place.x(), place.y()};
-    };
+    const auto placeOf = [this](const Eigen::Vector2d& pixel) { return interaction_->viewport.widgetFromImage(pixel); };
     MarkGround ground;
+    ground.hasLines = true;
     ground.width = width();
     ground.height = height();
     for (const QRectF& bar : barPlaces()) {
@@ -141,62 +146,27 @@ QString AngiogramView::sideMark() const
     return isMirroredImage ? tr("Mirrored image: as seen from the source") : QString();
 }
 
-QSize AngiogramView::deviceSize() const
+void AngiogramView::bringAnnotationsUpToDate()
 {
-    return (size() * devicePixelRatio()).expandedTo({1, 1});
-}
-
-void AngiogramView::drawPicture()
-{
-    const double ratio = devicePixelRatio();
-    const QSize device = deviceSize();
-    const bool isNew = picture_.size() != device;
-    if (isNew) {
-        picture_ = QImage(device, QImage::Format_RGB32);
-    }
-    picture_.setDevicePixelRatio(ratio);
-    const Canvas canvas{reinterpret_cast<std::uint32_t*>(picture_.bits()), device.width(), device.height()};
-    scene_.setLineWidthPx(interaction_->lineWidth * ratio);
-    // At fractional scale factors the picture is a whole number of pixels, not exactly size × ratio.
-    scene_.setViewRect(
-        interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
-    const std::optional<PictureState> wanted =
-        interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
-    if (wanted && wanted == drawn_ && !isNew) {
-        return;   // only what lies over it changed
-    }
-    drawn_ = wanted;
-    render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
-}
-
-void AngiogramView::render(Canvas canvas, const StrokeMesh& above)
-{
-    if (!std::exchange(isRendererKnown_, true) && chosenRenderer() == Renderer::Vtk) {
-        gl_ = std::make_unique<GlOverlay>();
-    }
-    if (gl_ && gl_->isReady()) {
-        gl_->draw(scene_, isFromSource(), above, canvas);
-        return;
-    }
-    painter_.draw(scene_, canvas);
+    AngiogramAnnotations& annotations = interaction_->annotations;
+    const ImageTool* tool = interaction_->tool;
+    annotations.mmPerImagePx = interaction_->mmPerImagePx();
+    annotations.hidesScale = scene_.hasRadiograph() || (tool && tool->hidesOverlay());
+    annotations.taken = barsInWhole_;
+    annotations.sides = interaction_->isOrientationKnown
+                            ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
+                            : ImageSides{};
     if (isFromSource()) {
-        for (int row = 0; row < canvas.height; ++row) {
-            std::reverse(canvas.row(row), canvas.row(row) + canvas.width);
-        }
+        std::swap(annotations.sides.left, annotations.sides.right);
     }
-    forBands(canvas.height, [&](const Rows& rows) { fillStrokes(above, canvas.height, canvas, rows); });
+    annotations.sideMark = sideMark();
+    annotations.frameText = frameText();
+    annotations.keyText = keyText();
+    annotations.mode = tool ? ModeLabel{tool->caption(), tool->tone()} : ModeLabel{};
 }
 
-void AngiogramView::paintEvent(QPaintEvent*)
+void AngiogramView::paintOver(QPainter& painter)
 {
-    drawPicture();
-    ++renderCount_;
-    QPainter painter(this);
-    painter.drawImage(QPointF(0.0, 0.0), picture_);
-    if (!interaction_->hasFrame) {
-        paintAbsence(painter);
-        return;
-    }
     if (!interaction_->keptOut.isNull()) {
         const QPointF topLeft = widgetFromImage({-0.5, -0.5});
         const QSizeF covered = QSizeF(interaction_->keptOut.size()) * zoom();
@@ -205,28 +175,11 @@ void AngiogramView::paintEvent(QPaintEvent*)
     if (cutout_ != Cutout::Shape::None) {
         paintCutoutEdge(painter, cutoutPath(interaction_->cutout, interaction_->viewport, size()));
     }
-    interaction_->annotations.mmPerImagePx = interaction_->mmPerImagePx();
-    const bool isVeiled = interaction_->tool && interaction_->tool->hidesOverlay();
-    interaction_->annotations.hidesScale = scene_.hasRadiograph() || isVeiled;
-    interaction_->annotations.taken = barPlaces();
-    interaction_->annotations.sides = interaction_->isOrientationKnown
-                                          ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
-                                          : ImageSides{};
-    interaction_->annotations.sideMark = sideMark();
-    interaction_->annotations.frameText = frameText();
-    interaction_->annotations.keyText = keyText();
-    if (isFromSource()) {
-        std::swap(interaction_->annotations.sides.left, interaction_->annotations.sides.right);
-    }
-    painter.setFont(font());
-    interaction_->annotations.mode =
-        interaction_->tool ? ModeLabel{interaction_->tool->caption(), interaction_->tool->tone()} : ModeLabel{};
+    bringAnnotationsUpToDate();
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
     paintPivot(painter);
     paintCrosshair(painter);
-    if (!isVeiled) {
-        paintAllMarks(painter);
-    }
+    paintAllMarks(painter);
     if (interaction_->tool) {
         painter.setRenderHint(QPainter::Antialiasing);
         interaction_->tool->paint(painter);

@@ -25,7 +25,7 @@ void AngiogramView::setTool(ImageTool* tool)
         tool->begin();
     }
     showCursor();
-    update();
+    redraw();
     emit toolChanged();
 }
 
@@ -57,7 +57,7 @@ bool AngiogramView::escape()
     if (tool && !tool->takeBack()) {
         setTool(nullptr);
     }
-    update();
+    redraw();
     return tool != nullptr;
 }
 

@@ -19,9 +19,9 @@ void paintMarkLine(QPainter& painter, const PixelLine& line, const QColor& tone,
     for (const Eigen::Vector2d& at : line) {
         points << QPointF(at.x(), at.y());
     }
-    painter.setPen(QPen(colorOf(rim, 0.6), 3.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(colorOf(rim, markRimOpacity), markRimWidthPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);
-    painter.setPen(QPen(tone, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(tone, markWidthPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(points);
 }
 
@@ -63,7 +63,7 @@ void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const Ma
     for (const ImageMark& mark : marks) {
         const std::vector<PixelLine> lines = linesOf(mark, placeOf, markSizePx);
         std::ranges::copy(pointsAlong(lines, markSizePx), std::back_inserter(ground.avoided));
-        for (const PixelLine& line : lines) {
+        for (const PixelLine& line : ground.hasLines ? std::vector<PixelLine>() : lines) {
             paintMarkLine(painter, line, colorOf(toneOf(mark, ground.tones)), ground.rim);
         }
     }

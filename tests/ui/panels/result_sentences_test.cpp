@@ -91,7 +91,7 @@ TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)
     result.probabilityWithin2Mm = 0.9987;   // nobody counted farther than 99
     EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3)
                     .certain.join(' ')
-                    .contains(QStringLiteral("Within 2 mm of the vessels with a probability of 99 %.")));
+                    .contains(QStringLiteral("Within 2 mm of the vessels with a probability of 99\u00a0%.")));
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.314;
     EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).doubtful.join(' ').contains(QStringLiteral("31 %")));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <QApplication>
+#include <QBackingStore>
 #include <QImage>
 #include <QSignalSpy>
 #include <QTest>
@@ -268,6 +269,46 @@ TEST_F(AngiogramViewInput, ManyChangesMakeOneRedraw)
     }
     QTest::qWait(200);
     EXPECT_LE(view_->renderCount() - before, 2);
+}
+
+/// What the window's own buffer holds at a place of the view.
+QColor onScreen(const QWidget& view, const QPoint& at)
+{
+    const auto* buffer = static_cast<QImage*>(view.backingStore()->paintDevice());
+    return buffer->pixelColor((view.mapTo(view.window(), at) * view.devicePixelRatio()));
+}
+
+TEST_F(AngiogramViewInput, PaintingTheWindowDrawsNothingAnew)
+{
+    QTest::qWait(50);
+    const int before = view_->renderCount();
+    view_->window()->repaint();
+    view_->update();
+    QTest::qWait(50);
+    EXPECT_EQ(view_->renderCount(), before);
+    view_->setPose(test::obliquePose());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return view_->renderCount() > before; }));
+}
+
+TEST_F(AngiogramViewInput, WhatWasShownBeforeItWasHiddenIsNotSeenAgain)
+{
+    auto host = std::make_unique<QWidget>();
+    host->resize(700, 500);
+    view_->setParent(host.get());
+    view_->show();
+    host->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(host.get()));
+    const QPoint corner(200, 5);
+    view_->setFrame(core::ImageF(512, 512, 1.0F));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return onScreen(*view_, corner).lightness() > 200; }));
+    view_->hide();
+    view_->setFrame(core::ImageF(512, 512, 0.0F));
+    view_->show();
+    host->repaint();   // before any turn of its own
+    EXPECT_LT(onScreen(*view_, corner).lightness(), 50);
+    view_->setFrame(core::ImageF(512, 512, 1.0F));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return onScreen(*view_, corner).lightness() > 200; }));
+    view_.reset();
 }
 
 TEST_F(AngiogramViewInput, MovesToAnotherWindow)

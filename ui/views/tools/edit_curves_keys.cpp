@@ -50,7 +50,7 @@ void EditCurvesTool::keyPress(const QKeyEvent& event)
         setBrush(brushRadius_ * (event.key() == Qt::Key_BracketLeft ? 1.0 / brushStep : brushStep));
     } else if (event.key() == Qt::Key_Backspace) {
         path_.takeBack(ground_ ? &ground_->wire : nullptr);
-        view().update();
+        view().redraw();
     } else {
         finishPath();
     }

@@ -77,7 +77,7 @@ void EditCurvesTool::chooseSuspect(int step)
     const auto at = std::ranges::find(suspects_, chosenSuspect_) - suspects_.begin();
     const auto next = at < count ? (at + step + count) % count : step > 0 ? 0 : count - 1;
     chosenSuspect_ = suspects_[static_cast<std::size_t>(next)];
-    view().update();
+    view().redraw();
 }
 
 bool EditCurvesTool::isSuspectKey(const QKeyEvent& event) const

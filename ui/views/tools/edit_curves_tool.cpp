@@ -40,7 +40,7 @@ void EditCurvesTool::showCurves(const core::Centerline2d& curves, const std::vec
     }
     hovered_ = -1;
     region_.clear();
-    view().update();
+    view().redraw();
 }
 
 void EditCurvesTool::setShown(core::Centerline2d curves)
@@ -52,7 +52,7 @@ void EditCurvesTool::setShown(core::Centerline2d curves)
 void EditCurvesTool::setReady(bool ready)
 {
     isReady_ = ready;
-    view().update();
+    view().redraw();
 }
 
 void EditCurvesTool::setGround(std::shared_ptr<CurveGround> ground)
@@ -66,7 +66,7 @@ void EditCurvesTool::setEdit(CurveEdit edit)
     if (edit != edit_) {
         path_.clear();
         edit_ = edit;
-        view().update();
+        view().redraw();
         emit editChanged(edit);
     }
 }
@@ -74,7 +74,7 @@ void EditCurvesTool::setEdit(CurveEdit edit)
 void EditCurvesTool::setBrush(double radius)
 {
     brushRadius_ = std::clamp(radius, smallestBrush, largestBrush);
-    view().update();
+    view().redraw();
 }
 
 QString EditCurvesTool::caption() const
@@ -126,7 +126,7 @@ void EditCurvesTool::report(const core::Centerline2d& curves, const Words& what)
         emit edited(curves, what);
     }
     setShown(curves_);   // as the answer to the report left it
-    view().update();
+    view().redraw();
 }
 
 void EditCurvesTool::eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -166,7 +166,7 @@ void EditCurvesTool::drag(const ToolPoint& point)
         setShown(isKeeping_ ? core::restrictedTo(curves_, outline()) : core::withoutRegion(curves_, outline()));
     }
     mouse_ = point;
-    view().update();
+    view().redraw();
 }
 
 void EditCurvesTool::finishDrag(const ToolPoint&)
@@ -222,7 +222,7 @@ bool EditCurvesTool::click(const ToolPoint& point)
 void EditCurvesTool::setAnchor(const ToolPoint& point)
 {
     path_.add(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));
-    view().update();
+    view().redraw();
 }
 
 bool EditCurvesTool::doubleClick(const ToolPoint&)
@@ -250,7 +250,7 @@ void EditCurvesTool::hover(const ToolPoint& point)
     if (edit_ == CurveEdit::Draw && isReady_) {
         path_.aim(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));
     }
-    view().update();
+    view().redraw();
 }
 
 void EditCurvesTool::leave()

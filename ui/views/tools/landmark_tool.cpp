@@ -31,7 +31,7 @@ const Palette& landmarkTones()
 void LandmarkTool::showMarks(const LandmarkMarks& marks)
 {
     marks_ = marks;
-    view().update();
+    view().redraw();
 }
 
 QString LandmarkTool::caption() const
@@ -79,7 +79,7 @@ void LandmarkTool::drag(const ToolPoint& point)
 {
     if (held_) {
         held_->pixel = point.imagePx;
-        view().update();
+        view().redraw();
     }
 }
 
@@ -96,7 +96,7 @@ void LandmarkTool::finishDrag(const ToolPoint& point)
 void LandmarkTool::cancelDrag()
 {
     held_.reset();
-    view().update();
+    view().redraw();
 }
 
 bool LandmarkTool::click(const ToolPoint& point)

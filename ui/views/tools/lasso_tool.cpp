@@ -46,14 +46,14 @@ void LassoTool::drag(const ToolPoint& point)
     const QPointF step = corner - outline_.back();
     if (view().zoom() * std::hypot(step.x(), step.y()) >= smallestStepPx) {
         outline_ << corner;
-        view().update();
+        view().redraw();
     }
 }
 
 void LassoTool::finishDrag(const ToolPoint& point)
 {
     const QPolygonF outline = std::exchange(outline_, {});
-    view().update();
+    view().redraw();
     if (outline.size() >= fewestCorners) {
         emit enclosed(outline, effectOf(point.modifiers));
     }
@@ -62,7 +62,7 @@ void LassoTool::finishDrag(const ToolPoint& point)
 void LassoTool::cancelDrag()
 {
     outline_.clear();
-    view().update();
+    view().redraw();
 }
 
 std::optional<QCursor> LassoTool::cursor(bool) const

@@ -29,7 +29,7 @@ void MarkTool::showHandles(std::vector<Eigen::Vector2d> handles)
         handles_ = std::move(handles);
         held_.reset();
         if (view().tool() == this) {
-            view().update();
+            view().redraw();
         }
     }
 }
@@ -84,7 +84,7 @@ bool MarkTool::startDrag(const ToolPoint& pressed)
 void MarkTool::drag(const ToolPoint& point)
 {
     mousePx_ = point.imagePx;
-    view().update();
+    view().redraw();
 }
 
 void MarkTool::finishDrag(const ToolPoint& point)
@@ -97,7 +97,7 @@ void MarkTool::finishDrag(const ToolPoint& point)
     } else {
         click(point);   // a hand that shook between press and release
     }
-    view().update();
+    view().redraw();
 }
 
 bool MarkTool::click(const ToolPoint& point)
@@ -143,19 +143,19 @@ void MarkTool::finishWords()
     if (!words.isEmpty() || points.size() == 2) {
         emit written(points, words);
     }
-    view().update();
+    view().redraw();
 }
 
 void MarkTool::hover(const ToolPoint& point)
 {
     mousePx_ = point.imagePx;
-    view().update();
+    view().redraw();
 }
 
 void MarkTool::leave()
 {
     mousePx_.reset();
-    view().update();
+    view().redraw();
 }
 
 bool MarkTool::takesKey(const QKeyEvent& event) const
@@ -184,7 +184,7 @@ void MarkTool::drop()
         line->deleteLater();
         view().setFocus();
     }
-    view().update();
+    view().redraw();
 }
 
 std::optional<QCursor> MarkTool::cursor(bool isDragging) const

@@ -37,7 +37,7 @@ std::optional<Eigen::Vector2d> stepOf(const QKeyEvent& event)
 void MaskShiftTool::showShift(const Eigen::Vector2d& shiftPx)
 {
     shift_ = shiftPx;
-    view().update();
+    view().redraw();
 }
 
 QString MaskShiftTool::caption() const
@@ -55,7 +55,7 @@ const Color& MaskShiftTool::tone() const
 void MaskShiftTool::moveTo(const Eigen::Vector2d& shiftPx)
 {
     shift_ = shiftPx;
-    view().update();
+    view().redraw();
     emit shifted(shift_);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/views/tools/measure_tool.h"
 
 #include "ui/views/angiogram_view.h"
+#include "ui/views/mark_strokes.h"
 #include "ui/views/paint_marks.h"
 
 #include <QKeyEvent>
@@ -41,7 +42,7 @@ void MeasureTool::showMeasurements(const std::vector<core::ImageMeasurement>& th
     there_ = there;
     held_.reset();
     if (view().tool() == this) {
-        view().update();
+        view().redraw();
     }
 }
 
@@ -101,7 +102,7 @@ void MeasureTool::drag(const ToolPoint& point)
     if (held_) {
         held_->pixel = point.imagePx;
     }
-    view().update();
+    view().redraw();
 }
 
 void MeasureTool::finishDrag(const ToolPoint& point)
@@ -122,7 +123,7 @@ void MeasureTool::cancelDrag()
     if (std::exchange(isDrawing_, false)) {
         points_.clear();
     }
-    view().update();
+    view().redraw();
 }
 
 bool MeasureTool::click(const ToolPoint& point)
@@ -155,14 +156,14 @@ void MeasureTool::hover(const ToolPoint& point)
 {
     mousePx_ = point.imagePx;
     if (!points_.empty()) {
-        view().update();
+        view().redraw();
     }
 }
 
 void MeasureTool::leave()
 {
     mousePx_.reset();
-    view().update();
+    view().redraw();
 }
 
 bool MeasureTool::takesKey(const QKeyEvent& event) const
@@ -182,7 +183,7 @@ void MeasureTool::keyPress(const QKeyEvent& event)
     } else if (kind_ == MeasurementKind::Area) {
         finish();
     }
-    view().update();
+    view().redraw();
 }
 
 bool MeasureTool::takeBack()
@@ -200,7 +201,7 @@ void MeasureTool::finish()
     }
     const std::vector<Eigen::Vector2d> points = std::exchange(points_, {});
     emit drawn(points);
-    view().update();
+    view().redraw();
 }
 
 void MeasureTool::drop()
@@ -208,7 +209,7 @@ void MeasureTool::drop()
     held_.reset();
     isDrawing_ = false;
     points_.clear();
-    view().update();
+    view().redraw();
 }
 
 std::optional<QCursor> MeasureTool::cursor(bool isDragging) const
@@ -227,26 +228,46 @@ std::vector<Eigen::Vector2d> MeasureTool::seen() const
     return points;
 }
 
+std::vector<ImageMark> MeasureTool::underWay() const
+{
+    const std::vector<Eigen::Vector2d> points = seen();
+    if (points.size() < 2) {
+        return {};
+    }
+    const QString words = words_ && !held_ ? words_(points) : QString();
+    const MarkShape whole = shapeOf(held_ ? there_[held_->measurement].kind : kind_);
+    const bool isOpen = whole == MarkShape::Outline && points.size() < 3;
+    return {{isOpen ? MarkShape::Length : whole, points, words.toStdString(), true}};
+}
+
+Eigen::Vector2d MeasureTool::placeOf(const Eigen::Vector2d& pixel) const
+{
+    const QPointF place = view().widgetFromImage(pixel);
+    return {place.x(), place.y()};
+}
+
+StrokeMesh MeasureTool::strokes(int heightPx) const
+{
+    const double ratio = view().devicePixelRatio();
+    const Palette& tones = palette(ThemeMode::Dark);
+    return markStrokes(
+        underWay(), [this](const Eigen::Vector2d& pixel) { return placeOf(pixel); },
+        {{ratio * view().width(), 1.0 * heightPx}, ratio}, tones, tones.canvas);
+}
+
 void MeasureTool::paint(QPainter& painter) const
 {
-    const auto placeOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
-        const QPointF place = view().widgetFromImage(pixel);
-        return {place.x(), place.y()};
-    };
     painter.save();
     for (const core::ImageMeasurement& measurement : there_) {
         for (const Eigen::Vector2d& pixel : measurement.pixels) {
             paintHandle(painter, placeOf(pixel), false);
         }
     }
-    const std::vector<Eigen::Vector2d> points = seen();
-    if (points.size() > 1) {
-        const QString words = words_ && !held_ ? words_(points) : QString();
-        const MarkShape whole = shapeOf(held_ ? there_[held_->measurement].kind : kind_);
-        const bool isOpen = whole == MarkShape::Outline && points.size() < 3;
-        paintMarks(painter, {{isOpen ? MarkShape::Length : whole, points, words.toStdString(), true}}, placeOf);
-    }
-    for (const Eigen::Vector2d& point : points) {
+    MarkGround ground;
+    ground.hasLines = true;
+    paintMarks(
+        painter, underWay(), [this](const Eigen::Vector2d& pixel) { return placeOf(pixel); }, std::move(ground));
+    for (const Eigen::Vector2d& point : seen()) {
         paintHandle(painter, placeOf(point), true);
     }
     painter.restore();

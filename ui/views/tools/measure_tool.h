@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/image_measurement.h"
+#include "ui/scenes/image_mark.h"
 #include "ui/views/image_tool.h"
 
 #include <functional>
@@ -37,6 +38,7 @@ public:
     bool takeBack() override;
     bool picksBranches() const override { return false; }
     std::optional<QCursor> cursor(bool isDragging) const override;
+    StrokeMesh strokes(int heightPx) const override;
     void paint(QPainter& painter) const override;
 
 signals:
@@ -55,6 +57,8 @@ private:
     void finish();
     void drop();
     std::vector<Eigen::Vector2d> seen() const;   ///< the points, with the one under the mouse
+    std::vector<ImageMark> underWay() const;   ///< the one that is drawn or moved, with its words
+    Eigen::Vector2d placeOf(const Eigen::Vector2d& pixel) const;
 
     core::MeasurementKind kind_;
     std::function<QString(const std::vector<Eigen::Vector2d>&)> words_;

@@ -79,7 +79,7 @@ void NudgeTool::drag(const ToolPoint& point)
     if (nudge_) {
         const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? fineNudgePace : 1.0;
         dragged_ = asSeen(nudge_->moveTo(nudgeVector(point.position), pace), view());
-        view().update();
+        view().redraw();
         emit dragged(dragged_);
     }
 }
@@ -106,7 +106,7 @@ void NudgeTool::hover(const ToolPoint& point)
     const PoseHandle handle = handleAt(grasped, nudgeVector(point.position));
     hotAngleRad_ = screenAngleRad(grasped.centre, nudgeVector(point.position));
     if (handle != hotHandle_ || handle == PoseHandle::Roll) {
-        view().update();
+        view().redraw();
     }
     hotHandle_ = handle;
 }

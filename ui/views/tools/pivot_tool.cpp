@@ -77,7 +77,7 @@ bool PivotTool::click(const ToolPoint& point)
 void PivotTool::hover(const ToolPoint& point)
 {
     candidate_ = placeAt(point);
-    view().update();
+    view().redraw();
 }
 
 void PivotTool::leave()
@@ -125,7 +125,7 @@ void PivotTool::step(int by)
     const bool isFirst = !candidate_ || *candidate_ != nodes_[node_];
     node_ = isFirst ? (by > 0 ? 0 : count - 1) : (by > 0 ? node_ + 1 : node_ + count - 1) % count;
     candidate_ = nodes_[node_];
-    view().update();
+    view().redraw();
 }
 
 std::optional<QCursor> PivotTool::cursor(bool) const
