@@ -1,5 +1,7 @@
 #include "ui/controls/section.h"
 
+#include "ui/controls/wrapped_label.h"
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QStyle>
@@ -69,7 +71,7 @@ bool Section::eventFilter(QObject* watched, QEvent* event)
 
 QLabel* roleLabel(const char* role, const QString& text, QWidget* parent)
 {
-    auto* label = new QLabel(text, parent);
+    auto* label = new WrappedLabel(text, parent);
     label->setProperty("role", role);
     return label;
 }

@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int sideMargin = 16;
+constexpr int welcomeSideMargin = 16;
 
 }   // namespace
 
@@ -78,7 +78,7 @@ WelcomePage::WelcomePage(QWidget* parent)
 void WelcomePage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    int needed = 2 * sideMargin;
+    int needed = 2 * welcomeSideMargin;
     for (int i = 0; i < buttons_->count(); ++i) {
         needed += buttons_->itemAt(i)->sizeHint().width() + buttons_->spacing();
     }

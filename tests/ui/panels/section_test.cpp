@@ -26,4 +26,38 @@ TEST(Section, FoldsAtAClickWithoutAMarkAndByTheKeysWithOne)
 }
 
 }   // namespace
+/// What a label answers that was never asked before.
+int heightOfNewLabel(const QLabel& like, int width)
+{
+    QLabel* fresh = ui::roleLabel("hint", like.text());
+    const std::unique_ptr<QLabel> owner(fresh);
+    ui::setRole(fresh, like.property("role").toByteArray().constData());
+    fresh->setFont(like.font());
+    fresh->setWordWrap(true);
+    return fresh->heightForWidth(width);
+}
+
+TEST(RoleLabel, KnowsItsHeightAfterEveryChange)
+{
+    const std::unique_ptr<QLabel> label(
+        ui::roleLabel("hint", QStringLiteral("Some words that are longer than a line")));
+    label->setWordWrap(true);
+    const auto expectSame = [&label] {
+        for (const int width : {60, 120, 400, 60}) {
+            EXPECT_EQ(label->heightForWidth(width), heightOfNewLabel(*label, width)) << width;
+        }
+    };
+    expectSame();
+    const int before = label->heightForWidth(120);
+    label->setText(label->text().repeated(5));
+    EXPECT_GT(label->heightForWidth(120), before);
+    expectSame();
+    QFont large = label->font();
+    large.setPixelSize(40);
+    label->setFont(large);
+    expectSame();
+    ui::setRole(label.get(), "heading");
+    expectSame();
+}
+
 }   // namespace angiopose::ui
