@@ -91,13 +91,18 @@ private:
     std::weak_ptr<const core::Angiogram> stored_;
 };
 
-/// Pictures are as large as the views that show them.
+/// Pictures are as large as the views that show them. The 3-D view has been large and small again: letting go of large
+/// buffers fills others of the software OpenGL, 8 MiB, once and for all.
 void layOutAfresh(ui::MainWindow& window)
 {
+    constexpr int untilAtRestMs = 1500;
+    window.actions()[ui::Command::CornerOnly]->setChecked(true);
+    QTest::qWait(untilAtRestMs);
     for (const ui::Command alone : {ui::Command::ImageOnly, ui::Command::CornerOnly, ui::Command::SlicesLarge}) {
         window.actions()[alone]->setChecked(false);
     }
     window.actions()[ui::Command::ResetLayout]->trigger();
+    QTest::qWait(untilAtRestMs);
 }
 
 /// Opens the files as a fresh case, so that memory is comparable before and after.
