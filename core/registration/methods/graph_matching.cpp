@@ -1,7 +1,7 @@
 #include "core/registration/methods/methods.h"
 
-#include "core/registration/matching/feature_map.h"
 #include "core/registration/methods/kernel_finish.h"
+#include "core/registration/pnp/graph_score.h"
 #include "core/registration/pnp/pair_fit.h"
 #include "core/registration/pnp/traced_path.h"
 #include "core/support/stopwatch.h"
@@ -9,14 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <set>
 
 namespace angiopose::core {
 namespace {
 
-constexpr double graphScalePx = 5.0;   // σ of the score
-constexpr std::size_t graphScorePoints = 200;
 constexpr std::size_t mostRootTrials = 20000;
 constexpr std::size_t mostRoots = 24;
 constexpr std::size_t pairsPerBranch = 12;
@@ -77,7 +74,6 @@ private:
     Eigen::Vector2d tracedPlace(int node) const;
     std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& fromCentroid, const CentroidPose& pose) const;
     std::vector<Eigen::Vector2d> projected(const EdgeEnd& branch, const CentroidPose& pose) const;
-    double score(const CentroidPose& pose) const;
     std::vector<Root> roots();
     CentroidPose laidOn(int node, int tracedNode) const;
     void open(Matched& state, int node, int tracedNode) const;
@@ -89,11 +85,9 @@ private:
     const RegistrationOptions& options_;
     BranchGraph branches_;
     BranchGraph traced_;
-    FeatureMap target_;
+    GraphScore score_;
     PoseTrials search_;
     StartPrior prior_;
-    double tracedSpreadPx_ = 1.0;
-    std::vector<Eigen::Vector3d> probes_;   ///< tree points of the score, from the centroid
     std::vector<std::pair<double, CentroidPose>> tried_;
 };
 
@@ -102,23 +96,10 @@ GraphSearch::GraphSearch(const RegistrationProblem& problem, const RegistrationO
       options_(options),
       branches_(graphOf(problem.tree)),
       traced_(graphOf(problem.target)),
-      target_(problem.target.points, problem.camera.width, problem.camera.height),
+      score_(problem, options.graph.spreadWeight),
       search_(problem, budget(), progress),
       prior_(independentPrior(search_.start(), graphPriorStd(), problem.freedom))
 {
-    const std::size_t stride = std::max<std::size_t>(1, problem.tree.size() / graphScorePoints);
-    for (std::size_t i = 0; i < problem.tree.size(); i += stride) {
-        probes_.emplace_back(problem.tree.points[i] - problem.tree.centroid);
-    }
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (const Eigen::Vector2d& point : problem.target.points) {
-        mean += point / static_cast<double>(problem.target.size());
-    }
-    double squares = 0.0;
-    for (const Eigen::Vector2d& point : problem.target.points) {
-        squares += (point - mean).squaredNorm();
-    }
-    tracedSpreadPx_ = std::max(1.0, std::sqrt(squares / static_cast<double>(problem.target.size())));
 }
 
 std::size_t GraphSearch::pointAt(const EdgeEnd& branch, std::size_t step) const
@@ -159,31 +140,6 @@ std::vector<Eigen::Vector2d> GraphSearch::projected(const EdgeEnd& branch, const
     return pixels;
 }
 
-/// Mean of exp(−d/σ) over the tree, less what keeps it from collapsing: λ (P/Q + Q/P) of the spreads of tree and image.
-double GraphSearch::score(const CentroidPose& pose) const
-{
-    double near = 0.0;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double squares = 0.0;
-    double count = 0.0;
-    for (const Eigen::Vector3d& probe : probes_) {
-        const auto pixel = pixelOf(probe, pose);
-        if (!pixel || pixel->cwiseAbs().maxCoeff() > 1e6) {
-            continue;
-        }
-        near += std::exp(-(target_.points()[target_.lookUp(pixel->x(), pixel->y())] - *pixel).norm() / graphScalePx);
-        sum += *pixel;
-        squares += pixel->squaredNorm();
-        count += 1.0;
-    }
-    if (count == 0.0) {
-        return -std::numeric_limits<double>::infinity();
-    }
-    const double variance = squares / count - (sum / count).squaredNorm();
-    const double ratio = std::sqrt(std::max(1.0, variance)) / tracedSpreadPx_;
-    return near / static_cast<double>(probes_.size()) - options_.graph.spreadWeight * (ratio + 1.0 / ratio);
-}
-
 /// The start pose, shifted across the ray so that the nodes meet.
 CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
 {
@@ -219,7 +175,7 @@ std::vector<GraphSearch::Root> GraphSearch::roots()
     std::vector<Root> found;
     for (const Near& pair : near) {
         const CentroidPose pose = laidOn(pair.node, pair.tracedNode);
-        found.push_back({score(pose), pair.node, pair.tracedNode, pose});
+        found.push_back({score_.of(pose), pair.node, pair.tracedNode, pose});
     }
     std::ranges::stable_sort(found, std::ranges::greater{}, &Root::score);
     found.resize(std::min(found.size(), mostRoots));
@@ -282,7 +238,7 @@ std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBran
         this->open(next, branches_.arrivalOf(open.branch), path.arrivesAt);
     }
     next.pose = fitPairs(next.pairs, problem_.camera, prior_, graphPairStdMm, graphFitSteps, rest.pose);
-    next.score = score(next.pose);
+    next.score = score_.of(next.pose);
     return next;
 }
 
@@ -312,7 +268,7 @@ std::vector<Matched> GraphSearch::successors(const Matched& state)
 
 void GraphSearch::run()
 {
-    search_.changeCost("graph", graphScalePx, -score(search_.start()));
+    search_.changeCost("graph", GraphScore::scalePx, -score_.of(search_.start()));
     search_.tick();
     std::vector<Matched> states;
     std::set<std::pair<double, std::size_t>> queue;   // the best first, of equals the eldest
@@ -342,7 +298,7 @@ void GraphSearch::run()
 
 void GraphSearch::refine()
 {
-    tried_.emplace_back(score(search_.start()), search_.start());
+    tried_.emplace_back(score_.of(search_.start()), search_.start());
     std::ranges::stable_sort(tried_, std::ranges::greater{}, [](const auto& tried) { return tried.first; });
     std::vector<CentroidPose> finalists;
     for (const auto& [score, pose] : tried_) {
