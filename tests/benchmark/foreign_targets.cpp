@@ -1,5 +1,7 @@
 #include "tests/benchmark/foreign_targets.h"
 
+#include "tests/benchmark/wide_vessel.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -176,18 +178,31 @@ std::vector<std::size_t> filledIn(const RootedTree& tree, ForeignScene scene, Fo
     }
 }
 
-core::RigidTransform drawnView(const RootedTree& tree, ForeignRandom& random)
+core::RigidTransform viewTurnedBy(double leftMost, double rightMost, const RootedTree& tree, ForeignRandom& random)
 {
     // Looking from the front, the patient's head up; then turned as a C-arm is.
     Eigen::Matrix3d front;
     front << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
-    const Eigen::Matrix3d turned = (Eigen::AngleAxisd(random.uniform(-30.0, 30.0) * rad, Eigen::Vector3d::UnitX()) *
-                                    Eigen::AngleAxisd(random.uniform(-90.0, 90.0) * rad, Eigen::Vector3d::UnitY()))
-                                       .toRotationMatrix() *
-                                   front;
+    const Eigen::Matrix3d turned =
+        (Eigen::AngleAxisd(random.uniform(-30.0, 30.0) * rad, Eigen::Vector3d::UnitX()) *
+         Eigen::AngleAxisd(random.uniform(leftMost, rightMost) * rad, Eigen::Vector3d::UnitY()))
+            .toRotationMatrix() *
+        front;
     const Eigen::Vector3d place(random.uniform(-8.0, 8.0), random.uniform(-8.0, 8.0),
                                 sourceToPatientMm + random.uniform(-40.0, 40.0));
     return {turned, place - turned * core::centroidInPatient(tree.tree)};
+}
+
+core::RigidTransform drawnView(const RootedTree& tree, ForeignRandom& random)
+{
+    return viewTurnedBy(-90.0, 90.0, tree, random);
+}
+
+/// From either side, within 15°.
+core::RigidTransform drawnSideView(const RootedTree& tree, ForeignRandom& random)
+{
+    const double side = random.uniform() < 0.5 ? -90.0 : 90.0;
+    return viewTurnedBy(side - 15.0, side + 15.0, tree, random);
 }
 
 core::RigidTransform displacedStart(const core::RigidTransform& truth, const Eigen::Vector3d& centroid,
@@ -347,11 +362,43 @@ core::RigidTransform misjudged(const core::RigidTransform& pose, const Eigen::Ve
     return {rotation, pose * centroid + 0.75 * shift - rotation * centroid};
 }
 
+/// Of a carotid the image shows all, of what leaves it half, and vessels beside it that the tree does not have.
+ForeignCase makeWideCase(const RootedTree& from, std::size_t tree, std::uint64_t trial)
+{
+    constexpr int vesselsOfOthers = 8;
+    ForeignRandom random(5801 * trial + 103 * tree + 17);
+    const WideVesselTree made = withWideVessel(from);
+    const core::RigidTransform view = drawnSideView(made.tree, random);
+    ForeignCase result;
+    result.truth = view;
+    result.filled = made.wide;
+    for (const std::size_t branch : made.beside) {
+        if (random.uniform() < 0.5) {
+            result.filled.push_back(branch);
+        }
+    }
+    std::vector<Pixels> curves = seen(made.tree, result.filled, view, random);
+    for (int left = vesselsOfOthers; left > 0; --left) {
+        curves.push_back(traced(foreignCurve(random), random));
+        result.foreignCurves += curves.back().empty() ? 0 : 1;
+    }
+    result.input.tree = made.tree.tree;
+    result.input.camera = camera();
+    result.input.target = handedOver(std::move(curves), ForeignScene::WideVessel, random);
+    result.input.initialCameraFromPatient = displacedStart(view, core::centroidInPatient(made.tree.tree), random);
+    addWidths(result.input.target, wideLines(made.tree, result.filled, view),
+              ForeignRandom(104'729 * trial + 307 * tree + 7));
+    return result;
+}
+
 }   // namespace
 
 ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tree, ForeignScene scene,
                             std::uint64_t trial)
 {
+    if (scene == ForeignScene::WideVessel) {
+        return makeWideCase(trees[tree], tree, trial);
+    }
     ForeignRandom random(7919 * trial + 101 * tree + 13);
     const bool isOther = scene >= ForeignScene::OtherPatient;
     const RootedTree& shown = trees[isOther ? (tree + 1) % trees.size() : tree];

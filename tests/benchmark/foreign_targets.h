@@ -18,6 +18,7 @@ enum class ForeignScene {
     ShuffledPoints,   ///< the whole tree, all points in one curve in any order
     SkeletonPixels,   ///< the whole tree, pixels row by row
     ShuffledRows,   ///< the whole tree, each branch a curve with its points in any order
+    WideVessel,   ///< from the side: a carotid of 5 mm, half of the fine branches that leave it, fine vessels of others
     OtherPatient,   ///< the image shows another tree whole
     OtherTerritory,   ///< … or one territory of it
     Scribbles,   ///< … or two thousand short curves that are no vessels
@@ -29,7 +30,7 @@ struct NamedScene {
     std::string_view key;   ///< for the command line
     std::string_view words;
 };
-inline constexpr std::array<NamedScene, 12> foreignScenes{{
+inline constexpr std::array<NamedScene, 13> foreignScenes{{
     {ForeignScene::WholeTree, "whole", "whole tree"},
     {ForeignScene::OneTerritory, "one", "one territory filled"},
     {ForeignScene::TwoTerritories, "two", "two territories filled"},
@@ -38,6 +39,7 @@ inline constexpr std::array<NamedScene, 12> foreignScenes{{
     {ForeignScene::ShuffledPoints, "points", "whole tree, points in any order"},
     {ForeignScene::SkeletonPixels, "pixels", "whole tree, pixels row by row"},
     {ForeignScene::ShuffledRows, "rows", "whole tree, rows of branches in any order"},
+    {ForeignScene::WideVessel, "wide", "one wide vessel beside fine ones, from the side"},
     {ForeignScene::OtherPatient, "other", "another patient's tree"},
     {ForeignScene::OtherTerritory, "other-one", "another patient's territory"},
     {ForeignScene::Scribbles, "other-curves", "2000 curves, no vessels"},
@@ -49,10 +51,11 @@ struct ForeignCase {
     core::RegistrationInput input;
     core::RigidTransform truth;   ///< cameraFromPatient
     std::vector<std::size_t> filled;   ///< indices of the branches that the image shows; empty: another tree's
+    std::size_t foreignCurves = 0;   ///< how many of the target's curves, the last ones, are vessels that no tree has
 };
 
 /// Numbers `trial` of a scene, the same on every call: pose, filling, noise and start follow from it. Starts are up to
-/// 15°, 30 mm across and 50 mm along the ray off.
+/// 15°, 30 mm across and 50 mm along the ray off. For one wide vessel the tree is changed, see wide_vessel.h.
 ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tree, ForeignScene scene,
                             std::uint64_t trial);
 

@@ -24,7 +24,7 @@ constexpr double grossMm = 5.0;
 const char* const usage =
     "foreign_targets_table\n"
     "  --family <name>   real: cerebral arteries of patients; development: trees made up (real)\n"
-    "  --scenes <list>   whole,one,two,vessel,leaves,points,pixels,rows,\n"
+    "  --scenes <list>   whole,one,two,vessel,leaves,points,pixels,rows,wide,\n"
     "                    other,other-one,other-curves,other-points (all)\n"
     "  --trials <n>      for each tree and scene (4)\n"
     "  --first <n>       number of the first trial (0)\n"
@@ -107,7 +107,7 @@ int main(int argc, char** argv)
         return 1;
     }
     const std::vector<std::string> wanted = arguments.list(
-        "scenes", "whole,one,two,vessel,leaves,points,pixels,rows,other,other-one,other-curves,other-points");
+        "scenes", "whole,one,two,vessel,leaves,points,pixels,rows,wide,other,other-one,other-curves,other-points");
     const auto first = static_cast<std::uint64_t>(arguments.number("first", 0));
     const auto trials = static_cast<std::uint64_t>(arguments.number("trials", 4));
     core::ResultTable table;
