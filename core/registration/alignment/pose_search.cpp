@@ -41,6 +41,16 @@ SearchReach within(SearchReach reach, const RegistrationOptions& options, const 
     return reach;
 }
 
+/// Those of `alignmentPoints` at that stride.
+std::vector<double> everyNth(const std::vector<double>& values, std::size_t stride)
+{
+    std::vector<double> chosen;
+    for (std::size_t i = stride / 2; i < values.size(); i += stride) {
+        chosen.push_back(values[i]);
+    }
+    return chosen;
+}
+
 }   // namespace
 
 PoseSearch::PoseSearch(const RegistrationProblem& problem, const TargetLines& target,
@@ -65,9 +75,11 @@ std::vector<CentroidPose> PoseSearch::wide(const CentroidPose& start, const Sear
 
 std::vector<CentroidPose> PoseSearch::ofTerritories(const CentroidPose& start, const SearchObserver& observe) const
 {
-    const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), territoryPoints));
-    TerritorySearch search(problem_.camera, target_);
-    return posesOf(search.find(points, start, within(territoryReach, options_, problem_.freedom), observe),
+    const std::size_t stride = strideFor(problem_.tree.size(), territoryPoints);
+    const auto points = alignmentPoints(problem_.tree, stride);
+    TerritorySearch search(problem_.camera, target_, problem_.target.radiusPx);
+    return posesOf(search.find(points, everyNth(problem_.tree.radiusMm, stride), start,
+                               within(territoryReach, options_, problem_.freedom), observe),
                    points.size());
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace angiopose::core {
@@ -16,6 +17,11 @@ constexpr int leastCellPx = 8;
 constexpr int cellsAcrossImage = 128;   // larger images are seen coarser
 constexpr int stampReach = 3;   // cells
 constexpr double stampScale = 1.4;   // cells
+constexpr double unlikeCloseness = 0.4;   // of a vessel of another width: the place still tells something
+constexpr double widthStep = 0.5;   // of the logarithm, from one width that is told apart to the next
+constexpr double finestPx = 1.0;   // radius: tracing sees none narrower
+constexpr double widestPx = 60.0;
+constexpr double likeWidth = 0.75;   // of the logarithm
 constexpr std::size_t askedPlaces = 150;   // sums of bytes must fit 16 bits: at most 257
 constexpr double likeDirection = 0.84;   // cosine: within 33° of a channel's direction
 constexpr double endOnTerritory = 0.3;   // vessels nearly along the ray have no direction
@@ -30,11 +36,11 @@ const std::array<Eigen::Vector2d, 4> channelDirections{
     Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0),
     Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(-std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0)};
 
-int nearestChannel(const Eigen::Vector2d& direction)
+std::size_t nearestDirection(const Eigen::Vector2d& direction)
 {
     const auto best = std::ranges::max_element(
         channelDirections, {}, [&](const Eigen::Vector2d& channel) { return std::abs(channel.dot(direction)); });
-    return static_cast<int>(best - channelDirections.begin());
+    return static_cast<std::size_t>(best - channelDirections.begin());
 }
 
 }   // namespace
@@ -57,24 +63,54 @@ struct TerritorySearch::Shifts {
     }
 };
 
-TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLines& target)
+TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLines& target,
+                                 std::span<const double> radiusPx)
     : camera_(camera), cellPx_(std::max(leastCellPx, std::max(camera.width, camera.height) / cellsAcrossImage))
 {
     const std::vector<TargetLines::Line>& lines = target.lines();
     const std::size_t count = std::min(askedPlaces, lines.size());
     for (std::size_t k = 0; k < count; ++k) {
-        const TargetLines::Line& line = lines[k * lines.size() / count];
+        const std::size_t number = k * lines.size() / count;
+        const TargetLines::Line& line = lines[number];
         const Eigen::Vector2d cell = Eigen::Vector2d(line.x, line.y) / cellPx_;
         if (cell.minCoeff() >= 0.0 && cell.x() < camera.width / cellPx_ && cell.y() < camera.height / cellPx_) {
-            places_.push_back(
-                {static_cast<int>(cell.x()), static_cast<int>(cell.y()), nearestChannel({line.tx, line.ty})});
+            const std::size_t width = widthOf(radiusPx.empty() ? 0.0 : radiusPx[number]);
+            places_.push_back({static_cast<int>(cell.x()), static_cast<int>(cell.y()),
+                               width * directions + nearestDirection({line.tx, line.ty})});
         }
     }
     for (int row = -stampReach; row <= stampReach; ++row) {
         for (int column = -stampReach; column <= stampReach; ++column) {
-            const double squared = row * row + column * column;
-            stamp_.push_back(
-                static_cast<std::uint8_t>(std::lround(255.0 * std::exp(-0.5 * squared / (stampScale * stampScale)))));
+            const double closeness = std::exp(-0.5 * (row * row + column * column) / (stampScale * stampScale));
+            like_.push_back(static_cast<std::uint8_t>(std::lround(255.0 * closeness)));
+            unlike_.push_back(static_cast<std::uint8_t>(std::lround(255.0 * unlikeCloseness * closeness)));
+        }
+    }
+}
+
+/// The number of a width, a new one where none is like it.
+std::size_t TerritorySearch::widthOf(double radiusPx)
+{
+    const double logWidth = radiusPx > 0.0
+                                ? widthStep * std::round(std::log(std::clamp(radiusPx, finestPx, widestPx)) / widthStep)
+                                : std::numeric_limits<double>::quiet_NaN();
+    const auto known = std::ranges::find_if(
+        logWidths_, [&](double other) { return other == logWidth || (std::isnan(other) && std::isnan(logWidth)); });
+    if (known == logWidths_.end()) {
+        logWidths_.push_back(logWidth);
+        return logWidths_.size() - 1;
+    }
+    return static_cast<std::size_t>(known - logWidths_.begin());
+}
+
+/// Unknown widths are like any.
+void TerritorySearch::compareWidths(std::span<const double> radiusMm, double pxPerMm, std::size_t points)
+{
+    isLike_.assign(points * logWidths_.size(), 1);
+    for (std::size_t k = 0; k < radiusMm.size(); ++k) {
+        const double logExpected = std::log(std::clamp(radiusMm[k] * pxPerMm, finestPx, widestPx));
+        for (std::size_t width = 0; width < logWidths_.size() && radiusMm[k] > 0.0; ++width) {
+            isLike_[k * logWidths_.size() + width] = !(std::abs(logWidths_[width] - logExpected) > likeWidth);
         }
     }
 }
@@ -84,14 +120,14 @@ void TerritorySearch::layOut(int halfShift)
     margin_ = halfShift;
     columns_ = camera_.width / cellPx_ + 1 + 2 * margin_;
     rows_ = camera_.height / cellPx_ + 1 + 2 * margin_;
-    canvas_.resize(channels * cellIndex(rows_, columns_, 0));
+    canvas_.resize(directions * logWidths_.size() * cellIndex(rows_, columns_, 0));
 }
 
-void TerritorySearch::stamp(int column, int row, std::uint8_t* channel) const
+void TerritorySearch::stamp(int column, int row, const Stamp& closeness, std::uint8_t* channel) const
 {
     constexpr int width = 2 * stampReach + 1;
     for (int r = 0; r < width; ++r) {
-        const std::uint8_t* source = &stamp_[cellIndex(r, width, 0)];
+        const std::uint8_t* source = &closeness[cellIndex(r, width, 0)];
         std::uint8_t* to = channel + cellIndex(row + r - stampReach, columns_, column - stampReach);
         for (int c = 0; c < width; ++c) {
             to[c] = std::max(to[c], source[c]);
@@ -102,7 +138,9 @@ void TerritorySearch::stamp(int column, int row, std::uint8_t* channel) const
 void TerritorySearch::drawTree(std::span<const AlignmentPoint> points, const CentroidPose& pose)
 {
     std::fill(canvas_.begin(), canvas_.end(), std::uint8_t{0});
-    for (const AlignmentPoint& point : points) {
+    const std::size_t widths = logWidths_.size();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const AlignmentPoint& point = points[k];
         const Eigen::Vector3d X = pose.rotation * point.fromCentroid + pose.centroidInCamera;
         const auto pixel = project(camera_, X);
         if (!pixel) {
@@ -117,9 +155,10 @@ void TerritorySearch::drawTree(std::span<const AlignmentPoint> points, const Cen
                                     camera_.fy * (tangent.y() - X.y() / X.z() * tangent.z()));
         const bool isEndOn = along.norm() < endOnTerritory * camera_.fy;
         const double least = isEndOn ? -1.0 : likeDirection * along.norm();
-        for (std::size_t channel = 0; channel < channels; ++channel) {
-            if (std::abs(channelDirections[channel].dot(along)) >= least) {
-                stamp(static_cast<int>(cell.x()), static_cast<int>(cell.y()),
+        for (std::size_t channel = 0; channel < widths * directions; ++channel) {
+            if (std::abs(channelDirections[channel % directions].dot(along)) >= least) {
+                const bool isLike = isLike_[k * widths + channel / directions] != 0;
+                stamp(static_cast<int>(cell.x()), static_cast<int>(cell.y()), isLike ? like_ : unlike_,
                       &canvas_[channel * cellIndex(rows_, columns_, 0)]);
             }
         }
@@ -130,7 +169,7 @@ void TerritorySearch::sumShifts(Shifts& shifts) const
 {
     std::fill(shifts.sums.begin(), shifts.sums.end(), std::uint16_t{0});
     for (const Place& place : places_) {
-        const std::uint8_t* channel = &canvas_[static_cast<std::size_t>(place.channel) * cellIndex(rows_, columns_, 0)];
+        const std::uint8_t* channel = &canvas_[place.channel * cellIndex(rows_, columns_, 0)];
         const int firstRow = place.row + margin_ - shifts.halfRows;
         const int firstColumn = place.column + margin_ - shifts.halfColumns;
         for (int r = 0; r < shifts.rows; ++r) {
@@ -177,7 +216,8 @@ void TerritorySearch::keepBest(const CentroidPose& pose, const Shifts& shifts,
     }
 }
 
-std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
+std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoint> points,
+                                                   std::span<const double> radiusMm, const CentroidPose& start,
                                                    const SearchReach& reach,
                                                    const std::function<Verdict(double)>& proceed)
 {
@@ -191,6 +231,7 @@ std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoin
     const int half = static_cast<int>(std::ceil(radiusPx / cellPx_));
     Shifts shifts(half, reach.freedom);
     layOut(half);
+    compareWidths(radiusMm, pxPerMm, points.size());
     forEachTurn(
         start, reach,
         [&](const CentroidPose& pose) {
