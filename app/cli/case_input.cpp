@@ -2,6 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/messages/says.h"
+#include "core/case/start_pose.h"
 #include "io/opening/read_case_inputs.h"
 
 namespace angiopose::app {
@@ -25,7 +26,11 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
     if (*frame < 0 || *frame >= frameCount) {
         return core::Error(says::frameBeyondRun(*frame, frameCount - 1).about(path));
     }
-    theCase.shown().frame = *frame;
+    core::View& shown = theCase.shown();
+    if (core::findFrame(shown.followed, *frame) && *frame != shown.frame) {
+        shown = core::withFrame(std::move(shown), theCase.vessels, *frame);
+    }
+    shown.frame = *frame;
     return theCase;
 }
 

@@ -1,5 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
+#include "app/cli/follow_case.h"
 #include "app/cli/register_case.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
@@ -39,19 +40,6 @@ core::Result<core::Case> registered(core::Case theCase)
     return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
 }
 
-/// Poses into the plan, how the vessels are bent at them into the case.
-core::Status followInto(MoviePlan& plan, core::Case& theCase)
-{
-    ProgressLine progress("following");
-    auto followed = core::followFrames(theCase, progress.observer());
-    if (!followed) {
-        return followed.error();
-    }
-    plan.followed = std::move(followed).value();
-    theCase.shown().followedBends = core::bendsOf(plan.followed);
-    return core::Done{};
-}
-
 core::Status write(const core::Case& theCase, const MovieArguments& arguments, const MoviePlan& plan)
 {
     OverlayPictureOptions options;
@@ -83,9 +71,10 @@ int runMovie(const MovieArguments& arguments)
     core::Case theCase = std::move(loaded).value();
     MoviePlan plan = planOf(arguments, theCase);
     if (arguments.isFollowed && arguments.content == MovieContent::Run) {
-        if (const auto followed = followInto(plan, theCase); !followed) {
+        if (const auto followed = followForCommand(theCase); !followed) {
             return failInput(followed.error().about(arguments.casePath));
         }
+        plan.followed = core::framesOf(theCase.shown().followed);
     }
     if (const auto written = write(theCase, arguments, plan); !written) {
         return failInput(written.error());

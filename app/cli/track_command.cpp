@@ -1,5 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
+#include "app/cli/follow_case.h"
 #include "app/cli/register_case.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
@@ -12,15 +13,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace angiopose::app {
 namespace {
-
-core::Result<std::vector<core::FollowedFrame>> followWithProgress(const core::Case& theCase)
-{
-    ProgressLine progress("following");
-    return core::followFrames(theCase, progress.observer());
-}
 
 void printFrames(const std::vector<core::FollowedFrame>& frames)
 {
@@ -84,27 +80,26 @@ int runTrack(const TrackArguments& arguments)
         }
         theCase = std::move(registered).value().theCase;
     }
-    const auto frames = followWithProgress(theCase);
-    if (!frames) {
-        return failInput(frames.error().about(arguments.casePath));
+    if (const auto followed = followForCommand(theCase); !followed) {
+        return failInput(followed.error().about(arguments.casePath));
     }
-    if (const auto status = io::writePoseTable(frames.value(), arguments.outputPath); !status) {
+    const std::vector<core::FollowedFrame>& frames = core::framesOf(theCase.shown().followed);
+    if (const auto status = io::writePoseTable(frames, arguments.outputPath); !status) {
         return failInput(status.error());
     }
     if (!arguments.bentFolder.empty()) {
-        if (const auto status = writeBentTrees(theCase, frames.value(), arguments.bentFolder); !status) {
+        if (const auto status = writeBentTrees(theCase, frames, arguments.bentFolder); !status) {
             return failInput(status.error());
         }
     }
-    printFrames(frames.value());
-    const core::RunPeriods periods = core::periodsOf(theCase, frames.value());
+    printFrames(frames);
+    const core::RunPeriods periods = core::periodsOf(theCase, frames);
     printPeriod("breath", periods.breath);
     printPeriod("heartbeat", periods.heart);
     if (isInterrupted()) {
         return exitStopped;
     }
-    const bool areAll =
-        std::ranges::all_of(frames.value(), [](const auto& frame) { return frame.tracked.isTrustworthy; });
+    const bool areAll = std::ranges::all_of(frames, [](const auto& frame) { return frame.tracked.isTrustworthy; });
     return areAll ? exitDone : exitNotTrustworthy;
 }
 

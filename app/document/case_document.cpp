@@ -55,14 +55,6 @@ bool CaseDocument::push(std::unique_ptr<QUndoCommand> edit)
     return true;
 }
 
-void CaseDocument::keepFollowed(const std::shared_ptr<const core::FollowedBends>& bends)
-{
-    if (bends != case_.shown().followedBends) {
-        case_.shown().followedBends = bends;
-        emit changed();
-    }
-}
-
 void CaseDocument::undo()
 {
     emit aboutToStep();

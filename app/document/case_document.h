@@ -58,9 +58,6 @@ public:
     bool isInTrial() const { return undoFloor_ > 0; }
     int trialEdits() const { return undoStack_.index() - undoFloor_; }   ///< steps of undo since it began
 
-    /// What following the shown run found: it is not stored, and no step of undo.
-    void keepFollowed(const std::shared_ptr<const core::FollowedBends>& bends);
-
     void noteChange() { emit changed(); }   ///< of what belongs to the case though it is not in it, as a mask's draft
 
 signals:

@@ -25,7 +25,7 @@ std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vess
 std::vector<View> withoutResults(std::vector<View> views)
 {
     for (View& view : views) {
-        view.result.reset();
+        core::forgetFindings(view);
     }
     return views;
 }

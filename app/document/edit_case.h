@@ -12,16 +12,19 @@ using core::Case;
 using core::Vessels;
 using core::View;
 
-/// A hand edit of the pose: what the last run said no longer holds.
-using MovePose = SetFields<&View::cameraFromPatient, &View::result>;
+/// A hand edit of the pose: what the last run said no longer holds, nor what following found.
+using MovePose = SetFields<&View::cameraFromPatient, &View::result, &View::followed>;
+
+/// What following found in the run of the shown view.
+using KeepFollowed = SetFields<&View::followed>;
 
 using ChangeSnapshots = SetFields<&View::snapshots>;
 
 /// A blind trial: another start pose, and nothing in sight of what was found before.
-using HideWhatIsKnown =
-    SetFields<&View::cameraFromPatient, &View::initialCameraFromPatient, &View::result, &View::snapshots>;
+using HideWhatIsKnown = SetFields<&View::cameraFromPatient, &View::initialCameraFromPatient, &View::result,
+                                  &View::followed, &View::snapshots>;
 
-/// Another frame; where the gantry turned, the poses turn with it.
+/// Another frame, at the pose that following found there; where the gantry turned, the poses turn with it.
 using ShowFrame = SetFields<&View::frame, &View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
 using ChooseAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
@@ -34,7 +37,7 @@ using PickPivot = SetFields<&Vessels::pickedPivotInPatient>;
 using ChangeVessels = SetFields<&Case::vessels, &Case::views>;
 
 using ChangeOptions = SetFields<&Case::options>;
-using ChangeGeometry = SetFields<&View::geometry, &View::cameraFromPatient, &View::result>;
+using ChangeGeometry = SetFields<&View::geometry, &View::cameraFromPatient, &View::result, &View::followed>;
 
 /// All views at once: added, moved along with the shown one, or found by a run.
 using ChangeViews = SetFields<&Case::views>;
@@ -51,18 +54,19 @@ using ChangeSightings = SetFields<&View::sightings>;
 using ChangeAnnotations = SetFields<&View::annotations>;
 
 /// A start pose found by hand or landmarks becomes the case's own.
-using PlaceVessels = SetFields<&View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
+using PlaceVessels =
+    SetFields<&View::initialCameraFromPatient, &View::cameraFromPatient, &View::result, &View::followed>;
 
-using ChangeTracing = SetFields<&View::traceOptions, &View::result>;
+using ChangeTracing = SetFields<&View::traceOptions, &View::result, &View::followed>;
 
 /// Another target: the result of the last run was found with the former one.
-using ChangeTarget = SetFields<&View::target, &View::result>;
-using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::storedRun, &View::result>;
+using ChangeTarget = SetFields<&View::target, &View::result, &View::followed>;
+using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::storedRun, &View::result, &View::followed>;
 
 /// Other inputs, and all that hangs on them.
 using JoinInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
 
-/// Views of other vessels than their results were found with.
+/// Views of other vessels than their results were found with, and than were followed.
 std::vector<View> withoutResults(std::vector<View> views);
 
 /// The edit that makes the document's case like `wanted`, geometry only.

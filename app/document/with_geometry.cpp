@@ -21,7 +21,7 @@ core::Case withGeometry(core::Case base, const core::CArm& cArm)
             view.cameraFromPatient = start.value();
         }
     }
-    view.result.reset();
+    core::forgetFindings(view);
     return base;
 }
 

@@ -195,7 +195,7 @@ void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std
     const int frame = current.shown().frame;
     const bool isPushed = document_.push(std::make_unique<ChangeTarget>(
         document_,
-        ChangeTarget::Values{core::GivenTarget{{}, std::move(curves), frame, std::move(accepted)}, std::nullopt},
+        ChangeTarget::Values{core::GivenTarget{{}, std::move(curves), frame, std::move(accepted)}, std::nullopt, {}},
         what));
     if (isPushed && formerFrame && formerFrame != frame) {
         notices_.showNote(
@@ -222,8 +222,8 @@ void CurveController::askToTraceAgain()
 
 void CurveController::traceAgain()
 {
-    document_.push(std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{core::GivenTarget{}, std::nullopt},
-                                                  [] { return tr("Trace again"); }));
+    document_.push(std::make_unique<ChangeTarget>(
+        document_, ChangeTarget::Values{core::GivenTarget{}, std::nullopt, {}}, [] { return tr("Trace again"); }));
 }
 
 }   // namespace angiopose::app

@@ -25,7 +25,7 @@ CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObj
 
 void CurveTracingController::change(const core::TraceOptions& options, const ui::Words& what)
 {
-    document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt}, what));
+    document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt, {}}, what));
 }
 
 /// Whoever looks at the curves wants to see where none can be.

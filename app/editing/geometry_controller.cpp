@@ -29,7 +29,7 @@ void GeometryController::dropCameraOverride()
 {
     core::Case wanted = document_.current();
     wanted.shown().geometry.cameraOverride.reset();
-    wanted.shown().result.reset();
+    core::forgetFindings(wanted.shown());
     document_.push(changeGeometry(document_, wanted, [] { return tr("Use distances and spacing"); }));
 }
 

@@ -202,8 +202,9 @@ void LandmarkController::placeVessels()
     }
     const core::RigidTransform& found = pose.value().cameraFromPatient;
     const QString verdict = verdictOf(pose.value());
-    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{found, found, std::nullopt}, [] { return tr("Place vessels by landmarks"); }));
+    const bool isDone =
+        document_.push(std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{found, found, std::nullopt, {}},
+                                                      [] { return tr("Place vessels by landmarks"); }));
     if (isDone) {
         emit placed(verdict);
     }

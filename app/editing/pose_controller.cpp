@@ -151,7 +151,7 @@ void PoseController::push(std::vector<core::View> moved, const ui::Words& name, 
     if (movesOthers()) {
         document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(moved)}, name, burst));
     } else {
-        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt}, name, burst));
+        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}}, name, burst));
     }
 }
 

@@ -23,7 +23,7 @@ void StartPoseController::startFromAngles()
         return;
     }
     const bool isDone = document_.push(
-        std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{std::nullopt, start.value(), std::nullopt},
+        std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{std::nullopt, start.value(), std::nullopt, {}},
                                        [] { return tr("Start pose from angles"); }));
     if (isDone) {
         emit done(tr("Start pose from the angles, the isocentre in the vessels"));
@@ -39,7 +39,7 @@ void StartPoseController::startHere()
     }
     const core::RigidTransform pose = current.shown().cameraFromPatient;
     const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{pose, pose, std::nullopt}, [] { return tr("Start pose by hand"); }));
+        document_, PlaceVessels::Values{pose, pose, std::nullopt, {}}, [] { return tr("Start pose by hand"); }));
     if (isDone) {
         emit done(tr("The pose as it is has become the start pose"));
     }

@@ -192,7 +192,7 @@ void SubtractionController::take(const Wish& wish, const SharedRun& run)
 {
     document_.push(std::make_unique<ChangeTreatment>(
         document_,
-        ChangeTreatment::Values{wish.treatment, run ? run : wish.stored, run ? wish.stored : nullptr, std::nullopt},
+        ChangeTreatment::Values{wish.treatment, run ? run : wish.stored, run ? wish.stored : nullptr, std::nullopt, {}},
         wish.what));
 }
 

@@ -95,7 +95,7 @@ void Case::setCamera(const ProjectionCamera& camera)
     core::View view = content_->values.shown();
     view.geometry.cameraOverride = library::toCore(camera);
     library::valueOf(core::cameraOf(view));   // throws where it is none for this image
-    view.result.reset();
+    core::forgetFindings(view);
     content_->values.shown() = std::move(view);
 }
 
@@ -109,7 +109,7 @@ void Case::setCArm(const CArm& cArm)
     core::View& view = content_->values.shown();
     view.geometry = {library::toCore(cArm), {}};
     view.initialCameraFromPatient.reset();
-    view.result.reset();
+    core::forgetFindings(view);
     if (const auto start = core::startPoseOf(content_->values)) {
         view.cameraFromPatient = start.value();
     }
@@ -134,7 +134,7 @@ Pose Case::cameraFromPatient() const
 void Case::setCameraFromPatient(const Pose& cameraFromPatient)
 {
     content_->values.shown().cameraFromPatient = library::toCore(cameraFromPatient);
-    content_->values.shown().result.reset();
+    core::forgetFindings(content_->values.shown());
 }
 
 RegistrationOptions Case::options() const

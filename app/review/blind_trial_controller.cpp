@@ -99,7 +99,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.startPose =
         core::uniformlyDisplaced(trial_.centrePose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<HideWhatIsKnown>(
-        document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}},
+        document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}, {}},
         [] { return tr("Blind trial"); }));
     showRunning(true);
     if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {

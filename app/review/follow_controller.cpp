@@ -1,5 +1,6 @@
 #include "app/review/follow_controller.h"
 
+#include "app/document/edit_case.h"
 #include "core/geometry/pose_difference.h"
 #include "io/pose_table.h"
 #include "ui/actions/window_actions.h"
@@ -9,14 +10,10 @@
 #include "ui/words/number.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::app {
 namespace {
-
-bool isFollowedPose(const core::RigidTransform& a, const core::RigidTransform& b)
-{
-    return a.matrix() == b.matrix();
-}
 
 /// " · breath every 3.7 s, 8.2 mm to and fro", or nothing.
 QString periodWords(const core::RunPeriods& periods)
@@ -52,14 +49,12 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
-        forget();   // it holds the case that it started from
+        startedFrom_ = {};   // a run is large
         on_.strip.showIdle(tr("Ready"));
         on_.notices.showProblem(tr("The vessels cannot be followed"), ui::messageText(reason));
     });
     connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
     connect(&on_.sync, &ViewSync::frameShown, this, &FollowController::showFrame);
-    on_.review.setFramePoses([this](int frame) { return poseOf(frame); });
-    on_.judgement.setFollowedPoses([this](int frame) { return poseOf(frame); });
     followDocument();
 }
 
@@ -82,7 +77,6 @@ void FollowController::start()
         return;
     }
     on_.review.stopMotion();
-    forget();
     startedFrom_ = on_.document.current();
     on_.strip.showBusy(tr("Following the vessels through the run …"));
     job_.start(startedFrom_);
@@ -91,101 +85,95 @@ void FollowController::start()
 void FollowController::take(const std::vector<core::FollowedFrame>& frames)
 {
     on_.strip.showIdle(tr("Ready"));
-    frames_ = frames;
-    if (!holds()) {
-        forget();
+    const core::Case startedFrom = std::exchange(startedFrom_, {});   // a run is large
+    const core::FollowedRun run = core::followedFrom(startedFrom.shown().frame, frames);
+    if (!isAsStarted(startedFrom, run)) {
         on_.notices.showNote(tr("The vessels were moved meanwhile: follow them again."));
         return;
     }
-    on_.document.keepFollowed(core::bendsOf(frames_));
-    showMotion();
-    const auto lost = std::ranges::count_if(frames_, [](const auto& each) { return !each.tracked.isTrustworthy; });
-    const auto count = static_cast<int>(frames_.size());
+    if (!on_.document.push(std::make_unique<KeepFollowed>(on_.document, KeepFollowed::Values{run},
+                                                          [] { return tr("Follow the vessels through the run"); }))) {
+        return;
+    }
+    const auto lost = std::ranges::count_if(frames, [](const auto& each) { return !each.tracked.isTrustworthy; });
+    const auto count = static_cast<int>(frames.size());
     const QString followed =
         lost == 0
             ? tr("Followed through %1 frames: scroll or play them").arg(count)
             : tr("Followed through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost);
-    on_.notices.showNote(followed + periodWords(core::periodsOf(startedFrom_, frames_)));
+    on_.notices.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
 }
 
-std::optional<core::RigidTransform> FollowController::poseOf(int frame) const
-{
-    const auto found = std::ranges::find(frames_, frame, &core::FollowedFrame::frame);
-    return found == frames_.end() ? std::nullopt : std::optional(found->tracked.cameraFromPatient);
-}
-
-/// Whether the poses still are of these vessels, in this run, from this pose on.
-bool FollowController::holds() const
+/// Whether the poses are of these vessels, in this run, and go on from this pose.
+bool FollowController::isAsStarted(const core::Case& started, const core::FollowedRun& run) const
 {
     const core::Case& current = on_.document.current();
-    const auto pose = poseOf(current.shown().frame);
-    return current.vessels.tree == startedFrom_.vessels.tree &&
-           current.shown().angiogram == startedFrom_.shown().angiogram &&
-           current.vessels.excludedBranchIds == startedFrom_.vessels.excludedBranchIds &&
-           core::cameraOf(current.shown()) && core::cameraOf(startedFrom_.shown()) &&
-           core::cameraOf(current.shown()).value() == core::cameraOf(startedFrom_.shown()).value() &&
-           (!pose || isFollowedPose(*pose, current.shown().cameraFromPatient));
+    const core::View& view = current.shown();
+    const core::View& before = started.shown();
+    const core::FollowedFrame* shown = core::findFrame(run, view.frame);
+    return current.vessels.tree == started.vessels.tree && view.angiogram == before.angiogram &&
+           current.vessels.excludedBranchIds == started.vessels.excludedBranchIds &&
+           view.traceOptions == before.traceOptions && view.target.centerline == before.target.centerline &&
+           core::cameraOf(view) && core::cameraOf(before) &&
+           core::cameraOf(view).value() == core::cameraOf(before).value() &&
+           (!shown || shown->tracked.cameraFromPatient.matrix() == view.cameraFromPatient.matrix());
 }
 
 void FollowController::followDocument()
 {
-    const auto& angiogram = on_.document.current().shown().angiogram;
-    const bool isRun = angiogram && angiogram->frameCount() > 1 && on_.document.current().vessels.tree;
+    const core::View& view = on_.document.current().shown();
+    const bool isRun = view.angiogram && view.angiogram->frameCount() > 1 && on_.document.current().vessels.tree;
     on_.actions[ui::Command::FollowFrames]->setEnabled(isRun);
-    if (!frames_.empty() && !holds()) {
-        forget();
+    if (view.followed.frames != shown_) {
+        shown_ = view.followed.frames;
+        on_.preview.end(PreviewOf::Frame);
+        showMotion();
     }
-    on_.actions[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
+    on_.actions[ui::Command::ExportFollowed]->setEnabled(!frames().empty());
 }
 
 /// While frames play, each is shown with its pose; the document's own frame has it already.
 void FollowController::showFrame(int frame)
 {
     on_.panel.motion().showCurrent(frame);
-    if (frames_.empty() || on_.document.isLocked()) {
+    if (frames().empty() || on_.document.isLocked()) {
         return;
     }
-    const auto pose = poseOf(frame);
-    if (frame == on_.document.current().shown().frame || !pose) {
+    const core::View& view = on_.document.current().shown();
+    const core::FollowedFrame* followed = core::findFrame(view.followed, frame);
+    if (frame == view.frame || !followed) {
         on_.preview.end(PreviewOf::Frame);
     } else {
-        on_.preview.show(PreviewOf::Frame, *pose, ResidualColors::Hidden);
+        on_.preview.show(PreviewOf::Frame, followed->tracked.cameraFromPatient, ResidualColors::Hidden);
     }
 }
 
 void FollowController::showMotion()
 {
     const core::Case& current = on_.document.current();
+    const core::FollowedRun& run = current.shown().followed;
     std::vector<ui::FrameMotion> motion;
     const Eigen::Vector3d pivot =
         current.vessels.tree ? core::centroidInPatient(*current.vessels.tree) : Eigen::Vector3d::Zero();
-    for (const core::FollowedFrame& each : frames_) {
-        const core::PoseDifference from =
-            core::differenceBetween(startedFrom_.shown().cameraFromPatient, each.tracked.cameraFromPatient, pivot);
-        motion.push_back({each.frame, from.inPlaneMm, from.depthMm, from.rotationDeg, each.tracked.isTrustworthy});
+    const core::FollowedFrame* const from = core::findFrame(run, run.fromFrame);
+    for (const core::FollowedFrame& each : core::framesOf(run)) {
+        const core::PoseDifference moved =
+            core::differenceBetween(from ? from->tracked.cameraFromPatient : current.shown().cameraFromPatient,
+                                    each.tracked.cameraFromPatient, pivot);
+        motion.push_back({each.frame, moved.inPlaneMm, moved.depthMm, moved.rotationDeg, each.tracked.isTrustworthy});
     }
     on_.panel.showMotion(motion);
     on_.panel.motion().showCurrent(on_.sync.shownFrame());
-    on_.actions[ui::Command::ExportFollowed]->setEnabled(!frames_.empty());
-}
-
-void FollowController::forget()
-{
-    frames_.clear();
-    on_.document.keepFollowed(nullptr);
-    on_.preview.end(PreviewOf::Frame);
-    startedFrom_ = {};   // a run is large
-    showMotion();
 }
 
 void FollowController::exportPoses()
 {
-    if (frames_.empty()) {
+    if (frames().empty()) {
         return;
     }
     on_.exporting.askFile(
         {tr("Export followed poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
-        [frames = frames_](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
+        [frames = frames()](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
 }
 
 }   // namespace angiopose::app

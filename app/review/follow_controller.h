@@ -2,14 +2,13 @@
 
 #include "app/files/export_controller.h"
 #include "app/jobs/follow_job.h"
-#include "app/review/judgement_controller.h"
 #include "app/showing/notices.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 
 #include <QObject>
 
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace angiopose::ui {
@@ -20,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Follows the vessels through the frames of the run from the frame and pose that are shown, then shows each frame with
-/// its own pose. The poses hold until something else moves the vessels.
+/// Follows the vessels through the frames of the run from the frame and pose that are shown, which is a step of undo,
+/// and shows each frame with its own pose for as long as the case keeps what following found.
 class FollowController : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +28,6 @@ public:
     struct Parts {
         CaseDocument& document;
         ReviewController& review;
-        JudgementController& judgement;
         ViewSync& sync;
         PosePreview& preview;
         ExportController& exporting;
@@ -41,7 +39,10 @@ public:
     explicit FollowController(const Parts& parts, QObject* parent = nullptr);
 
     bool isRunning() const { return job_.isRunning(); }
-    const std::vector<core::FollowedFrame>& frames() const { return frames_; }
+    const std::vector<core::FollowedFrame>& frames() const
+    {
+        return core::framesOf(on_.document.current().shown().followed);
+    }
 
 private:
     QString whyNot() const;
@@ -50,15 +51,13 @@ private:
     void followDocument();
     void showFrame(int frame);
     void showMotion();
-    void forget();
     void exportPoses();
-    bool holds() const;
-    std::optional<core::RigidTransform> poseOf(int frame) const;
+    bool isAsStarted(const core::Case& started, const core::FollowedRun& run) const;
 
     Parts on_;
     FollowJob job_;
     core::Case startedFrom_;
-    std::vector<core::FollowedFrame> frames_;
+    std::shared_ptr<const std::vector<core::FollowedFrame>> shown_;   ///< in plot and views; null: none
 };
 
 }   // namespace angiopose::app

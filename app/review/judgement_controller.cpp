@@ -118,11 +118,12 @@ ui::PoseSource JudgementController::sourceOf(FoundBy found) const
                                             : ui::PoseSource::Start;
 }
 
+/// A pose that is neither of a run nor by hand.
 bool JudgementController::isFollowed() const
 {
-    const core::Case& current = on_.document.current();
-    const auto followed = followedPoseOf_ ? followedPoseOf_(current.shown().frame) : std::nullopt;
-    return followed && followed->matrix() == current.shown().cameraFromPatient.matrix();
+    const core::View& shown = on_.document.current().shown();
+    const core::FollowedFrame* followed = core::findFrame(shown.followed, shown.frame);
+    return followed && followed->tracked.cameraFromPatient.matrix() == shown.cameraFromPatient.matrix();
 }
 
 }   // namespace angiopose::app

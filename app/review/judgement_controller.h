@@ -39,11 +39,6 @@ public:
     explicit JudgementController(const Parts& parts, QObject* parent = nullptr);
 
     void judge(const core::RigidTransform& cameraFromPatient);
-    /// The pose that a frame has been followed to, if any: a pose that is neither of a run nor by hand.
-    void setFollowedPoses(std::function<std::optional<core::RigidTransform>(int frame)> poseOf)
-    {
-        followedPoseOf_ = std::move(poseOf);
-    }
     void show();
     const SharedJudgement& current() const { return judgement_; }
 
@@ -59,7 +54,6 @@ private:
     Parts on_;
     JudgeJob job_;
     SharedJudgement judgement_;
-    std::function<std::optional<core::RigidTransform>(int frame)> followedPoseOf_;
 };
 
 }   // namespace angiopose::app

@@ -218,7 +218,7 @@ void ReplayController::takeSolution()
         return;
     }
     const core::RigidTransform pose = result->alternatives[solution_ - 1].cameraFromPatient;
-    document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt},
+    document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}},
                                               [number = solution_ + 1] { return tr("Take solution %1").arg(number); }));
 }
 

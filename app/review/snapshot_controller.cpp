@@ -175,7 +175,7 @@ void SnapshotController::restore(int snapshotId)
     if (const core::PoseSnapshot* snapshot = find(snapshotId)) {
         const core::RigidTransform pose = snapshot->cameraFromPatient;
         document_.push(std::make_unique<MovePose>(
-            document_, MovePose::Values{pose, std::nullopt},
+            document_, MovePose::Values{pose, std::nullopt, {}},
             [name = QString::fromStdString(snapshot->name)] { return tr("Restore %1").arg(name); }));
     }
 }

@@ -119,11 +119,7 @@ void ReviewController::showFrame(int frame)
         ++frameBurst_;
     }
     lastFrameMs_ = now;
-    core::View turned = core::withFrame(document_.current().shown(), document_.current().vessels, frame);
-    if (const auto followed = poseOfFrame_ ? poseOfFrame_(frame) : std::nullopt) {
-        turned.cameraFromPatient = *followed;
-        turned.result.reset();
-    }
+    const core::View turned = core::withFrame(document_.current().shown(), document_.current().vessels, frame);
     document_.push(std::make_unique<ShowFrame>(
         document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
         [] { return tr("Choose another frame"); }, frameBursts + frameBurst_));

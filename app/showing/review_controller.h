@@ -6,10 +6,6 @@
 #include <QObject>
 #include <QTimer>
 
-#include <functional>
-#include <optional>
-#include <utility>
-
 namespace angiopose::ui {
 class AngiogramView;
 class BottomStrip;
@@ -30,15 +26,12 @@ public:
         ui::TreeView& treeView;
         ui::BottomStrip& strip;
     };
-    /// The pose of a frame, where following the vessels through the run has found it.
-    using PoseOfFrame = std::function<std::optional<core::RigidTransform>(int frame)>;
 
     ReviewController(CaseDocument& document, ViewSync& sync, PosePreview& preview, const Ui& ui,
                      QObject* parent = nullptr);
 
     void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
     void showFrame(int frame);
-    void setFramePoses(PoseOfFrame poseOfFrame) { poseOfFrame_ = std::move(poseOfFrame); }
     void stopMotion();   ///< ends whatever moves by itself
 
 private:
@@ -54,7 +47,6 @@ private:
     ViewSync& sync_;
     PosePreview& preview_;
     Ui ui_;
-    PoseOfFrame poseOfFrame_;
     QTimer flickerTimer_;
     bool showsStart_ = false;
     int frameBurst_ = 0;

@@ -38,9 +38,9 @@ MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& bent,
 std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransform& pose,
                                 const core::DeformableResult& bent)
 {
-    const core::FollowedBend* followed = view.followedBends ? core::bendAt(*view.followedBends, pose) : nullptr;
+    const core::FollowedFrame* followed = core::bendAt(view.followed, pose);
     if (followed && followed->bent.get() == &bent) {
-        return followed->foundInFrame;
+        return followed->bentAsInFrame;
     }
     const bool isElsewhere = view.result && view.result->bent.get() == &bent && !core::resultOfShownFrame(view);
     return isElsewhere ? view.result->provenance.frame : std::nullopt;

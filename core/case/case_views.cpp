@@ -14,7 +14,7 @@ std::vector<View> withPoses(const Case& theCase, const PoseOf& poseOf)
     for (const std::size_t place : registeredViews(theCase)) {
         View& view = views[place];
         view.cameraFromPatient = poseOf(place);
-        view.result.reset();
+        forgetFindings(view);
         view.caseFile = {};
     }
     return views;

@@ -9,7 +9,7 @@ namespace {
 std::shared_ptr<const DeformableResult> followedBend(const View& view, const VesselTree& tree,
                                                      const RigidTransform& pose)
 {
-    const FollowedBend* known = view.followedBends ? bendAt(*view.followedBends, pose) : nullptr;
+    const FollowedFrame* known = bendAt(view.followed, pose);
     return known && isOf(tree, *known->bent) ? known->bent : nullptr;
 }
 

@@ -28,6 +28,11 @@ View withFrame(View view, const Vessels& vessels, int frame)
 {
     const auto before = poseFromAngles(view, vessels);
     view.frame = frame;
+    if (const FollowedFrame* followed = findFrame(view.followed, frame)) {
+        view.cameraFromPatient = followed->tracked.cameraFromPatient;
+        view.result.reset();
+        return view;
+    }
     const bool turns = view.angiogram && !view.angiogram->gantry.angleIncrementsDeg.empty();
     const auto after = poseFromAngles(view, vessels);
     if (!turns || !before || !after) {
@@ -38,7 +43,7 @@ View withFrame(View view, const Vessels& vessels, int frame)
     if (view.initialCameraFromPatient) {
         view.initialCameraFromPatient = laterFromEarlier * *view.initialCameraFromPatient;
     }
-    view.result.reset();
+    forgetFindings(view);
     return view;
 }
 

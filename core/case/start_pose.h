@@ -9,7 +9,8 @@ namespace angiopose::core {
 /// has it, else in the tree's centroid.
 Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels);
 
-/// The view at another frame. Where the gantry turned in between, the poses turn with it about the isocentre.
+/// The view at another frame, at its own pose where following found one. Where the gantry turned in between, the poses
+/// turn with it about the isocentre.
 View withFrame(View view, const Vessels& vessels, int frame);
 
 /// From the camera of one view to that of another: distances and angles of both gantries about one isocentre, whatever

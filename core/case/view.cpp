@@ -10,6 +10,12 @@ const RegistrationResult* resultOfShownFrame(const View& view)
     return view.result && view.result->provenance.frame.value_or(view.frame) == view.frame ? &*view.result : nullptr;
 }
 
+void forgetFindings(View& view)
+{
+    view.result.reset();
+    view.followed = {};
+}
+
 Result<ProjectionCamera> cameraOf(const View& view)
 {
     if (const auto& camera = view.geometry.cameraOverride) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/case/followed_bends.h"
+#include "core/case/followed_run.h"
 #include "core/case/input_file.h"
 #include "core/geometry/camera_spread.h"
 #include "core/geometry/image_annotation.h"
@@ -60,7 +60,7 @@ struct View {
     std::vector<Sighting> sightings;   ///< of check points of the vessels, one for each of them and frame
     std::vector<ImageAnnotation> annotations;   ///< arrows and words on its frames
     std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
-    std::shared_ptr<const FollowedBends> followedBends;   ///< of its run's frames; not stored, null: not followed bent
+    FollowedRun followed;   ///< what following found in its run, from the frame and pose of then
     std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
 
     std::string extraKeys;   ///< JSON object with the keys of the file about this view that this version does not know
@@ -69,6 +69,9 @@ struct View {
 /// The result, where it was found in the frame that is shown: what it says of the fit holds for that one alone. Else
 /// null.
 const RegistrationResult* resultOfShownFrame(const View& view);
+
+/// Something that they rest on is another: neither the run's result nor what following found holds any longer.
+void forgetFindings(View& view);
 
 /// The camera of a view: the override, which must be of the image size, or what follows from the C-arm and that size.
 Result<ProjectionCamera> cameraOf(const View& view);

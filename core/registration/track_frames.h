@@ -4,19 +4,11 @@
 #include "core/registration/alignment/motion_model.h"
 #include "core/registration/alignment/pose_search.h"
 #include "core/registration/matching/target_lines.h"
+#include "core/registration/tracked_frame.h"
 
 #include <deque>
 
 namespace angiopose::core {
-
-/// One frame of a run.
-struct TrackedFrame {
-    RigidTransform cameraFromPatient;
-    double score = 0.0;   ///< agreement both ways, 0…1
-    bool searched = false;   ///< the prediction did not fit and the surroundings were searched
-    bool isTrustworthy = false;   ///< false: nothing near explains the frame, the pose is the prediction
-    StageTimes time;
-};
 
 /// Follows the vessels from frame to frame of one run (ALGORITHMS §6.11). Every frame starts from the pose that the
 /// motion so far predicts, with the prediction as prior, and needs no search while it explains the frame about as well

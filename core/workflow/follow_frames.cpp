@@ -105,11 +105,7 @@ void carryBends(std::vector<FollowedFrame>& frames)
         if (each.bent || !nearest || each.tracked.isTrustworthy) {
             continue;
         }
-        auto carried = std::make_shared<DeformableResult>(*nearest->bent);
-        carried->cameraFromPatient =
-            each.tracked.cameraFromPatient * nearest->tracked.cameraFromPatient.inverse() * carried->cameraFromPatient;
-        carried->viewPoses = {carried->cameraFromPatient};
-        each.bent = carried;
+        each.bent = carriedBend(*nearest, each.tracked.cameraFromPatient);
         each.bentAsInFrame = nearest->frame;
     }
 }
@@ -156,17 +152,6 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
         carryBends(frames);
     }
     return frames;
-}
-
-std::shared_ptr<const FollowedBends> bendsOf(const std::vector<FollowedFrame>& frames)
-{
-    FollowedBends bends;
-    for (const FollowedFrame& each : frames) {
-        if (each.bent) {
-            bends.push_back({each.tracked.cameraFromPatient, each.bent, each.bentAsInFrame});
-        }
-    }
-    return bends.empty() ? nullptr : std::make_shared<const FollowedBends>(std::move(bends));
 }
 
 RunPeriods periodsOf(const Case& theCase, const std::vector<FollowedFrame>& frames)

@@ -287,6 +287,7 @@ void takeOver(View& view, const View& registered)
 
 void takeOver(View& view, RegistrationResult result)
 {
+    forgetFindings(view);
     view.caseFile = {};
     view.cameraFromPatient = result.cameraFromPatient;
     view.result = std::move(result);

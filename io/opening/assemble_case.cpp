@@ -105,7 +105,7 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         view.target = {inputs.targetFile, inputs.target, std::nullopt, {}};
     }
     if (inputs.tree || inputs.angiogram) {
-        view.result.reset();
+        core::forgetFindings(view);
         view.initialCameraFromPatient.reset();
         view.landmarks.clear();   // of other vessels, or in another image
         if (inputs.angiogram) {

@@ -27,7 +27,7 @@ core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs&
     if (inputs.wholeCase && inputs.wholeCase->shown().angiogram) {
         core::View view = inputs.wholeCase->shown();
         view.caseFile = {path, {}};
-        view.result.reset();   // found with the vessels of that case
+        core::forgetFindings(view);   // found with the vessels of that case
         return view;
     }
     if (!inputs.angiogram) {

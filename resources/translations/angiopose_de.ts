@@ -495,6 +495,10 @@
         <translation>Gefäße werden durch die Serie verfolgt …</translation>
     </message>
     <message>
+        <source>Follow the vessels through the run</source>
+        <translation>Gefäße durch die Serie verfolgen</translation>
+    </message>
+    <message>
         <source>The vessels were moved meanwhile: follow them again.</source>
         <translation>Die Gefäße wurden inzwischen bewegt: verfolgen Sie sie erneut.</translation>
     </message>

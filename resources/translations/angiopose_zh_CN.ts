@@ -495,6 +495,10 @@
         <translation>正在序列中跟踪血管……</translation>
     </message>
     <message>
+        <source>Follow the vessels through the run</source>
+        <translation>在序列中跟踪血管</translation>
+    </message>
+    <message>
         <source>The vessels were moved meanwhile: follow them again.</source>
         <translation>血管已被移动：请重新跟踪。</translation>
     </message>

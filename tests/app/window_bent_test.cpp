@@ -1,3 +1,4 @@
+#include "app/document/edit_case.h"
 #include "core/registration/deformable/bent_tree.h"
 #include "io/case/case_file.h"
 #include "io/vessel_tree_file.h"
@@ -67,20 +68,29 @@ TEST(WindowBent, DrawsTheBendThatFollowingFoundForAFrame)
         for (Eigen::Vector3d& displacement : motion.displacementMm) {
             displacement *= 0.5;
         }
+        core::roundMotion(motion);
     }
-    w.controller.document().keepFollowed(
-        std::make_shared<const core::FollowedBends>(core::FollowedBends{{pose, ofFrame, std::nullopt}}));
+    core::FollowedFrame itself;
+    itself.frame = w.current().shown().frame;
+    itself.tracked.cameraFromPatient = w.current().shown().cameraFromPatient;
+    core::FollowedFrame next{itself.frame + 1, {pose, 0.9, false, true, {}}, {}, ofFrame, {}};
+    w.controller.document().push(std::make_unique<KeepFollowed>(
+        w.controller.document(), KeepFollowed::Values{core::followedFrom(itself.frame, {itself, next})},
+        [] { return QStringLiteral("Follow"); }));
     EXPECT_TRUE(w.isBentDrawn()) << "the frame itself as it was";
-    EXPECT_FALSE(w.history().canUndo()) << "no edit";
-    core::Case atFrame = w.current();
-    atFrame.shown().cameraFromPatient = pose;
-    w.controller.document().replace(atFrame, {});
+    w.press(Qt::Key_Down);
+    ASSERT_EQ(w.current().shown().frame, next.frame);
     EXPECT_LT(w.farthestFrom(core::bentTreeAt(tree, *ofFrame, pose)), 1e-6);
     w.press(Qt::Key_Y, Qt::ShiftModifier);
     EXPECT_TRUE(w.isRigidDrawn());
     w.press(Qt::Key_Y, Qt::ShiftModifier);
-    w.controller.document().keepFollowed(nullptr);
-    EXPECT_TRUE(w.isRigidDrawn()) << "nothing is known of that pose any more";
+
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    EXPECT_TRUE(w.isRigidDrawn()) << "nothing is known of that pose";
+    w.press(Qt::Key_N);
+    w.controller.document().undo();
+    EXPECT_LT(w.farthestFrom(core::bentTreeAt(tree, *ofFrame, pose)), 1e-6);
 }
 
 TEST(WindowBent, DrawsThemAtNoOtherPose)

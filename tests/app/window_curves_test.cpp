@@ -243,7 +243,7 @@ TEST_F(WindowCurves, SayWhyThereAreNoneAsSoonAsThatIsKnown)
     core::TraceOptions options = w.current().shown().traceOptions;
     options.minComponentLengthPx = 100000;
     w.controller.document().push(std::make_unique<ChangeTracing>(
-        w.controller.document(), ChangeTracing::Values{options, std::nullopt}, [] { return QString(); }));
+        w.controller.document(), ChangeTracing::Values{options, std::nullopt, {}}, [] { return QString(); }));
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().problem().has_value(); }, test::patienceMs));
     const QString why = ui::messageText(*w.controller.target().problem());
     EXPECT_TRUE(test::wordsOf(w.window.result()).join(QLatin1Char(' ')).contains(why));

@@ -1,3 +1,5 @@
+#include "app/document/edit_case.h"
+#include "app/document/with_geometry.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
@@ -96,6 +98,68 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     w.press(Qt::Key_N);
     w.press(Qt::Key_Down);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), nudged);   // frames share the pose again
+}
+
+/// The sample of this program, registered and followed.
+void followSample(OpenWindow& w)
+{
+    w.openSample();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().shown().result);
+    follow(w);
+    ASSERT_FALSE(w.controller.following().frames().empty());
+}
+
+TEST(WindowFollow, IsAStepOfUndo)
+{
+    OpenWindow w;
+    followSample(w);
+    const auto frames = w.current().shown().followed.frames;
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right);
+    EXPECT_TRUE(w.controller.following().frames().empty());
+    w.press(Qt::Key_N);
+    w.controller.document().undo();
+    EXPECT_EQ(w.current().shown().followed.frames, frames) << "with the pose that it went from";
+    EXPECT_TRUE(w.window.result().motion().isVisible());
+    w.controller.document().undo();
+    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_FALSE(w.window.result().motion().isVisible());
+    EXPECT_FALSE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    w.controller.document().redo();
+    EXPECT_EQ(w.current().shown().followed.frames, frames);
+    EXPECT_TRUE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+}
+
+TEST(WindowFollow, GoesWhereTheResultGoes)
+{
+    OpenWindow w;
+    followSample(w);
+    const auto isGoneWith = [&w](auto edit) {
+        edit();
+        const bool isGone = !w.current().shown().followed.frames && !w.current().shown().result;
+        w.controller.document().undo();
+        return isGone && w.current().shown().followed.frames && w.current().shown().result;
+    };
+    CaseDocument& document = w.controller.document();
+    core::Case wider = w.current();
+    wider.shown().geometry.cArm.sourceToDetectorMm = {1234.0, core::Origin::User, ""};
+    EXPECT_TRUE(isGoneWith([&] {
+        document.push(changeGeometry(document, withGeometry(document.current(), wider.shown().geometry.cArm),
+                                     [] { return QStringLiteral("geometry"); }));
+    }));
+    EXPECT_TRUE(
+        isGoneWith([&] { w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id}); }));
+    EXPECT_TRUE(isGoneWith([&] {
+        document.push(editTree(document, *document.current().vessels.tree, [] { return QStringLiteral("tree"); }));
+    }));
+    core::TraceOptions tracing = w.current().shown().traceOptions;
+    tracing.sensitivity = 1.5;
+    EXPECT_TRUE(isGoneWith([&] {
+        document.push(std::make_unique<ChangeTracing>(document, ChangeTracing::Values{tracing, std::nullopt, {}},
+                                                      [] { return QStringLiteral("tracing"); }));
+    }));
 }
 
 TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)

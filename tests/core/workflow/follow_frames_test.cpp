@@ -39,12 +39,17 @@ TEST(FollowFrames, FollowsBentVesselsBent)
     }
     EXPECT_GE(found, 3);
     EXPECT_GE(carried, 1) << "frames without contrast";
-    theCase.shown().followedBends = bendsOf(frames.value());
+    theCase.shown().followed = followedFrom(theCase.shown().frame, frames.value());
     for (const FollowedFrame& each : frames.value()) {
         const auto known = knownBend(theCase.shown(), theCase.vessels, each.tracked.cameraFromPatient);
         ASSERT_TRUE(known) << each.frame;   // frames that were lost may share a pose
         EXPECT_TRUE(known->cameraFromPatient.matrix().isApprox(each.bent->cameraFromPatient.matrix())) << each.frame;
+        const View there = withFrame(theCase.shown(), theCase.vessels, each.frame);
+        EXPECT_EQ(there.cameraFromPatient.matrix(), each.tracked.cameraFromPatient.matrix()) << each.frame;
+        EXPECT_FALSE(there.result);
     }
+    takeOver(theCase.shown(), *theCase.shown().result);
+    EXPECT_FALSE(theCase.shown().followed.frames) << "another pose may follow from it";
 }
 
 TEST(FollowFrames, FindsNoBendWhereNoneIsKnown)
@@ -53,7 +58,6 @@ TEST(FollowFrames, FindsNoBendWhereNoneIsKnown)
     const auto frames = followFrames(theCase);
     ASSERT_TRUE(frames);
     EXPECT_TRUE(std::ranges::all_of(frames.value(), [](const FollowedFrame& each) { return !each.bent; }));
-    EXPECT_FALSE(bendsOf(frames.value()));
 }
 
 }   // namespace

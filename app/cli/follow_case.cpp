@@ -1,0 +1,26 @@
+#include "app/cli/follow_case.h"
+
+#include "app/cli/console.h"
+#include "core/workflow/follow_frames.h"
+
+#include <utility>
+
+namespace angiopose::app {
+
+core::Status followForCommand(core::Case& theCase)
+{
+    core::View& shown = theCase.shown();
+    const auto known = static_cast<int>(core::framesOf(shown.followed).size());
+    if (shown.angiogram && known == shown.angiogram->frameCount()) {
+        return core::Done{};
+    }
+    ProgressLine progress("following");
+    auto frames = core::followFrames(theCase, progress.observer());
+    if (!frames) {
+        return frames.error();
+    }
+    shown.followed = core::followedFrom(shown.frame, std::move(frames).value());
+    return core::Done{};
+}
+
+}   // namespace angiopose::app
