@@ -74,8 +74,9 @@ void removeCopy(const QString& path)
     QFile::remove(vesselsBeside(path));
     QDir folder = QFileInfo(path).dir();
     const QString base = QFileInfo(path).completeBaseName();
-    for (const QString& kept :   // edited curves, also those of other views, and an edited mask
-         folder.entryList({base + QStringLiteral(".*curves.csv"), base + QStringLiteral(".mask*.nrrd")})) {
+    for (const QString& kept :   // edited curves and bends, also those of other views, and an edited mask
+         folder.entryList({base + QStringLiteral(".*curves.csv"), base + QStringLiteral(".mask*.nrrd"),
+                           base + QStringLiteral(".*bends*.nrrd")})) {
         folder.remove(kept);
     }
 }

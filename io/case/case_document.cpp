@@ -49,9 +49,10 @@ CaseDocument parseCaseDocument(std::string_view json)
     readUnknown(root, document.values);
     document.notes = std::move(reading.otherViews);
     document.notes.insert(document.notes.begin(), std::move(reading.view));
-    std::vector<core::Messages> changed = changedBesideResults(json);
+    std::vector<ChangedParts> changed = changedBesideResults(json);
     for (std::size_t k = 0; k < document.notes.size(); ++k) {
-        document.notes[k].changedBesideResult = std::move(changed[k]);
+        document.notes[k].changedBesideResult = std::move(changed[k].besideResult);
+        document.notes[k].changedBesideFollowed = std::move(changed[k].besideFollowed);
     }
     document.shownPlace = std::min(reading.shownPlace, document.values.views.size() - 1);
     document.problems = std::move(reading.problems);

@@ -6,6 +6,7 @@
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
+#include "io/case/followed_bends_file.h"
 #include "io/case/saved_files.h"
 #include "io/case/stale_results.h"
 #include "io/case/view_inputs.h"
@@ -116,7 +117,7 @@ std::string inputAt(const Case& theCase, const std::string& path)
 {
     std::vector<const core::InputFile*> files{&theCase.vessels.file, &theCase.vessels.scanFile};
     for (const core::View& view : theCase.views) {
-        files.insert(files.end(), {&view.imageFile, &view.target.file, &view.caseFile});
+        files.insert(files.end(), {&view.imageFile, &view.target.file, &view.caseFile, &view.followed.bendsFile});
     }
     for (const core::InputFile* file : files) {
         std::error_code absent;
@@ -160,6 +161,7 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
         Case values = std::move(loaded).value();
         loadOtherViews(values, notes, path, warnings);
         dropStaleResults(noted, notes, values, warnings);
+        readBendsOfRuns(values, warnings);
         putInPlace(values, shownPlace);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());

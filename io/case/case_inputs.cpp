@@ -124,6 +124,7 @@ std::vector<core::InputFile*> inputsOf(CaseDocument& document)
         add(view.imageFile);
         add(view.target.file);
         add(view.caseFile);
+        add(view.followed.bendsFile);
     }
     return files;
 }

@@ -3,6 +3,7 @@
 #include "io/file_hash.h"
 #include "io/messages/says.h"
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* sealKey = "savedWith";
+constexpr const char* resultKey = "result";
+constexpr const char* followedKey = "followed";
+constexpr std::array sealedKeys{resultKey, followedKey};   // with digests of their own: a file may keep an older one
 constexpr std::size_t digestLength = 16;
 
 /// What `json` has under `keys`, one in the other; null where there is nothing.
@@ -123,22 +127,25 @@ const auto& sealedParts()
     return parts;
 }
 
-void sealResultOf(const Json& theCase, Json& view)
+void sealFindingsOf(const Json& theCase, Json& view)
 {
-    const auto result = view.find("result");
-    if (result == view.end()) {
+    if (std::ranges::none_of(sealedKeys, [&view](const char* key) { return view.contains(key); })) {
         return;
     }
     Json digests = Json::object();
     for (const SealedPart& part : sealedParts()) {
         digests[part.key] = partDigest(part.of(theCase, view));
     }
-    (*result)[sealKey] = std::move(digests);
+    for (const char* key : sealedKeys) {
+        if (const auto finding = view.find(key); finding != view.end()) {
+            (*finding)[sealKey] = digests;
+        }
+    }
 }
 
-core::Messages changedBeside(const Json& theCase, const Json& view)
+core::Messages changedBeside(const char* finding, const Json& theCase, const Json& view)
 {
-    const Json digests = memberAt(view, {"result", sealKey});
+    const Json digests = memberAt(view, {finding, sealKey});
     core::Messages changed;
     for (const SealedPart& part : sealedParts()) {
         const auto digest = digests.find(part.key);
@@ -155,21 +162,24 @@ std::string withSealedResults(std::string_view caseJson)
 {
     const Json theCase = Json::parse(caseJson);
     Json sealed = theCase;
-    sealResultOf(theCase, sealed);
+    sealFindingsOf(theCase, sealed);
     if (const auto views = sealed.find("views"); views != sealed.end()) {
         for (Json& view : *views) {
-            sealResultOf(theCase, view);
+            sealFindingsOf(theCase, view);
         }
     }
     return sealed.dump();
 }
 
-std::vector<core::Messages> changedBesideResults(std::string_view caseJson)
+std::vector<ChangedParts> changedBesideResults(std::string_view caseJson)
 {
     const Json theCase = Json::parse(caseJson);
-    std::vector<core::Messages> changed{changedBeside(theCase, theCase)};
+    const auto besideFindings = [&theCase](const Json& view) {
+        return ChangedParts{changedBeside(resultKey, theCase, view), changedBeside(followedKey, theCase, view)};
+    };
+    std::vector<ChangedParts> changed{besideFindings(theCase)};
     for (const Json& view : memberAt(theCase, {"views"})) {
-        changed.push_back(changedBeside(theCase, view));
+        changed.push_back(besideFindings(view));
     }
     return changed;
 }

@@ -3,6 +3,8 @@
 #include "core/registration/deformable/bent_tree.h"
 #include "io/messages/says.h"
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -35,17 +37,35 @@ bool isOfTree(const core::View& view, const core::Vessels& vessels)
     return !bent || !vessels.tree || core::isOf(*vessels.tree, *bent);
 }
 
-/// Why the result of a view does not count any more, if it does not.
-std::optional<core::Message> whyStale(const core::View& noted, const ViewNotes& notes, const core::View& read,
-                                      bool haveVesselsChanged)
+/// Why what was found in a view does not count any more, if it does not.
+std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messages& changedBeside)
 {
-    if (haveVesselsChanged || !isAsNoted(noted, read)) {
+    if (haveInputsChanged) {
         return says::caseResultStale();
     }
-    if (!notes.changedBesideResult.empty()) {
-        return says::caseResultBeside(notes.changedBesideResult);
+    if (!changedBeside.empty()) {
+        return says::caseResultBeside(changedBeside);
     }
     return {};
+}
+
+/// Frames of the view's run, each once, and where the case has the vessels in its own frame.
+bool fitsItsView(const core::FollowedRun& run, const core::View& view)
+{
+    const auto& frames = core::framesOf(run);
+    const bool areInOrder =
+        std::ranges::adjacent_find(frames, std::ranges::greater_equal{}, &core::FollowedFrame::frame) == frames.end();
+    const bool areThere = !view.angiogram || frames.empty() || frames.back().frame < view.angiogram->frameCount();
+    const core::FollowedFrame* shown = core::findFrame(run, view.frame);
+    return areInOrder && areThere &&
+           (!shown || shown->tracked.cameraFromPatient.matrix() == view.cameraFromPatient.matrix());
+}
+
+/// Like the result, which may be of another frame or not there any more.
+std::optional<core::Message> whyFollowedStale(bool haveInputsChanged, const ViewNotes& notes, const core::View& view)
+{
+    auto why = whyStale(haveInputsChanged, notes.changedBesideFollowed);
+    return why || fitsItsView(view.followed, view) ? why : says::caseFollowedMisfit();
 }
 
 }   // namespace
@@ -56,10 +76,13 @@ void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes,
     const bool areVesselsNoted = areAsNoted(noted.vessels, read.vessels);
     for (std::size_t k = 0; k < read.views.size(); ++k) {
         core::View& view = read.views[k];
-        const bool haveVesselsChanged = !areVesselsNoted || !isOfTree(view, read.vessels);
-        const auto why = whyStale(noted.views[k], notes[k], view, haveVesselsChanged);
-        if (why && std::exchange(view.result, std::nullopt) && noted.views[k].caseFile.path.empty()) {
-            warnings.push_back(why->about(view.imageFile.path));
+        const bool areNoted = areVesselsNoted && isAsNoted(noted.views[k], view);
+        const auto whyResult = whyStale(!areNoted || !isOfTree(view, read.vessels), notes[k].changedBesideResult);
+        const auto whyFollowed = whyFollowedStale(!areNoted, notes[k], view);
+        const bool isResultGone = whyResult && std::exchange(view.result, std::nullopt);
+        const bool isFollowedGone = whyFollowed && std::exchange(view.followed, {}).frames;
+        if ((isResultGone || isFollowedGone) && noted.views[k].caseFile.path.empty()) {
+            warnings.push_back((isResultGone ? *whyResult : *whyFollowed).about(view.imageFile.path));
         }
     }
 }

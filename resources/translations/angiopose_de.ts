@@ -4488,6 +4488,41 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>was darin gefunden wurde, ist weggelassen, weil die Falldatei seither geändert wurde: %1. Neu registrieren.</translation>
     </message>
     <message>
+        <source>where the vessels were followed to is left out, because it does not fit the run or the pose of the case. Follow them again.</source>
+        <comment>case.followed-misfit</comment>
+        <translation>wohin die Gefäße verfolgt wurden, ist weggelassen, weil es nicht zur Serie oder zur Lage des Falls passt. Neu verfolgen.</translation>
+    </message>
+    <message>
+        <source>The vessels of a followed run are shown at their poses, but not bent: %1 Follow them again.</source>
+        <comment>case.bends-left-out</comment>
+        <translation>Die Gefäße einer verfolgten Serie werden in ihren Lagen gezeigt, aber nicht verbogen: %1 Neu verfolgen.</translation>
+    </message>
+    <message>
+        <source>the case names no file of their bends.</source>
+        <comment>case.bends-unnamed</comment>
+        <translation>der Fall nennt keine Datei ihrer Verbiegungen.</translation>
+    </message>
+    <message>
+        <source>this is no file of bends.</source>
+        <comment>case.bends-none</comment>
+        <translation>das ist keine Datei von Verbiegungen.</translation>
+    </message>
+    <message>
+        <source>the bends are of other vessels or frames.</source>
+        <comment>case.bends-of-others</comment>
+        <translation>die Verbiegungen sind von anderen Gefäßen oder Bildern.</translation>
+    </message>
+    <message>
+        <source>the bends are damaged or cut short.</source>
+        <comment>case.bends-cut</comment>
+        <translation>die Verbiegungen sind beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>the file has changed since the case was saved.</source>
+        <comment>case.bends-changed</comment>
+        <translation>die Datei hat sich seit dem Speichern des Falls geändert.</translation>
+    </message>
+    <message>
         <source>the vessels</source>
         <comment>part.vessels</comment>
         <translation>die Gefäße</translation>

@@ -4488,6 +4488,41 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其中的结果已略去，因为病例文件此后有改动：%1。请重新配准。</translation>
     </message>
     <message>
+        <source>where the vessels were followed to is left out, because it does not fit the run or the pose of the case. Follow them again.</source>
+        <comment>case.followed-misfit</comment>
+        <translation>血管的跟踪结果已略去，因为它与病例的序列或位姿不符。请重新跟踪。</translation>
+    </message>
+    <message>
+        <source>The vessels of a followed run are shown at their poses, but not bent: %1 Follow them again.</source>
+        <comment>case.bends-left-out</comment>
+        <translation>已跟踪序列的血管按其位姿显示，但不弯曲：%1 请重新跟踪。</translation>
+    </message>
+    <message>
+        <source>the case names no file of their bends.</source>
+        <comment>case.bends-unnamed</comment>
+        <translation>病例未指明其弯曲的文件。</translation>
+    </message>
+    <message>
+        <source>this is no file of bends.</source>
+        <comment>case.bends-none</comment>
+        <translation>这不是弯曲文件。</translation>
+    </message>
+    <message>
+        <source>the bends are of other vessels or frames.</source>
+        <comment>case.bends-of-others</comment>
+        <translation>这些弯曲属于其他血管或帧。</translation>
+    </message>
+    <message>
+        <source>the bends are damaged or cut short.</source>
+        <comment>case.bends-cut</comment>
+        <translation>弯曲数据已损坏或被截断。</translation>
+    </message>
+    <message>
+        <source>the file has changed since the case was saved.</source>
+        <comment>case.bends-changed</comment>
+        <translation>文件在病例保存后已更改。</translation>
+    </message>
+    <message>
         <source>the vessels</source>
         <comment>part.vessels</comment>
         <translation>血管</translation>

@@ -91,6 +91,20 @@ TEST(WindowBent, DrawsTheBendThatFollowingFoundForAFrame)
     w.press(Qt::Key_N);
     w.controller.document().undo();
     EXPECT_LT(w.farthestFrom(core::bentTreeAt(tree, *ofFrame, pose)), 1e-6);
+
+    const test::TemporaryFolder folder;
+    ASSERT_TRUE(io::saveCase(w.current(), folder.file("followed.angiopose")));
+    {
+        BentWindow again;
+        again.drop({QString::fromStdString(folder.file("followed.angiopose"))});
+        again.waitForJudgement();
+        ASSERT_EQ(again.current().shown().frame, next.frame);
+        EXPECT_LT(again.farthestFrom(core::bentTreeAt(tree, *ofFrame, pose)), 1e-6) << "as it was left";
+        again.press(Qt::Key_Up);
+        EXPECT_TRUE(again.isRigidDrawn()) << "as followed there";
+        again.press(Qt::Key_Down);
+        EXPECT_LT(again.farthestFrom(core::bentTreeAt(tree, *ofFrame, pose)), 1e-6);
+    }
 }
 
 TEST(WindowBent, DrawsThemAtNoOtherPose)

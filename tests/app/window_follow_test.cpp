@@ -162,6 +162,39 @@ TEST(WindowFollow, GoesWhereTheResultGoes)
     }));
 }
 
+TEST(WindowFollow, ReopensAsItWasLeft)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("followed.angiopose"));
+    std::vector<core::FollowedFrame> kept;
+    {
+        OpenWindow w;
+        followSample(w);
+        kept = w.controller.following().frames();
+        w.controller.document().replace(w.current(), {});   // or it would be saved over the sample
+        w.press(Qt::Key_S, Qt::ControlModifier);
+        w.saveAs(path);
+        EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.document().isModified(); }, test::patienceMs));
+    }
+    OpenWindow again;
+    again.drop({path});
+    again.waitForJudgement();
+    EXPECT_FALSE(again.controller.document().isModified());
+    ASSERT_EQ(again.controller.following().frames().size(), kept.size());
+    EXPECT_TRUE(again.window.result().motion().isVisible());
+    EXPECT_TRUE(again.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    const int first = again.current().shown().frame;
+    again.press(Qt::Key_Down);
+    ASSERT_EQ(again.current().shown().frame, first + 1);
+    EXPECT_EQ(again.current().shown().cameraFromPatient.matrix(),
+              kept.at(static_cast<std::size_t>(first + 1)).tracked.cameraFromPatient.matrix());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says(again, QStringLiteral("· followed")); }, test::patienceMs));
+    again.press(Qt::Key_Up);
+    again.window.actions()[ui::Command::Cine]->setChecked(true);
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return again.controller.preview().shown() == PreviewOf::Frame; }, test::patienceMs));
+}
+
 TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");

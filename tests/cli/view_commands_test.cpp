@@ -93,6 +93,35 @@ TEST(Cli, FollowsTheVesselsThroughTheFramesOfARun)
     EXPECT_EQ(runCli({"track", path, "--keep-pose"}).exitCode, 2);   // no --output
 }
 
+TEST(Cli, DoesNotFollowAgainWhatTheCaseKeeps)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runCli({"simulate", "--seed", "3", "--output", folder.file("demo")}).exitCode, 0);
+    core::Messages warnings;
+    core::Case theCase = io::loadCase(folder.file("demo/case.angiopose"), warnings).value();
+    core::View& view = theCase.shown();
+    std::vector<core::FollowedFrame> frames(static_cast<std::size_t>(view.angiogram->frameCount()));
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        frames[k].frame = static_cast<int>(k);
+        frames[k].tracked = {view.cameraFromPatient, 0.125, false, true, {}};
+    }
+    view.followed = core::followedFrom(view.frame, frames);
+    ASSERT_TRUE(io::saveCase(theCase, folder.file("demo/whole.angiopose")));
+    frames.pop_back();
+    view.followed = core::followedFrom(view.frame, frames);
+    ASSERT_TRUE(io::saveCase(theCase, folder.file("demo/stopped.angiopose")));
+
+    const auto scoresOf = [&folder](const std::string& name) {
+        const std::string table = folder.file(name + ".csv");
+        const auto outcome =
+            runCli({"track", folder.file("demo/" + name + ".angiopose"), "--keep-pose", "--output", table});
+        EXPECT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
+        return test::readText(table);
+    };
+    EXPECT_NE(scoresOf("whole").find("7,1,0,0.125,"), std::string::npos);
+    EXPECT_EQ(scoresOf("stopped").find(",0.125,"), std::string::npos) << "one frame is not known";
+}
+
 TEST(Cli, TellsWhichAnglesShowABranch)
 {
     const TemporaryFolder folder;

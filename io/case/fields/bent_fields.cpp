@@ -95,10 +95,18 @@ StoredField<BranchMotion> spreadField()
         }};
 }
 
-StoredFields<BranchMotion> branchMotionFields()
+StoredFields<BranchMotion> branchFieldsWithoutPoints()
 {
     return {storedValue("branch", Json{{"type", "integer"}}, &BranchMotion::branchId),
-            storedMeasure("seenShare", &BranchMotion::seenShare), motionField(), spreadField()};
+            storedMeasure("seenShare", &BranchMotion::seenShare)};
+}
+
+StoredFields<BranchMotion> branchMotionFields()
+{
+    StoredFields<BranchMotion> rows = branchFieldsWithoutPoints();
+    rows.push_back(motionField());
+    rows.push_back(spreadField());
+    return rows;
 }
 
 StoredFields<RigidOffset> rigidOffsetFields()
@@ -132,12 +140,11 @@ StoredFields<DeformableResult> wholeFields()
     return rows;
 }
 
-StoredFields<DeformableResult> keptFields()
+StoredFields<DeformableResult> withBranches(const StoredFields<BranchMotion>& ofBranch)
 {
     StoredFields<DeformableResult> rows = wholeFields();
     rows.push_back(viewPosesField());
-    rows.push_back(
-        storedList("perBranch", Json::object(), &DeformableResult::branches, Json::object(), branchMotionFields()));
+    rows.push_back(storedList("perBranch", Json::object(), &DeformableResult::branches, Json::object(), ofBranch));
     return rows;
 }
 
@@ -160,7 +167,7 @@ Json motionSummary(const BranchMotion& branch)
 
 StoredField<core::RegistrationResult> bentField()
 {
-    const StoredFields<DeformableResult> fields = keptFields();
+    const StoredFields<DeformableResult> fields = withBranches(branchMotionFields());
     Json schema = objectSchema(propertiesOf(fields), {"verdict", "cameraFromPatient", "viewPoses", "stopReason"});
     return {"deformable", about(std::move(schema), "What bending the vessels from the pose found; absent: not asked."),
             [fields](const Json& value, core::RegistrationResult& result, Reading& reading) {
@@ -171,6 +178,11 @@ StoredField<core::RegistrationResult> bentField()
             [fields](const core::RegistrationResult& result, const fs::path& folder) {
                 return result.bent ? writeFields(*result.bent, fields, folder) : Json();
             }};
+}
+
+StoredFields<DeformableResult> bentFieldsWithoutPoints()
+{
+    return withBranches(branchFieldsWithoutPoints());
 }
 
 Json bentSummary(const core::DeformableResult& bent)

@@ -1,6 +1,7 @@
 #include "io/case/fields/view_fields.h"
 
 #include "io/case/fields/file_fields.h"
+#include "io/case/fields/followed_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/mark_fields.h"
@@ -188,6 +189,7 @@ const StoredFields<View>& viewFields()
         sightingsField(),
         annotationsField(),
         resultField(),
+        followedField(),
         snapshotsField(),
     };
     return fields;

@@ -28,6 +28,7 @@ struct ViewNotes {
     std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
     core::Messages changedBesideResult;   ///< in the file, since the view's result was saved; see result_seal.h
+    core::Messages changedBesideFollowed;   ///< likewise beside what following found
 };
 
 }   // namespace angiopose::io

@@ -1,0 +1,130 @@
+#include "io/case/fields/followed_fields.h"
+
+#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/file_fields.h"
+#include "io/case/fields/json_values.h"
+#include "io/case/fields/result_rows.h"
+
+#include <memory>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::FollowedFrame;
+using core::FollowedRun;
+using core::TrackedFrame;
+
+constexpr int mostFrames = 100000;
+
+StoredFields<TrackedFrame> trackedFields()
+{
+    return {
+        storedPose(&TrackedFrame::cameraFromPatient), storedMeasure("score", &TrackedFrame::score),
+        storedIfSet("searched", about(flagSchema(), "The frame before did not lead to it."), &TrackedFrame::searched),
+        storedValue("trustworthy", flagSchema(), &TrackedFrame::isTrustworthy)};
+}
+
+StoredField<FollowedFrame> problemField()
+{
+    return {"messages", about(listSchema(Json{{"type", "object"}}), "Why nothing was traced."),
+            [](const Json& value, FollowedFrame& frame, Reading&) {
+                if (const core::Messages messages = messagesFrom(value.dump()); !messages.empty()) {
+                    frame.problem = messages.front();
+                }
+            },
+            [](const FollowedFrame& frame, const fs::path&) {
+                return frame.problem ? Json::parse(messagesJson({*frame.problem})) : Json();
+            }};
+}
+
+/// Of a frame that shows the vessels; what others take over from it follows.
+StoredField<FollowedFrame> bendOfFrameField()
+{
+    const StoredFields<core::DeformableResult> fields = bentFieldsWithoutPoints();
+    Json schema = objectSchema(propertiesOf(fields), {"verdict", "cameraFromPatient", "viewPoses", "stopReason"});
+    return {"deformable", about(std::move(schema), "How the vessels are bent beside the pose; absent: they are not."),
+            [fields](const Json& value, FollowedFrame& frame, Reading& reading) {
+                core::DeformableResult bent;
+                readFields(value, bent, fields, reading);
+                frame.bent = std::make_shared<const core::DeformableResult>(std::move(bent));
+            },
+            [fields](const FollowedFrame& frame, const fs::path& folder) {
+                return core::isBentByItself(frame) ? writeFields(*frame.bent, fields, folder) : Json();
+            }};
+}
+
+StoredFields<FollowedFrame> frameFields()
+{
+    StoredFields<FollowedFrame> rows{storedValue("frame", integerSchema(0, mostFrames), &FollowedFrame::frame)};
+    for (const StoredField<TrackedFrame>& field : trackedFields()) {
+        rows.push_back(storedThrough<FollowedFrame>(
+            [](auto& frame) -> auto& { return frame.tracked; }, field));
+    }
+    rows.push_back(problemField());
+    rows.push_back(
+        storedIfSet("bentAsInFrame",
+                    about(integerSchema(0, mostFrames), "It does not show the vessels well enough, that one does."),
+                    &FollowedFrame::bentAsInFrame));
+    rows.push_back(bendOfFrameField());
+    return rows;
+}
+
+StoredField<FollowedRun> framesField()
+{
+    const StoredFields<FollowedFrame> fields = frameFields();
+    Json item = objectSchema(propertiesOf(fields), {"frame", "cameraFromPatient", "trustworthy"});
+    Json schema = listSchema(std::move(item));
+    schema["maxItems"] = mostFrames;
+    return {"frames", about(std::move(schema), "In order."),
+            [fields](const Json& list, FollowedRun& run, Reading& reading) {
+                std::vector<FollowedFrame> frames;
+                Reading ofFrames;
+                for (const Json& each : list) {
+                    readItem(each, frames.emplace_back(), fields, ofFrames);
+                }
+                for (const core::Message& problem : ofFrames.problems) {
+                    reading.problems.push_back(problem.about("followed"));
+                }
+                run.frames = std::make_shared<const std::vector<FollowedFrame>>(std::move(frames));
+            },
+            [fields](const FollowedRun& run, const fs::path& folder) {
+                Json list = Json::array();
+                for (const FollowedFrame& frame : core::framesOf(run)) {
+                    list.push_back(itemJson(frame, fields, folder));
+                }
+                return list;
+            }};
+}
+
+StoredField<FollowedRun> bendsFileField()
+{
+    return {"bends",
+            about(objectSchema({{"path", definedAs("path")}, {"sha256", definedAs("sha256")}}, {"path"}),
+                  "NRRD with the motion of every point in every frame that is bent by itself."),
+            [](const Json& value, FollowedRun& run, Reading&) { run.bendsFile = fileFrom(value); },
+            [](const FollowedRun& run, const fs::path& folder) { return fileJson(run.bendsFile, folder); }};
+}
+
+}   // namespace
+
+StoredField<core::View> followedField()
+{
+    const StoredFields<FollowedRun> rows{
+        storedValue("fromFrame", about(integerSchema(0, mostFrames), "Whose pose was given."), &FollowedRun::fromFrame),
+        bendsFileField(), framesField()};
+    Json schema = objectSchema(propertiesOf(rows), {"fromFrame", "frames"});
+    schema["properties"]["savedWith"] =
+        about(Json{{"type", "object"}, {"additionalProperties", textSchema()}}, "As of a result.");
+    return {"followed",
+            about(std::move(schema), "Where following the vessels through the run found them; absent: not followed."),
+            [rows](const Json& value, core::View& view, Reading& reading) {
+                readFields(value, view.followed, rows, reading);
+            },
+            [rows](const core::View& view, const fs::path& folder) {
+                return view.followed.frames ? writeFields(view.followed, rows, folder) : Json();
+            }};
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,296 @@
+#include "io/case/followed_bends_file.h"
+
+#include "core/registration/deformable/bent_tree.h"
+#include "io/file_hash.h"
+#include "io/messages/says.h"
+#include "io/support/atomic_file.h"
+#include "io/support/byte_order.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using core::BranchMotion;
+using core::FollowedFrame;
+using core::FollowedRun;
+
+constexpr std::size_t numbersOfPoint = 9;   // x, y, z; xx, xy, xz, yy, yz, zz
+constexpr std::size_t bytesOfNumber = 4;
+
+std::vector<const FollowedFrame*> framesWithBends(const FollowedRun& run)
+{
+    std::vector<const FollowedFrame*> frames;
+    for (const FollowedFrame& each : core::framesOf(run)) {
+        if (core::isBentByItself(each)) {
+            frames.push_back(&each);
+        }
+    }
+    return frames;
+}
+
+/// Whatever has as many points and bends begins with the same bytes.
+std::string bendsHeader(std::size_t points, std::size_t bends)
+{
+    return "NRRD0004\n"
+           "# How vessels are bent in the frames of a run: FORMATS 2.12 of AngioPose\n"
+           "type: float\n"
+           "dimension: 3\n"
+           "sizes: " +
+           std::to_string(numbersOfPoint) + " " + std::to_string(points) + " " + std::to_string(bends) +
+           "\n"
+           "endian: little\n"
+           "encoding: raw\n"
+           "labels: \"x y z xx xy xz yy yz zz\" \"point\" \"bend\"\n"
+           "\n";
+}
+
+void appendNumber(std::string& bytes, double value)
+{
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    for (std::size_t k = 0; k < bytesOfNumber; ++k) {
+        bytes += static_cast<char>(bits >> (8 * k) & 0xFF);
+    }
+}
+
+void appendMotion(std::string& bytes, const BranchMotion& motion)
+{
+    for (std::size_t i = 0; i < motion.displacementMm.size(); ++i) {
+        const Eigen::Vector3d& moved = motion.displacementMm[i];
+        const Eigen::Matrix3d& m = motion.covariance[i];
+        for (const double value :
+             {moved.x(), moved.y(), moved.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)}) {
+            appendNumber(bytes, value);
+        }
+    }
+}
+
+std::string bendsContent(const std::vector<const FollowedFrame*>& frames)
+{
+    std::size_t points = 0;
+    for (const BranchMotion& motion : frames.front()->bent->branches) {
+        points += motion.displacementMm.size();
+    }
+    std::string bytes = bendsHeader(points, frames.size());
+    bytes.reserve(bytes.size() + frames.size() * points * numbersOfPoint * bytesOfNumber);
+    for (const FollowedFrame* frame : frames) {
+        for (const BranchMotion& motion : frame->bent->branches) {
+            appendMotion(bytes, motion);
+        }
+    }
+    return bytes;
+}
+
+/// What the case file, as it is now, names for the bends of a view; empty where it names none.
+fs::path namedBends(const fs::path& casePath, std::optional<std::size_t> otherView)
+{
+    const auto input = openInput(casePath.string());
+    const Json root = input ? Json::parse(input.value().view(), nullptr, false) : Json();
+    const std::string views = otherView ? "/views/" + std::to_string(*otherView) : std::string();
+    const Json::json_pointer place(views + "/followed/bends/path");
+    if (!root.is_object() || !root.contains(place) || !root[place].is_string()) {
+        return {};
+    }
+    return (casePath.parent_path() / root[place].get<std::string>()).lexically_normal();
+}
+
+fs::path freeBendsPath(const fs::path& casePath, std::optional<std::size_t> otherView)
+{
+    const fs::path own = namedBends(casePath, otherView);
+    const std::string view = otherView ? ".view-" + std::to_string(*otherView + 2) : std::string();
+    const std::string stem = casePath.stem().string() + view + ".bends";
+    for (int number = 1;; ++number) {
+        const std::string name = number == 1 ? stem : stem + "-" + std::to_string(number);
+        fs::path path = (casePath.parent_path() / (name + ".nrrd")).lexically_normal();
+        std::error_code absent;
+        if (path == own || !fs::exists(path, absent)) {
+            return path;
+        }
+    }
+}
+
+/// Takes the numbers of one point after the other.
+class BendNumbers {
+public:
+    explicit BendNumbers(std::string_view bytes) : bytes_(bytes) {}
+
+    double next()
+    {
+        const auto value = std::bit_cast<float>(readUint32(bytes_, ByteOrder::Little));
+        bytes_.remove_prefix(bytesOfNumber);
+        areFinite_ = areFinite_ && std::isfinite(value);
+        return value;
+    }
+
+    void readInto(BranchMotion& motion, std::size_t points)
+    {
+        for (std::size_t i = 0; i < points; ++i) {
+            const double x = next();
+            const double y = next();
+            motion.displacementMm.emplace_back(x, y, next());
+            Eigen::Matrix3d& m = motion.covariance.emplace_back();
+            for (int row = 0; row < 3; ++row) {
+                for (int column = row; column < 3; ++column) {
+                    m(row, column) = m(column, row) = next();
+                }
+            }
+        }
+        core::roundMotion(motion);   // to what was written, which single precision holds
+    }
+
+    bool areFinite() const { return areFinite_; }
+
+private:
+    std::string_view bytes_;
+    bool areFinite_ = true;
+};
+
+/// Whether the case file tells of the branches of this tree, no more and no less.
+bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult& bent)
+{
+    return bent.branches.size() == tree.branches.size() &&
+           std::ranges::all_of(tree.branches,
+                               [&bent](const auto& branch) { return core::motionOf(bent, branch.id) != nullptr; });
+}
+
+/// The content behind its header, where it is of so many bends of this tree.
+core::Result<std::string_view> bendNumbersIn(std::string_view content, const core::VesselTree& tree, std::size_t bends)
+{
+    if (!content.starts_with("NRRD")) {
+        return core::Error(says::caseBendsNone());
+    }
+    const std::string header = bendsHeader(tree.pointCount(), bends);
+    if (!content.starts_with(header)) {
+        return core::Error(says::caseBendsOfOthers());
+    }
+    content.remove_prefix(header.size());
+    if (content.size() != tree.pointCount() * bends * numbersOfPoint * bytesOfNumber) {
+        return core::Error(says::caseBendsCut());
+    }
+    return content;
+}
+
+core::Result<InputBytes> openBends(const core::InputFile& file)
+{
+    if (file.path.empty()) {
+        return core::Error(says::caseBendsUnnamed());
+    }
+    auto input = openInput(file.path);
+    if (!input) {
+        return input.error();
+    }
+    if (!file.sha256.empty()) {
+        const auto hash = sha256OfText(input.value().view());
+        if (!hash || hash.value() != file.sha256) {
+            return fileError(file.path, says::caseBendsChanged());
+        }
+    }
+    return input;
+}
+
+/// Whole, or nothing of it.
+core::Status readBends(FollowedRun& run, const core::VesselTree& tree)
+{
+    const std::vector<const FollowedFrame*> bent = framesWithBends(run);
+    const auto input = openBends(run.bendsFile);
+    if (!input) {
+        return input.error();
+    }
+    const auto bytes = bendNumbersIn(input.value().view(), tree, bent.size());
+    if (!bytes) {
+        return fileError(run.bendsFile.path, bytes.error());
+    }
+    BendNumbers numbers(bytes.value());
+    auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));
+    for (FollowedFrame& each : *frames) {
+        if (!core::isBentByItself(each)) {
+            continue;
+        }
+        if (!namesBranchesOf(tree, *each.bent)) {
+            return fileError(run.bendsFile.path, says::caseBendsOfOthers());
+        }
+        auto whole = std::make_shared<core::DeformableResult>(*each.bent);
+        for (BranchMotion& motion : whole->branches) {
+            numbers.readInto(motion, tree.find(motion.branchId)->pointsInPatient.size());
+        }
+        each.bent = std::move(whole);
+    }
+    if (!numbers.areFinite()) {
+        return fileError(run.bendsFile.path, says::caseBendsCut());
+    }
+    run.frames = std::move(frames);
+    return core::Done{};
+}
+
+/// Frames that do not show the vessels take over the bend of one that does.
+void carryBendsOn(FollowedRun& run)
+{
+    auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));
+    for (FollowedFrame& each : *frames) {
+        const FollowedFrame* from = each.bentAsInFrame ? core::findFrame(run, *each.bentAsInFrame) : nullptr;
+        if (from && core::isBentByItself(*from)) {
+            each.bent = core::carriedBend(*from, each.tracked.cameraFromPatient);
+        }
+    }
+    run.frames = std::move(frames);
+}
+
+void dropBends(FollowedRun& run)
+{
+    auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));
+    for (FollowedFrame& each : *frames) {
+        each.bent.reset();
+        each.bentAsInFrame.reset();
+    }
+    run.frames = std::move(frames);
+    run.bendsFile = {};
+}
+
+}   // namespace
+
+core::Result<core::InputFile> keepFollowedBends(const FollowedRun& run, const std::string& casePath,
+                                                std::optional<std::size_t> otherView)
+{
+    const std::vector<const FollowedFrame*> frames = framesWithBends(run);
+    if (frames.empty()) {
+        return core::InputFile{};
+    }
+    const std::string content = bendsContent(frames);
+    const std::string path = freeBendsPath(fs::absolute(casePath), otherView).string();
+    if (const auto written = writeAtomically(path, content); !written) {
+        return written.error();
+    }
+    auto hash = sha256OfText(content);
+    return hash ? core::Result<core::InputFile>(core::InputFile{path, std::move(hash).value()}) : hash.error();
+}
+
+void readBendsOfRuns(core::Case& read, core::Messages& warnings)
+{
+    for (core::View& view : read.views) {
+        FollowedRun& run = view.followed;
+        if (framesWithBends(run).empty() || !read.vessels.tree) {
+            continue;
+        }
+        if (const core::Status status = readBends(run, *read.vessels.tree)) {
+            carryBendsOn(run);
+        } else {
+            warnings.push_back(says::caseBendsLeftOut(status.error().message));
+            dropBends(run);
+        }
+    }
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,307 @@
+#include "core/messages/says.h"
+#include "core/registration/deformable/bent_tree.h"
+#include "core/simulation/simulated_case.h"
+#include "io/angiogram_file.h"
+#include "io/case/followed_bends_file.h"
+#include "io/vessel_tree_file.h"
+#include "tests/io/case/small_case.h"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+using namespace angiopose;
+
+namespace {
+
+using core::FollowedFrame;
+using core::FollowedRun;
+using test::anyContains;
+using test::SmallCase;
+using Edit = std::function<void(nlohmann::json&)>;
+
+core::RigidTransform moved(core::RigidTransform pose, double mm)
+{
+    pose.translation += Eigen::Vector3d(mm / 3.0, -0.1 * mm, mm);
+    return pose;
+}
+
+/// Every point of the tree moved, each otherwise.
+std::shared_ptr<const core::DeformableResult> bendOf(const core::VesselTree& tree, const core::RigidTransform& pose,
+                                                     double size)
+{
+    auto bent = std::make_shared<core::DeformableResult>();
+    bent->verdict = core::BendVerdict::Bent;
+    bent->cameraFromPatient = moved(pose, 0.7);
+    bent->viewPoses = {bent->cameraFromPatient};
+    bent->largestMotionMm = size / 3.0;
+    bent->messages = {core::says::bendDepthUnknown()};
+    double number = size;
+    for (const core::VesselBranch& branch : tree.branches) {
+        core::BranchMotion& motion = bent->branches.emplace_back();
+        motion.branchId = branch.id;
+        motion.seenShare = 1.0 / 3.0;
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            number = std::remainder(-1.37 * number, 20.0);
+            motion.displacementMm.emplace_back(number / 3.0, 0.1 * number, number);
+            Eigen::Matrix3d covariance = Eigen::Vector3d(0.1 / 3.0, 0.001, 4.0).asDiagonal();
+            covariance(0, 2) = covariance(2, 0) = 0.01 * number;
+            motion.covariance.push_back(covariance);
+        }
+        core::roundMotion(motion);
+    }
+    return bent;
+}
+
+/// Frames 0 to 3 from frame 1: nothing traced in 0, bent in 1 and 2, 3 bent as 2.
+FollowedRun richRun(const core::Case& theCase)
+{
+    const core::VesselTree& tree = *theCase.vessels.tree;
+    std::vector<FollowedFrame> frames(4);
+    for (int k = 0; k < 4; ++k) {
+        FollowedFrame& frame = frames[static_cast<std::size_t>(k)];
+        frame.frame = k;
+        frame.tracked.cameraFromPatient = moved(theCase.shown().cameraFromPatient, k - 1.0);
+        frame.tracked.score = 0.9 - 0.1 / 3.0 * k;
+        frame.tracked.isTrustworthy = k == 1 || k == 2;
+    }
+    frames[0].problem = core::says::followOneFrame();
+    frames[2].tracked.searched = true;
+    frames[1].bent = bendOf(tree, frames[1].tracked.cameraFromPatient, 3.0);
+    frames[2].bent = bendOf(tree, frames[2].tracked.cameraFromPatient, 5.0);
+    frames[3].bent = core::carriedBend(frames[2], frames[3].tracked.cameraFromPatient);
+    frames[3].bentAsInFrame = 2;
+    return core::followedFrom(1, std::move(frames));
+}
+
+/// A case with a run of four frames, of which the second is shown, and followed through them.
+class CaseFollowed : public ::testing::Test {
+protected:
+    CaseFollowed()
+    {
+        core::DsaOptions dsa;
+        dsa.width = dsa.height = 64;
+        dsa.frameCount = 4;
+        EXPECT_TRUE(io::writeAngiogram(core::simulateCase(3, {}, dsa).angiogram, small.path("in/run.dcm")));
+        nlohmann::json json = small.json();
+        json["angiogram"] = {{"image", {{"path", "in/run.dcm"}}}, {"frame", 1}};
+        json["geometry"]["camera"]["width"] = json["geometry"]["camera"]["height"] = 64;
+        auto loaded = small.load(json);
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        theCase = std::move(loaded).value();
+        theCase.shown().followed = richRun(theCase);
+        EXPECT_TRUE(io::saveCase(theCase, path()));
+    }
+
+    std::string path() const { return small.path("saved.angiopose"); }
+    std::string bendsPath() const { return small.path("saved.bends.nrrd"); }
+
+    core::Case afterEditing(const Edit& edit)
+    {
+        nlohmann::json json = nlohmann::json::parse(test::readText(path()));
+        edit(json);
+        small.folder().write("edited.angiopose", json.dump(1));
+        return load(small.path("edited.angiopose"));
+    }
+    core::Case load(const std::string& from)
+    {
+        small.warnings.clear();
+        auto loaded = io::loadCase(from, small.warnings);
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        return loaded ? std::move(loaded).value() : core::Case{};
+    }
+    core::Case afterReplacingBends(const std::string& content)
+    {
+        small.folder().write("saved.bends.nrrd", content);
+        return afterEditing([](nlohmann::json& json) { json["followed"]["bends"].erase("sha256"); });
+    }
+
+    void expectPosesWithoutBends(const core::Case& read, const std::string& why)
+    {
+        const auto& frames = core::framesOf(read.shown().followed);
+        ASSERT_EQ(frames.size(), 4U) << why;
+        for (std::size_t k = 0; k < 4; ++k) {
+            EXPECT_EQ(frames[k].tracked.cameraFromPatient.matrix(),
+                      core::framesOf(theCase.shown().followed)[k].tracked.cameraFromPatient.matrix());
+            EXPECT_FALSE(frames[k].bent) << why;
+            EXPECT_FALSE(frames[k].bentAsInFrame) << why;
+        }
+        EXPECT_TRUE(anyContains(small.warnings, "but not bent: ")) << why;
+        EXPECT_TRUE(anyContains(small.warnings, why)) << small.warnings.front().text();
+    }
+
+    SmallCase small;
+    core::Case theCase;
+};
+
+void expectSame(const core::DeformableResult& a, const core::DeformableResult& b)
+{
+    EXPECT_EQ(a.verdict, b.verdict);
+    EXPECT_EQ(a.cameraFromPatient.matrix(), b.cameraFromPatient.matrix());
+    EXPECT_EQ(a.viewPoses.front().matrix(), b.viewPoses.front().matrix());
+    EXPECT_EQ(a.largestMotionMm, b.largestMotionMm);
+    EXPECT_EQ(a.messages, b.messages);
+    ASSERT_EQ(a.branches.size(), b.branches.size());
+    for (std::size_t k = 0; k < a.branches.size(); ++k) {
+        EXPECT_EQ(a.branches[k].branchId, b.branches[k].branchId);
+        EXPECT_EQ(a.branches[k].seenShare, b.branches[k].seenShare);
+        EXPECT_EQ(a.branches[k].displacementMm, b.branches[k].displacementMm);
+        EXPECT_EQ(a.branches[k].covariance, b.branches[k].covariance);
+    }
+}
+
+TEST_F(CaseFollowed, ReopensWithEveryBit)
+{
+    const core::Case again = load(path());
+    EXPECT_TRUE(io::validateCase(path()).value().empty());
+    const FollowedRun& run = again.shown().followed;
+    const auto& frames = core::framesOf(run);
+    const auto& kept = core::framesOf(theCase.shown().followed);
+    EXPECT_EQ(run.fromFrame, 1);
+    ASSERT_EQ(frames.size(), kept.size());
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        EXPECT_EQ(frames[k].frame, kept[k].frame);
+        EXPECT_EQ(frames[k].tracked.cameraFromPatient.matrix(), kept[k].tracked.cameraFromPatient.matrix());
+        EXPECT_EQ(frames[k].tracked.score, kept[k].tracked.score);
+        EXPECT_EQ(frames[k].tracked.searched, kept[k].tracked.searched);
+        EXPECT_EQ(frames[k].tracked.isTrustworthy, kept[k].tracked.isTrustworthy);
+        EXPECT_EQ(frames[k].problem, kept[k].problem);
+        EXPECT_EQ(frames[k].bentAsInFrame, kept[k].bentAsInFrame);
+        ASSERT_EQ(frames[k].bent == nullptr, kept[k].bent == nullptr) << k;
+        if (kept[k].bent) {
+            expectSame(*frames[k].bent, *kept[k].bent);
+        }
+    }
+    ASSERT_TRUE(io::saveCase(again, small.path("again.angiopose")));
+    EXPECT_EQ(test::readText(small.path("again.bends.nrrd")), test::readText(bendsPath()));
+}
+
+TEST_F(CaseFollowed, OfRigidVesselsNeedsNoFileOfBends)
+{
+    std::vector<FollowedFrame> rigid = core::framesOf(theCase.shown().followed);
+    for (FollowedFrame& each : rigid) {
+        each.bent.reset();
+        each.bentAsInFrame.reset();
+    }
+    theCase.shown().followed = core::followedFrom(1, std::move(rigid));
+    ASSERT_TRUE(io::saveCase(theCase, small.path("rigid.angiopose")));
+    EXPECT_FALSE(std::filesystem::exists(small.path("rigid.bends.nrrd")));
+    EXPECT_EQ(core::framesOf(load(small.path("rigid.angiopose")).shown().followed).size(), 4U);
+    EXPECT_FALSE(anyContains(small.warnings, "not bent"));
+}
+
+TEST_F(CaseFollowed, IsLeftOutBesideOtherInputs)
+{
+    const std::vector<std::pair<std::string, Edit>> edits{
+        {"the geometry", [](auto& json) { json["geometry"]["camera"]["fx"] = -2001; }},
+        {"the traced curves", [](auto& json) { json["angiogram"]["trace"]["sensitivity"] = 1.25; }},
+        {"the excluded branches", [](auto& json) { json["vessel"]["excludedBranches"] = {2}; }},
+        {"the vessels", [](auto& json) { json["vessel"]["unitMm"] = 1.5; }},
+    };
+    for (const auto& [what, edit] : edits) {
+        EXPECT_FALSE(afterEditing(edit).shown().followed.frames) << what;
+        EXPECT_TRUE(anyContains(small.warnings, "was changed since: " + what)) << what;
+    }
+    small.folder().write("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,0,1\n21,1,0,1\n10,0,0,2\n10,8,0,2\n");
+    EXPECT_FALSE(load(path()).shown().followed.frames);
+    EXPECT_TRUE(anyContains(small.warnings, "have changed since. Register again."));
+}
+
+TEST_F(CaseFollowed, IsLeftOutWhereItFitsNeitherPoseNorRun)
+{
+    const std::vector<Edit> edits{
+        [](auto& json) { json["pose"]["current"]["cameraFromPatient"][0][3] = 7.0; },
+        [](auto& json) { json["followed"]["frames"][3]["frame"] = 4; },
+        [](auto& json) { json["followed"]["frames"][3]["frame"] = 2; },
+    };
+    for (const Edit& edit : edits) {
+        EXPECT_FALSE(afterEditing(edit).shown().followed.frames);
+        EXPECT_TRUE(anyContains(small.warnings, "does not fit the run or the pose of the case"));
+    }
+}
+
+TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfBends)
+{
+    const std::string whole = test::readText(bendsPath());
+    small.folder().write("saved.bends.nrrd", whole.substr(0, whole.size() - 1) + "x");
+    expectPosesWithoutBends(load(path()), "has changed since the case was saved");
+    expectPosesWithoutBends(afterReplacingBends(whole.substr(0, whole.size() - 4)), "damaged or cut short");
+    expectPosesWithoutBends(afterReplacingBends(whole + "more"), "damaged or cut short");
+    std::string endless = whole;
+    endless.replace(whole.size() - 4, 4, std::string("\0\0\x80\x7f", 4));   // infinite
+    expectPosesWithoutBends(afterReplacingBends(endless), "damaged or cut short");
+    std::string others = whole;
+    others.replace(whole.find("sizes: 9 5 2"), 12, "sizes: 9 5 3");
+    expectPosesWithoutBends(afterReplacingBends(others), "of other vessels or frames");
+    expectPosesWithoutBends(afterReplacingBends("a letter"), "no file of bends");
+    small.folder().write("saved.bends.nrrd", whole);
+    expectPosesWithoutBends(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "names no file");
+    expectPosesWithoutBends(
+        afterEditing([](auto& json) { json["followed"]["frames"][1]["deformable"]["perBranch"][0]["branch"] = 9; }),
+        "of other vessels or frames");
+    std::filesystem::remove(bendsPath());
+    expectPosesWithoutBends(load(path()), "saved.bends.nrrd");
+}
+
+TEST_F(CaseFollowed, ReplacesItsOwnFileAndNoOther)
+{
+    const std::string first = test::readText(bendsPath());
+    std::vector<FollowedFrame> frames = core::framesOf(theCase.shown().followed);
+    frames[1].bent = bendOf(*theCase.vessels.tree, frames[1].tracked.cameraFromPatient, 9.0);
+    theCase.shown().followed = core::followedFrom(1, std::move(frames));
+    ASSERT_TRUE(io::saveCase(theCase, path()));
+    EXPECT_NE(test::readText(bendsPath()), first);
+    EXPECT_FALSE(std::filesystem::exists(small.path("saved.bends-2.nrrd")));
+
+    small.folder().write("other.bends.nrrd", "somebody else's");
+    ASSERT_TRUE(io::saveCase(theCase, small.path("other.angiopose")));
+    EXPECT_EQ(test::readText(small.path("other.bends.nrrd")), "somebody else's");
+    EXPECT_TRUE(core::framesOf(load(small.path("other.angiopose")).shown().followed)[1].bent);
+}
+
+TEST_F(CaseFollowed, IsKeptForEveryView)
+{
+    theCase.views.push_back(theCase.shown());
+    theCase.views.front().followed = {};
+    ASSERT_TRUE(io::saveCase(theCase, small.path("two.angiopose")));
+    EXPECT_TRUE(std::filesystem::exists(small.path("two.view-2.bends.nrrd")));
+    const core::Case again = load(small.path("two.angiopose"));
+    ASSERT_EQ(again.views.size(), 2U);
+    EXPECT_FALSE(again.views[0].followed.frames);
+    ASSERT_EQ(core::framesOf(again.views[1].followed).size(), 4U);
+    EXPECT_TRUE(core::framesOf(again.views[1].followed)[3].bent);
+}
+
+TEST_F(CaseFollowed, OfALongRunIsNoLargeCase)
+{
+    auto tree = std::make_shared<core::VesselTree>();
+    for (int id = 1; id <= 40; ++id) {
+        core::VesselBranch& branch = tree->branches.emplace_back();
+        branch.id = id;
+        for (int i = 0; i < 50; ++i) {
+            branch.pointsInPatient.emplace_back(i, 2.0 * id, 0.1 * i);
+        }
+    }
+    ASSERT_EQ(tree->pointCount(), 2000U);
+    theCase.vessels.tree = tree;
+    theCase.vessels.isTreeEdited = true;
+    std::vector<FollowedFrame> frames(60);
+    for (int k = 0; k < 60; ++k) {
+        FollowedFrame& frame = frames[static_cast<std::size_t>(k)];
+        frame.frame = k;
+        frame.tracked.cameraFromPatient = moved(theCase.shown().cameraFromPatient, k - 1.0);
+        frame.bent = bendOf(*tree, frame.tracked.cameraFromPatient, 0.1 * k + 0.3);
+    }
+    const auto sizeOf = [](const std::string& of) { return static_cast<double>(std::filesystem::file_size(of)); };
+    theCase.shown().followed = {};
+    ASSERT_TRUE(io::saveCase(theCase, small.path("before.angiopose")));
+    theCase.shown().followed = core::followedFrom(1, std::move(frames));
+    ASSERT_TRUE(io::saveCase(theCase, small.path("long.angiopose")));
+    const double caseMb = 1e-6 * (sizeOf(small.path("long.angiopose")) - sizeOf(small.path("before.angiopose")));
+    const double bendsMb = 1e-6 * sizeOf(small.path("long.bends.nrrd"));
+    std::printf("60 frames of 2000 points: %.2f MB in the case, %.2f MB beside it\n", caseMb, bendsMb);
+    EXPECT_LT(caseMb, 0.5);
+    EXPECT_LT(bendsMb, 4.5);
+}
+
+}   // namespace
