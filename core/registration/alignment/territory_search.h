@@ -47,8 +47,7 @@ private:
     int margin_ = 0;   ///< cells around the image
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::uint8_t>
-        canvas_;   ///< closeness to the tree, channel by channel, the directions of one width after the other
+    std::vector<std::uint8_t> canvas_;   ///< closeness to the tree: per width, per direction
 };
 
 }   // namespace angiopose::core

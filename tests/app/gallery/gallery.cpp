@@ -167,7 +167,8 @@ void Gallery::showDialogs(ui::MainWindow& window)
                              std::pair{BlindTrial, "blind_trial"}};
     for (const auto& [command, name] : dialogs) {
         window.actions()[command]->trigger();
-        QTest::qWait(command == GoodFit ? 4000 : 400);   // its pictures are drawn by a worker
+        const bool isByWorker = command == GoodFit || command == GantryAngles;   // what they show
+        QTest::qWait(isByWorker ? 4000 : 400);
         takeDialogs(window, QString::fromLatin1(name));
     }
     window.actions()[Tour]->trigger();

@@ -94,7 +94,8 @@ TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)
                     .contains(QStringLiteral("Within 2 mm of the vessels with a probability of 99\u00a0%.")));
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.314;
-    EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).doubtful.join(' ').contains(QStringLiteral("31 %")));
+    EXPECT_TRUE(
+        sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).doubtful.join(' ').contains(QStringLiteral("31\u00a0%")));
 }
 
 }   // namespace
