@@ -92,7 +92,7 @@ private:
 };
 
 /// Pictures are as large as the views that show them. The 3-D view has been large and small again: letting go of large
-/// buffers fills others of the software OpenGL, 8 MiB, once and for all.
+/// buffers fills others of the software OpenGL, 8 MiB at least.
 void layOutAfresh(ui::MainWindow& window)
 {
     constexpr int untilAtRestMs = 1500;
