@@ -3,6 +3,7 @@
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
 #include "io/support/input_bytes.h"
+#include "io/support/path_beside.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -42,22 +43,6 @@ fs::path ownCurves(const Owner& owner)
     return (casePath.parent_path() / centerline.value("path", "")).lexically_normal();
 }
 
-fs::path freePath(const Owner& owner)
-{
-    const fs::path& casePath = owner.casePath;
-    const fs::path own = ownCurves(owner);
-    const std::string view = owner.otherView ? ".view-" + std::to_string(*owner.otherView + 2) : std::string();
-    const std::string stem = casePath.stem().string() + view + ".curves";
-    for (int number = 1;; ++number) {
-        const std::string name = number == 1 ? stem : stem + "-" + std::to_string(number);
-        fs::path path = (casePath.parent_path() / (name + ".csv")).lexically_normal();
-        std::error_code absent;
-        if (path == own || !fs::exists(path, absent)) {
-            return path;
-        }
-    }
-}
-
 }   // namespace
 
 core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
@@ -68,7 +53,7 @@ core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, 
     if (!former.path.empty() && former.path == ownCurves(owner).string()) {
         return former;
     }
-    const std::string path = freePath(owner).string();
+    const std::string path = pathBeside(owner.casePath, {otherView, "curves", "csv"}, ownCurves(owner)).string();
     if (const auto written = writeCenterline2d(*target.centerline, path); !written) {
         return written.error();
     }

@@ -3,6 +3,7 @@
 #include "io/file_hash.h"
 #include "io/support/atomic_file.h"
 #include "io/support/input_bytes.h"
+#include "io/support/path_beside.h"
 #include "io/volume_file.h"
 
 #include <algorithm>
@@ -26,19 +27,6 @@ fs::path ownMask(const fs::path& casePath)
         return {};
     }
     return (casePath.parent_path() / mask.value("path", "")).lexically_normal();
-}
-
-fs::path freePath(const fs::path& casePath, const fs::path& own)
-{
-    const std::string stem = casePath.stem().string() + ".mask";
-    for (int number = 1;; ++number) {
-        const std::string name = number == 1 ? stem : stem + "-" + std::to_string(number);
-        fs::path path = (casePath.parent_path() / (name + ".nrrd")).lexically_normal();
-        std::error_code absent;
-        if (path == own || !fs::exists(path, absent)) {
-            return path;
-        }
-    }
 }
 
 /// The case's own file still holds the mask: a later save may have put another one there, and undo wants this one.
@@ -79,7 +67,7 @@ core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const
     if (!vessels.lumen && !fs::exists(vessels.file.path, absent)) {
         return vessels.file;   // lost already: the case says where it was
     }
-    const std::string path = freePath(whole, vessels.lumen ? own : fs::path()).string();
+    const std::string path = pathBeside(whole, {{}, "mask", "nrrd"}, vessels.lumen ? own : fs::path()).string();
     if (const auto written = vessels.lumen ? writeMask(*vessels.lumen, path) : copied(vessels.file.path, path);
         !written) {
         return written.error();

@@ -7,6 +7,7 @@
 #include "io/support/byte_order.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
+#include "io/support/path_beside.h"
 
 #include <algorithm>
 #include <bit>
@@ -105,21 +106,6 @@ fs::path namedBends(const fs::path& casePath, std::optional<std::size_t> otherVi
         return {};
     }
     return (casePath.parent_path() / root[place].get<std::string>()).lexically_normal();
-}
-
-fs::path freeBendsPath(const fs::path& casePath, std::optional<std::size_t> otherView)
-{
-    const fs::path own = namedBends(casePath, otherView);
-    const std::string view = otherView ? ".view-" + std::to_string(*otherView + 2) : std::string();
-    const std::string stem = casePath.stem().string() + view + ".bends";
-    for (int number = 1;; ++number) {
-        const std::string name = number == 1 ? stem : stem + "-" + std::to_string(number);
-        fs::path path = (casePath.parent_path() / (name + ".nrrd")).lexically_normal();
-        std::error_code absent;
-        if (path == own || !fs::exists(path, absent)) {
-            return path;
-        }
-    }
 }
 
 /// Takes the numbers of one point after the other.
@@ -269,7 +255,8 @@ core::Result<core::InputFile> keepFollowedBends(const FollowedRun& run, const st
         return core::InputFile{};
     }
     const std::string content = bendsContent(frames);
-    const std::string path = freeBendsPath(fs::absolute(casePath), otherView).string();
+    const fs::path whole = fs::absolute(casePath);
+    const std::string path = pathBeside(whole, {otherView, "bends", "nrrd"}, namedBends(whole, otherView)).string();
     if (const auto written = writeAtomically(path, content); !written) {
         return written.error();
     }

@@ -9,7 +9,7 @@
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/foreign_targets.h"
+#include "tests/benchmark/foreign_answer.h"
 #include "tests/benchmark/grown_trees.h"
 
 #include <algorithm>
@@ -128,21 +128,6 @@ WidthsAtTruth widthsAtTruth(const ForeignCase& asked)
     return widths;
 }
 
-struct Answer {
-    ForeignError error;
-    bool isTrusted = false;
-    double timeMs = 0.0;
-};
-
-Answer ask(const ForeignCase& asked)
-{
-    const auto result = core::registerVessels(asked.input, {});
-    if (!result) {
-        return {{1e9, 1e9, 180.0}, false, 0.0};
-    }
-    return {errorOf(asked, result.value().cameraFromPatient), result.value().trustworthy, result.value().time.totalMs};
-}
-
 std::vector<RootedTree> treesAsked(const Arguments& arguments)
 {
     if (arguments.text("family", "development") == "real") {
@@ -196,7 +181,7 @@ int main(int argc, char** argv)
                 continue;
             }
             widths.push_back(widthsAtTruth(made.asked));
-            const Answer answer = ask(made.asked);
+            const ForeignAnswer answer = ask(made.asked);
             const bool isGood = answer.error.inPlaneMm < goodMm;
             good += isGood ? 1 : 0;
             trusted += isGood && answer.isTrusted ? 1 : 0;

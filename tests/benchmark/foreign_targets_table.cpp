@@ -1,12 +1,11 @@
 // Whether registration holds outside the project's own simulator: trees, projection, sampling and noise of another
 // hand. Real cerebral arteries judge; the developing family is there to choose thresholds by, and for nothing else.
 
-#include "core/registration/registration.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/foreign_targets.h"
+#include "tests/benchmark/foreign_answer.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -30,33 +29,17 @@ const char* const usage =
     "  --first <n>       number of the first trial (0)\n"
     "  --each            one line for each registration, too\n";
 
-struct Answer {
-    ForeignError error;
-    bool isTrusted = false;
-    double timeMs = 0.0;
-};
-
-Answer ask(const ForeignCase& asked)
-{
-    const auto result = core::registerVessels(asked.input, {});
-    if (!result) {
-        std::fprintf(stderr, "%s\n", result.error().message.text().c_str());
-        return {{1e9, 1e9, 180.0}, false, 0.0};
-    }
-    return {errorOf(asked, result.value().cameraFromPatient), result.value().trustworthy, result.value().time.totalMs};
-}
-
-std::vector<double> all(const std::vector<Answer>& answers, double (*value)(const Answer&))
+std::vector<double> all(const std::vector<ForeignAnswer>& answers, double (*value)(const ForeignAnswer&))
 {
     std::vector<double> values;
-    for (const Answer& answer : answers) {
+    for (const ForeignAnswer& answer : answers) {
         values.push_back(value(answer));
     }
     return values;
 }
 
 template <class Predicate>
-int countOf(const std::vector<Answer>& answers, const Predicate& holds)
+int countOf(const std::vector<ForeignAnswer>& answers, const Predicate& holds)
 {
     return static_cast<int>(std::count_if(answers.begin(), answers.end(), holds));
 }
@@ -66,19 +49,19 @@ std::string ofText(int count, int whole)
     return std::to_string(count) + " of " + std::to_string(whole);
 }
 
-core::ResultTable::Row rowOf(const NamedScene& scene, const std::vector<Answer>& answers)
+core::ResultTable::Row rowOf(const NamedScene& scene, const std::vector<ForeignAnswer>& answers)
 {
     const bool isImpossible = scene.key.starts_with("other");
-    const auto isGood = [&](const Answer& a) { return !isImpossible && a.error.inPlaneMm < goodMm; };
+    const auto isGood = [&](const ForeignAnswer& a) { return !isImpossible && a.error.inPlaneMm < goodMm; };
     const int good = countOf(answers, isGood);
     const int count = static_cast<int>(answers.size());
-    const int gross = countOf(answers, [](const Answer& a) { return a.error.inPlaneMm > grossMm; });
-    const int flagged = countOf(answers, [&](const Answer& a) { return !isGood(a) && !a.isTrusted; });
-    const int alarms = countOf(answers, [&](const Answer& a) { return isGood(a) && !a.isTrusted; });
-    const std::vector<double> inPlane = all(answers, [](const Answer& a) { return a.error.inPlaneMm; });
-    const std::vector<double> space = all(answers, [](const Answer& a) { return a.error.spaceMm; });
-    const std::vector<double> turns = all(answers, [](const Answer& a) { return a.error.turnDeg; });
-    const std::vector<double> times = all(answers, [](const Answer& a) { return a.timeMs; });
+    const int gross = countOf(answers, [](const ForeignAnswer& a) { return a.error.inPlaneMm > grossMm; });
+    const int flagged = countOf(answers, [&](const ForeignAnswer& a) { return !isGood(a) && !a.isTrusted; });
+    const int alarms = countOf(answers, [&](const ForeignAnswer& a) { return isGood(a) && !a.isTrusted; });
+    const std::vector<double> inPlane = all(answers, [](const ForeignAnswer& a) { return a.error.inPlaneMm; });
+    const std::vector<double> space = all(answers, [](const ForeignAnswer& a) { return a.error.spaceMm; });
+    const std::vector<double> turns = all(answers, [](const ForeignAnswer& a) { return a.error.turnDeg; });
+    const std::vector<double> times = all(answers, [](const ForeignAnswer& a) { return a.timeMs; });
     const auto unless = [&](std::string text) { return isImpossible ? std::string("–") : text; };
     return {{std::string(scene.words), unless(ofText(good, count)), unless(std::to_string(gross)),
              ofText(flagged, count - good), unless(ofText(alarms, good)),
@@ -88,7 +71,7 @@ core::ResultTable::Row rowOf(const NamedScene& scene, const std::vector<Answer>&
             false};
 }
 
-void printAnswer(const NamedScene& scene, const RootedTree& tree, std::uint64_t trial, const Answer& answer)
+void printAnswer(const NamedScene& scene, const RootedTree& tree, std::uint64_t trial, const ForeignAnswer& answer)
 {
     std::printf("%-10s %-10s %3d  %8.3f mm  %8.2f mm  %6.2f°  %-9s %6.0f ms\n", std::string(scene.key).c_str(),
                 tree.name.c_str(), static_cast<int>(trial), answer.error.inPlaneMm, answer.error.spaceMm,
@@ -117,7 +100,7 @@ int main(int argc, char** argv)
         if (std::find(wanted.begin(), wanted.end(), scene.key) == wanted.end()) {
             continue;
         }
-        std::vector<Answer> answers;
+        std::vector<ForeignAnswer> answers;
         for (std::size_t tree = 0; tree < trees.size(); ++tree) {
             for (std::uint64_t trial = first; trial < first + trials; ++trial) {
                 answers.push_back(ask(makeForeignCase(trees, tree, scene.scene, trial)));
