@@ -1,5 +1,6 @@
 #include "app/step_states.h"
 
+#include "app/review/followed_pose.h"
 #include "core/case/case_patients.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -120,6 +121,9 @@ StepState registration(const core::Case& current, const StepFacts& facts)
         return {StepMark::Open, StepWords::tr("running …"), {}};
     }
     if (!current.shown().result) {
+        if (const core::FollowedFrame* frame = followedPoseShown(current.shown())) {
+            return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Open, StepWords::tr("followed"), {}};
+        }
         return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved by hand") : QString(), {}};
     }
     const double ms = current.shown().result->time.totalMs;

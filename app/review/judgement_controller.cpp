@@ -1,5 +1,6 @@
 #include "app/review/judgement_controller.h"
 
+#include "app/review/followed_pose.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
 #include "ui/panels/result_sentences.h"
@@ -112,18 +113,10 @@ ui::PoseSource JudgementController::sourceOf(FoundBy found) const
     if (found == FoundBy::ItsRun) {
         return ui::PoseSource::Run;
     }
-    return isFollowed()                     ? ui::PoseSource::Followed
-           : found == FoundBy::AnEarlierRun ? ui::PoseSource::EarlierRun
-           : on_.pose.isMovedFromStart()    ? ui::PoseSource::Edited
-                                            : ui::PoseSource::Start;
-}
-
-/// A pose that is neither of a run nor by hand.
-bool JudgementController::isFollowed() const
-{
-    const core::View& shown = on_.document.current().shown();
-    const core::FollowedFrame* followed = core::findFrame(shown.followed, shown.frame);
-    return followed && followed->tracked.cameraFromPatient.matrix() == shown.cameraFromPatient.matrix();
+    return followedPoseShown(on_.document.current().shown()) ? ui::PoseSource::Followed
+           : found == FoundBy::AnEarlierRun                  ? ui::PoseSource::EarlierRun
+           : on_.pose.isMovedFromStart()                     ? ui::PoseSource::Edited
+                                                             : ui::PoseSource::Start;
 }
 
 }   // namespace angiopose::app

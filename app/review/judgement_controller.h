@@ -49,7 +49,6 @@ private:
     ui::JudgedPose judgedPose(const core::ProjectionCamera& camera) const;
     void showNothing();
     ui::PoseSource sourceOf(FoundBy found) const;
-    bool isFollowed() const;
 
     Parts on_;
     JudgeJob job_;

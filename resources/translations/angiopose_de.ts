@@ -1745,6 +1745,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>von Hand verschoben</translation>
     </message>
     <message>
+        <source>followed</source>
+        <translation>verfolgt</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>

@@ -1745,6 +1745,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>手动移动</translation>
     </message>
     <message>
+        <source>followed</source>
+        <translation>已跟踪</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>

@@ -3,6 +3,7 @@
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
+#include <QAbstractButton>
 #include <QDialog>
 #include <QImage>
 #include <QLabel>
@@ -189,6 +190,8 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     EXPECT_EQ(again.current().shown().cameraFromPatient.matrix(),
               kept.at(static_cast<std::size_t>(first + 1)).tracked.cameraFromPatient.matrix());
     EXPECT_TRUE(QTest::qWaitFor([&] { return says(again, QStringLiteral("· followed")); }, test::patienceMs));
+    const auto* step = again.window.steps().findChildren<QAbstractButton*>().at(static_cast<int>(ui::Step::Register));
+    EXPECT_TRUE(step->accessibleName().contains(QStringLiteral("followed"))) << qPrintable(step->accessibleName());
     again.press(Qt::Key_Up);
     again.window.actions()[ui::Command::Cine]->setChecked(true);
     EXPECT_TRUE(
