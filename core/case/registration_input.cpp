@@ -51,6 +51,7 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
         input.polarity = view.angiogram->polarity;
     }
     input.volume = vessels.scan;
+    input.tableReading = tableReadingOf(view);
     return input;
 }
 

@@ -44,6 +44,18 @@ CameraSpread cameraSpreadOf(const View& view)
                                         : spreadByOrigin(view.geometry.cArm, camera.value());
 }
 
+std::optional<TableReading> tableReadingOf(const View& view)
+{
+    if (!view.angiogram || !view.angiogram->gantry.patientPosition || view.geometry.cameraOverride ||
+        view.initialCameraFromPatient) {
+        return {};
+    }
+    const CArm cArm = cArmOfFrame(view);
+    const bool isFromHeader =
+        cArm.primaryAngleDeg.origin == Origin::Header && cArm.secondaryAngleDeg.origin == Origin::Header;
+    return isFromHeader ? countedFromTable(cArm, *view.angiogram->gantry.patientPosition) : std::nullopt;
+}
+
 Messages contradictionsOf(const View& view)
 {
     if (!view.angiogram || view.geometry.cameraOverride) {

@@ -82,6 +82,11 @@ CameraSpread cameraSpreadOf(const View& view);
 /// The C-arm when the chosen frame was taken: the gantry may turn during a run (ALGORITHMS §5.5).
 CArm cArmOfFrame(const View& view);
 
+/// How else its angles may be meant: by a device that counts them from the table, where the header says that the
+/// patient does not lie head first and supine. Nothing of angles that somebody typed, or while a camera or a start pose
+/// overrides them.
+std::optional<TableReading> tableReadingOf(const View& view);
+
 /// What in the geometry of a view makes no sense, see findContradictions; nothing while a camera overrides it.
 Messages contradictionsOf(const View& view);
 

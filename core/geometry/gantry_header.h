@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/patient_position.h"
+
 #include <Eigen/Core>
 #include <optional>
 #include <string>
@@ -26,6 +28,7 @@ struct GantryHeader {
     double pixelAspect = 1.0;   ///< (0028,0034) height of a pixel over its width
     /// (0018,1520), (0018,1521): primary and secondary angle of each frame relative to the first; empty when it stood.
     std::vector<Eigen::Vector2d> angleIncrementsDeg;
+    std::optional<PatientPosition> patientPosition;   ///< (0018,5100); angles refer to the patient whatever it is
     std::vector<HeaderTag> tags;   ///< every element about geometry that is there, in the order of the tags
 };
 

@@ -36,6 +36,15 @@ RegistrationProblem readAs(const FrameReading& reading, const RegistrationProble
     return other;
 }
 
+/// The problem of a device that counts its angles from the table.
+RegistrationProblem readAs(const TableReading& reading, const RegistrationProblem& problem)
+{
+    RegistrationProblem other = problem;
+    const Eigen::Vector3d& pivot = problem.wholeTreeCentroid;
+    other.start = problem.start * RigidTransform{reading.turn, pivot - reading.turn * pivot};
+    return other;
+}
+
 /// Agreement of tree and image, 0…1, when the frame is read so and the tree is looked for around the start; 0 when
 /// stopped.
 double agreementOf(const RegistrationProblem& problem, const RegistrationOptions& options,
@@ -81,6 +90,14 @@ Message wordsOf(const FrameReading& reading, const ProjectionCamera& camera, dou
                                                      : says::frameTurnedAnticlockwise(better, plain);
 }
 
+Message wordsOf(const TableReading& reading, double agreement, double asItIs)
+{
+    const PatientAngles& angles = reading.angles;
+    return says::frameCountedFromTable(std::string(toText(reading.position)), Quantity{100.0 * agreement, 0, "%"},
+                                       Quantity{100.0 * asItIs, 0, "%"}, Quantity{angles.primaryDeg, 1, "°"},
+                                       Quantity{angles.secondaryDeg, 1, "°"}, Quantity{angles.rollDeg, 1, "°"});
+}
+
 std::optional<Message> likelyReading(const RegistrationProblem& problem, const RegistrationOptions& options,
                                      double asItIs, const SearchObserver& observe)
 {
@@ -89,6 +106,13 @@ std::optional<Message> likelyReading(const RegistrationProblem& problem, const R
                                          FrameReading{true, 3}};
     double best = std::max(leastConvincing, asItIs + leastBetter);
     std::optional<Message> likely;
+    if (problem.tableReading) {   // first: the header speaks for it, and a frontal view looks the same turned by 180°
+        const double agreement = agreementOf(readAs(*problem.tableReading, problem), options, observe);
+        if (agreement > best) {
+            best = agreement;
+            likely = wordsOf(*problem.tableReading, agreement, asItIs);
+        }
+    }
     for (const FrameReading& reading : readings) {
         if (observe(0.0) == Verdict::Stop) {
             return {};

@@ -214,10 +214,11 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
     }
 }
 
-/// Positions of PS3.3 C.7.3.1.1.2 other than head first, supine.
-void readPatientPosition(const DicomDataset& data, core::Messages& warnings)
+/// Positions of PS3.3 C.7.3.1.1.2 other than head first, supine, are said.
+void readPatientPosition(const DicomDataset& data, GantryHeader& header, core::Messages& warnings)
 {
     const std::string position(data.text(0x00185100));
+    header.patientPosition = core::patientPositionFrom(position);
     if (!position.empty() && position != "HFS") {
         warnings.push_back(says::patientLies(position));
     }
@@ -255,7 +256,7 @@ GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Mess
     readFieldOfView(flat, header);
     readSpacings(flat, header);
     readIncrements(data, frameCount, header, warnings);
-    readPatientPosition(data, warnings);
+    readPatientPosition(data, header, warnings);
     readTableMotion(data, frameCount, warnings);
     return header;
 }

@@ -186,6 +186,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.image = input.image;
     problem.polarity = input.polarity;
     problem.volume = input.volume;
+    problem.tableReading = input.tableReading;
     return problem;
 }
 

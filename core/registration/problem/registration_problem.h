@@ -46,6 +46,7 @@ struct RegistrationProblem {
     std::shared_ptr<const ImageF> image;   ///< as given, the size of the camera's; or null
     Polarity polarity = Polarity::VesselsDark;
     std::shared_ptr<const Volume> volume;   ///< or null
+    std::optional<TableReading> tableReading{};   ///< as given
     Messages notes{};   ///< what was made of the input
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/camera_spread.h"
+#include "core/geometry/patient_position.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/options/registration_options.h"
@@ -37,6 +38,8 @@ struct RegistrationInput {
     Polarity polarity = Polarity::VesselsDark;   ///< of `image`
     std::shared_ptr<const Volume> volume{};   ///< the CTA that shows the tree; null: radiographs are made of tubes
     CameraSpread cameraSpread{};   ///< how far the camera may be off; zero: it is exact
+    std::optional<TableReading>
+        tableReading{};   ///< how else the angles may be meant, for a patient who lies otherwise
 };
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };

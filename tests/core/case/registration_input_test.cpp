@@ -37,9 +37,33 @@ View viewAt(double primaryDeg, double secondaryDeg)
     return view;
 }
 
+/// Feet first, angles as the header has them.
+View viewOfFeetFirst()
+{
+    View view = viewAt(20.0, 10.0);
+    auto angiogram = std::make_shared<Angiogram>(*view.angiogram);
+    angiogram->gantry.patientPosition = PatientPosition::FFS;
+    view.angiogram = std::move(angiogram);
+    view.geometry.cArm.primaryAngleDeg.origin = view.geometry.cArm.secondaryAngleDeg.origin = Origin::Header;
+    return view;
+}
+
 const std::vector<Centerline2d> targets(2);
 
 }   // namespace
+
+TEST(RegistrationInput, KnowsHowElseAnglesOfAHeaderMayBeMeant)
+{
+    View view = viewOfFeetFirst();
+    const auto reading = registrationInputOf(view, vessels, {}).value().tableReading;
+    ASSERT_TRUE(reading);
+    EXPECT_NEAR(reading->angles.primaryDeg, -20.0, 1e-9);
+    view.geometry.cArm.primaryAngleDeg.origin = Origin::User;
+    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableReading) << "who types angles means them";
+    view = viewOfFeetFirst();
+    view.initialCameraFromPatient = view.cameraFromPatient;
+    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableReading) << "the start does not rest on them";
+}
 
 TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
 {

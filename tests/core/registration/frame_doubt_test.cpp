@@ -87,6 +87,25 @@ TEST(FrameDoubt, NamesATurnedImageUnlessItIsFoundTurned)
     EXPECT_TRUE(around.trustworthy || isSaid(around, says::frameUpsideDown));
 }
 
+/// A patient who lies feet first, and a device that counts angles as if nobody did.
+TEST(FrameDoubt, NamesAnglesCountedFromTheTable)
+{
+    const TableReading reading{PatientPosition::FFS, {-10.0, 5.0, 180.0}, patientFromTable(PatientPosition::FFS)};
+    RegistrationInput input = inputOf([](const Eigen::Vector2d& at) { return at; });
+    const Eigen::Vector3d pivot = centroidInPatient(input.tree);
+    input.initialCameraFromPatient =
+        input.initialCameraFromPatient * RigidTransform{reading.turn, pivot - reading.turn * pivot};
+    const RegistrationResult unknown = registerVessels(input).value();
+    EXPECT_FALSE(unknown.trustworthy);
+    EXPECT_FALSE(isSaid(unknown, says::frameCountedFromTable));
+    input.tableReading = reading;   // its own inverse
+    const RegistrationResult result = registerVessels(input).value();
+    EXPECT_FALSE(result.trustworthy);
+    ASSERT_TRUE(isSaid(result, says::frameCountedFromTable));
+    EXPECT_NE(result.warnings.front().text().find("LAO/RAO -10.0°, CRA/CAU 5.0°, roll 180.0°"), std::string::npos)
+        << result.warnings.front().text();
+}
+
 TEST(FrameDoubt, IsSilentOfAnImageThatFits)
 {
     const auto result = resultOf([](const Eigen::Vector2d& at) { return at; });

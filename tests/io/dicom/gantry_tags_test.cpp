@@ -141,7 +141,9 @@ TEST(GantryHeader, AsksAboutAPatientWhoDoesNotLieHeadFirstAndSupine)
     EXPECT_TRUE(none.empty());
     for (const char* position : {"FFS ", "HFP ", "FFDL"}) {
         core::Messages warnings;
-        io::gantryHeaderOf(headerWith({{0x00185100, position}}), 1, warnings);
+        const auto header = io::gantryHeaderOf(headerWith({{0x00185100, position}}), 1, warnings);
+        ASSERT_TRUE(header.patientPosition);
+        EXPECT_TRUE(std::string(position).starts_with(core::toText(*header.patientPosition)));
         ASSERT_EQ(warnings.size(), 1U) << position;
         EXPECT_EQ(warnings.front().id(), "dicom.patient-lies");
         EXPECT_NE(warnings.front().text().find(std::string(position, 3)), std::string::npos);
