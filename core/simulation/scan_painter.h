@@ -1,0 +1,90 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/support/random.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace angiopose::core {
+
+using ScanGrid = VoxelGrid<float>;   ///< HU of a scan that is being drawn, axes along the patient's
+
+/// Share of a voxel that lies inside a wall at `distanceMm` (negative inside).
+inline double shareInside(double distanceMm, double voxelMm)
+{
+    return std::clamp(0.5 - distanceMm / voxelMm, 0.0, 1.0);
+}
+
+/// Draws shapes given by their distance function into the part of the grid around them.
+class ScanPainter {
+public:
+    explicit ScanPainter(ScanGrid& grid) : grid_(grid), voxelMm_(std::cbrt(grid.geometry.spacingMm.prod())) {}
+
+    /// `work(voxel index, point)` for each voxel within `reachMm` of `centre` along the axes.
+    template <class Work>
+    void around(const Eigen::Vector3d& centre, const Eigen::Vector3d& reachMm, const Work& work)
+    {
+        const VolumeGeometry& geometry = grid_.geometry;
+        const Eigen::Array3d middle = (centre - geometry.originInPatient).cwiseQuotient(geometry.spacingMm);
+        const Eigen::Array3d reach = reachMm.cwiseQuotient(geometry.spacingMm).array() + 1.0;
+        const Eigen::Array3i low = (middle - reach).floor().max(0.0).cast<int>();
+        const Eigen::Array3i high = (middle + reach).ceil().min(geometry.size.cast<double>().array() - 1.0).cast<int>();
+        for (int k = low.z(); k <= high.z(); ++k) {
+            for (int j = low.y(); j <= high.y(); ++j) {
+                for (int i = low.x(); i <= high.x(); ++i) {
+                    work(geometry.index(i, j, k),
+                         geometry.originInPatient + geometry.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k)));
+                }
+            }
+        }
+    }
+
+    void blend(std::size_t voxel, double share, double hu)
+    {
+        grid_.voxels[voxel] += static_cast<float>(share * (hu - grid_.voxels[voxel]));
+    }
+
+    /// An ellipsoid; an infinite half axis makes a cylinder.
+    void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& halfAxes, double hu)
+    {
+        ellipsoid(centre, halfAxes, [hu] { return hu; });
+    }
+
+    /// The same, of what `draw()` gives for each voxel.
+    template <class Draw>
+    requires std::is_invocable_r_v<double, Draw>
+    void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& halfAxes, const Draw& draw)
+    {
+        const double smallest = halfAxes.minCoeff();
+        around(centre, halfAxes.cwiseMin(1e5), [&](std::size_t voxel, const Eigen::Vector3d& point) {
+            const double radius = (point - centre).cwiseQuotient(halfAxes).norm();
+            if (const double share = shareInside((radius - 1.0) * smallest, voxelMm_); share > 0.0) {
+                blend(voxel, share, draw());
+            }
+        });
+    }
+
+    double voxelMm() const { return voxelMm_; }
+    const VolumeGeometry& geometry() const { return grid_.geometry; }
+
+private:
+    ScanGrid& grid_;
+    double voxelMm_;
+};
+
+/// A grid of that size around the origin of the patient frame.
+VolumeGeometry gridAroundOrigin(const Eigen::Vector3i& size, const Eigen::Vector3d& spacingMm);
+
+/// Vessels filled with `hu`.
+void paintTree(ScanPainter& painter, const VesselTree& tree, const VolumeGeometry& geometry, double hu);
+
+/// Gaussian blur along each axis in turn, the rim's values going on.
+void blurScan(ScanGrid& grid, double sigmaVoxels);
+
+/// As a scanner stores it, with noise.
+Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
+
+}   // namespace angiopose::core

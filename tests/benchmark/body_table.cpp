@@ -1,0 +1,152 @@
+// Prints what tracing finds of thin arteries beside what is as bright: coronary arteries on filled hearts, hepatic
+// arteries beside the portal vein, the circle of Willis above the base of the skull; by defaults, from the seeds that a
+// user would place, and as thin vessels from these. Simulated bodies, and coronary trees of a patient.
+
+#include "core/evaluation/report/result_table.h"
+#include "core/simulation/simulate_body.h"
+#include "core/support/format_number.h"
+#include "core/support/quantile.h"
+#include "core/tracing/volume/trace_vessels.h"
+#include "io/evaluation/table_text.h"
+#include "io/volume_file.h"
+#include "tests/benchmark/arguments.h"
+#include "tests/benchmark/drawn_heart.h"
+#include "tests/benchmark/timing.h"
+#include "tests/support/tree_agreement.h"
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <optional>
+
+using namespace angiopose;
+
+namespace {
+
+using core::fixedText;
+
+const char* const usage =
+    "body_table [--seeds <n>] [--body <list>] [--save <folder>]\n"
+    "  --seeds <n>      simulated bodies of each kind (3)\n"
+    "  --body <list>    of heart, liver, head, patient (all)\n"
+    "  --save <folder>  writes the simulated scans there, to be looked at\n";
+
+constexpr int firstSeed = 1;
+
+/// One way of asking for the vessels.
+struct Asking {
+    const char* name;
+    bool hasSeeds;
+    bool tubesOnly;
+};
+
+constexpr Asking askings[]{
+    {"defaults", false, false}, {"from seeds", true, false}, {"thin vessels from seeds", true, true}};
+
+struct Scores {
+    std::vector<double> overlap, found, falseShare, distanceMm, radiusError, walls;
+    int refused = 0;
+};
+
+core::ResultTable tableOf()
+{
+    core::ResultTable table;
+    table.columns = {"vessels", "asked for",    "scans",         "nothing",      "overlap",
+                     "found",   "false length", "off axis [mm]", "radius error", "wall [s]"};
+    return table;
+}
+
+void addScores(core::ResultTable& table, const std::string& body, const Asking& asking, const Scores& scores)
+{
+    const auto medianText = [](const std::vector<double>& values, int places) {
+        return values.empty() ? std::string("-") : fixedText(core::medianOf(values), places);
+    };
+    const auto scans = scores.overlap.size() + static_cast<std::size_t>(scores.refused);
+    table.rows.push_back(
+        {{body, asking.name, std::to_string(scans), std::to_string(scores.refused), medianText(scores.overlap, 3),
+          medianText(scores.found, 3), medianText(scores.falseShare, 3), medianText(scores.distanceMm, 2),
+          medianText(scores.radiusError, 3), medianText(scores.walls, 1)},
+         false});
+}
+
+void trace(const core::BodyScan& scan, const Asking& asking, Scores& scores)
+{
+    core::VesselTracingOptions options;
+    options.tubesOnly = asking.tubesOnly;
+    if (asking.hasSeeds) {
+        options.seedsInPatient = scan.origins;
+    }
+    std::optional<core::Result<core::TracedVessels>> traced;
+    scores.walls.push_back(benchmarks::timed([&] { traced = core::traceVessels(scan.volume, options); }).wall);
+    if (!*traced) {
+        ++scores.refused;
+        return;
+    }
+    const double voxelMm = std::cbrt(scan.volume.geometry.spacingMm.prod());
+    const auto agreement = test::agreementOf(traced->value().tree, scan.arteries, voxelMm);
+    scores.overlap.push_back(agreement.overlap);
+    scores.found.push_back(agreement.found);
+    scores.falseShare.push_back(1.0 - agreement.right);
+    scores.distanceMm.push_back(agreement.meanDistanceMm);
+    scores.radiusError.push_back(agreement.radiusError);
+}
+
+void addBody(core::ResultTable& table, const std::string& name, const std::vector<core::BodyScan>& scans)
+{
+    for (const Asking& asking : askings) {
+        Scores scores;
+        for (const core::BodyScan& scan : scans) {
+            trace(scan, asking, scores);
+        }
+        addScores(table, name, asking, scores);
+    }
+}
+
+std::vector<core::BodyScan> patientHearts(double bloodHu)
+{
+    std::vector<core::BodyScan> scans;
+    for (const char* side : {"lca", "rca"}) {
+        core::BodyScan scan;
+        scan.arteries = benchmarks::coronaryTree(side);
+        if (!scan.arteries.branches.empty()) {
+            scan.volume = benchmarks::drawnHeart(scan.arteries, bloodHu);
+            const auto& trunk = scan.arteries.branches.front().pointsInPatient;
+            scan.origins = {trunk[std::min<std::size_t>(5, trunk.size() - 1)]};
+            scans.push_back(std::move(scan));
+        }
+    }
+    return scans;
+}
+
+}   // namespace
+
+int main(int count, char** values)
+{
+    const benchmarks::Arguments arguments(count, values, usage);
+    const int seeds = static_cast<int>(arguments.number("seeds", 3));
+    const std::string folder = arguments.text("save", "");
+    core::ResultTable table = tableOf();
+    table.title = "Thin arteries beside what is as bright, medians";
+    for (const std::string& body : arguments.list("body", "heart,liver,head,patient")) {
+        if (body == "patient") {
+            addBody(table, "coronary trees of a patient, 400 HU", patientHearts(400.0));
+            addBody(table, "the same, 220 HU", patientHearts(220.0));
+            continue;
+        }
+        std::vector<core::BodyScan> scans;
+        for (int seed = firstSeed; seed < firstSeed + seeds; ++seed) {
+            const auto number = static_cast<std::uint64_t>(seed);
+            scans.push_back(body == "heart"   ? core::simulateHeart(number)
+                            : body == "liver" ? core::simulateLiver(number)
+                                              : core::simulateHead(number));
+            if (!folder.empty()) {
+                const auto written =
+                    io::writeVolume(scans.back().volume, folder + "/" + body + std::to_string(seed) + ".nii.gz");
+                std::printf("%s", written ? "" : (written.error().message.text() + "\n").c_str());
+            }
+        }
+        addBody(table, "simulated " + body, scans);
+    }
+    std::printf("%s\n", io::toPlainText(table).c_str());
+    return 0;
+}
