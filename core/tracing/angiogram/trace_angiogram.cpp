@@ -15,6 +15,7 @@
 #include "core/tracing/angiogram/frame/drawn_mask.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
 #include "core/tracing/angiogram/frame/flatten_background.h"
+#include "core/tracing/angiogram/frame/report_page.h"
 #include "core/tracing/angiogram/frame/steady_frame.h"
 #include "core/tracing/angiogram/frame/working_size.h"
 #include "core/tracing/angiogram/ridges/clutter_level.h"
@@ -195,6 +196,9 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     if (const auto problem = problemWith(frame)) {
         return Error(*problem);
+    }
+    if (isReportPage(frame)) {
+        return Error(says::frameIsReportPage());
     }
     if (auto drawn = drawnMask(frame)) {
         return traceDrawn(std::move(*drawn), options);

@@ -1,6 +1,7 @@
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 
 #include "core/imaging/mask_morphology.h"
+#include "core/tracing/angiogram/frame/text_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,26 +16,7 @@ constexpr double leastHardShare = 0.8;   // of a shape's border
 constexpr int leastPixelsOfLetter = 4;
 constexpr int leastHeightPx = 5;
 constexpr double greatestHeightShare = 0.06;   // of the image's longer side
-constexpr std::size_t leastInRow = 3;
 constexpr int textMarginPx = 3;
-
-/// One connected shape.
-struct Glyph {
-    int left, right, top, bottom;
-    int height() const { return bottom - top + 1; }
-    int width() const { return right - left + 1; }
-};
-
-Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth)
-{
-    Glyph glyph{imageWidth, -1, 1 << 30, -1};
-    for (const std::size_t p : pixels) {
-        const int x = static_cast<int>(p % static_cast<std::size_t>(imageWidth));
-        const int y = static_cast<int>(p / static_cast<std::size_t>(imageWidth));
-        glyph = {std::min(glyph.left, x), std::max(glyph.right, x), std::min(glyph.top, y), std::max(glyph.bottom, y)};
-    }
-    return glyph;
-}
 
 /// Share of the neighbours outside the shape that differ from `value` by at least `step`, two pixels away: the border
 /// itself may be smoothed.
@@ -75,29 +57,6 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, float value, float range)
     return glyphs;
 }
 
-/// Side by side in one line: of about one height, on one level, not farther apart than two letters.
-bool areNeighbours(const Glyph& a, const Glyph& b)
-{
-    const int height = std::max(a.height(), b.height());
-    const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
-    return std::min(a.height(), b.height()) >= 0.6 * height && std::abs(a.bottom - b.bottom) <= 0.4 * height &&
-           gap > 0 && gap <= 2 * height;
-}
-
-/// The glyphs that form one row with the first of `waiting`, taken out of it.
-std::vector<Glyph> takeRow(std::vector<Glyph>& waiting)
-{
-    std::vector<Glyph> row{waiting.back()};
-    waiting.pop_back();
-    for (std::size_t next = 0; next < row.size(); ++next) {
-        const auto rest = std::stable_partition(waiting.begin(), waiting.end(),
-                                                [&](const Glyph& glyph) { return !areNeighbours(row[next], glyph); });
-        row.insert(row.end(), rest, waiting.end());
-        waiting.erase(rest, waiting.end());
-    }
-    return row;
-}
-
 void blank(Mask2d& text, const std::vector<Glyph>& row)
 {
     Glyph box = row.front();
@@ -124,12 +83,9 @@ Mask2d burnedInText(const ImageF& frame)
     const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
     const float range = *greatest - *least;
     for (const float value : {*least, *greatest}) {
-        std::vector<Glyph> waiting = range > 0.0F ? glyphsOf(frame, value, range) : std::vector<Glyph>{};
-        while (!waiting.empty()) {
-            const std::vector<Glyph> row = takeRow(waiting);
-            if (row.size() >= leastInRow) {
-                blank(text, row);
-            }
+        for (const std::vector<Glyph>& row :
+             textRows(range > 0.0F ? glyphsOf(frame, value, range) : std::vector<Glyph>{})) {
+            blank(text, row);
         }
     }
     return text;

@@ -1,12 +1,11 @@
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 
 #include "core/tracing/angiogram/trace_angiogram.h"
+#include "tests/support/drawn_letters.h"
 #include "tests/support/drawn_vessels.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 using namespace angiopose;
 
@@ -14,28 +13,6 @@ namespace {
 
 using core::ImageF;
 using core::Mask2d;
-
-/// "E", "L", "H", 5 × 7 px each.
-constexpr std::array<std::array<std::string_view, 7>, 3> letters{{
-    {"#####", "#....", "#....", "####.", "#....", "#....", "#####"},
-    {"#....", "#....", "#....", "#....", "#....", "#....", "#####"},
-    {"#...#", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"},
-}};
-
-/// Draws letters twice as large, with the upper left corner of the first at (x, y).
-void write(ImageF& frame, int x, int y, int count, float value)
-{
-    for (int k = 0; k < count; ++k) {
-        for (int row = 0; row < 14; ++row) {
-            for (int column = 0; column < 10; ++column) {
-                const auto& letter = letters[static_cast<std::size_t>(k) % letters.size()];
-                if (letter[static_cast<std::size_t>(row / 2)][static_cast<std::size_t>(column / 2)] == '#') {
-                    frame.at(x + 14 * k + column, y + row) = value;
-                }
-            }
-        }
-    }
-}
 
 ImageF angiogram()
 {
@@ -47,7 +24,7 @@ TEST(BurnedInText, IsFoundAndTheVesselsAreNot)
 {
     for (const float ink : {255.0F, 0.0F}) {
         ImageF frame = angiogram();
-        write(frame, 170, 20, 7, ink);
+        test::writeLetters(frame, {170, 20}, 7, ink);
         const Mask2d text = core::burnedInText(frame);
         for (int y = 20; y < 34; ++y) {
             for (int x = 170; x < 170 + 7 * 14 - 4; ++x) {
@@ -69,8 +46,8 @@ TEST(BurnedInText, NothingIsFoundInAPlainAngiogram)
 TEST(BurnedInText, IsKeptOutOfTheTrace)
 {
     ImageF frame = angiogram();
-    write(frame, 150, 16, 9, 255.0F);
-    write(frame, 150, 40, 9, 255.0F);
+    test::writeLetters(frame, {150, 16}, 9, 255.0F);
+    test::writeLetters(frame, {150, 40}, 9, 255.0F);
     const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
     ASSERT_TRUE(trace) << trace.error().message;
     EXPECT_EQ(trace.value().fieldMask.at(155, 22), 0);

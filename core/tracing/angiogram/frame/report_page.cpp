@@ -1,0 +1,86 @@
+#include "core/tracing/angiogram/frame/report_page.h"
+
+#include "core/imaging/mask_morphology.h"
+#include "core/tracing/angiogram/frame/text_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t greyLevels = 64;   // of the range, to find the paper's
+constexpr double leastPaper = 0.7;   // of the pixels; a narrow field in a black frame may come near it
+constexpr double inkContrast = 0.25;   // of the range, from the paper
+constexpr double mostToneShare = 0.1;   // of the pixels neither paper nor in rows of text: small pictures, frames
+constexpr double greatestLetterShare = 0.05;   // of the longer side
+constexpr std::size_t leastLetters = 30;
+constexpr double leastInRows = 0.5;   // of the shapes as large as letters; specks lie in no rows
+
+/// The value of most pixels, where those are nearly all.
+std::optional<float> paperOf(const ImageF& picture, float low, float range)
+{
+    std::array<std::size_t, greyLevels> counts{};
+    for (const float value : picture.pixels) {
+        ++counts[std::min(greyLevels - 1, static_cast<std::size_t>((value - low) / range * greyLevels))];
+    }
+    const auto most = std::ranges::max_element(counts);
+    if (static_cast<double>(*most) < leastPaper * static_cast<double>(picture.pixels.size())) {
+        return {};
+    }
+    return low + (static_cast<float>(most - counts.begin()) + 0.5F) * range / greyLevels;
+}
+
+Mask2d inkOn(const ImageF& picture, float paper, float range)
+{
+    Mask2d ink(picture.width, picture.height);
+    std::ranges::transform(picture.pixels, ink.pixels.begin(), [&](float value) {
+        return static_cast<std::uint8_t>(std::abs(value - paper) >= inkContrast * range ? 255 : 0);
+    });
+    return ink;
+}
+
+std::size_t letterCount(const std::vector<std::vector<Glyph>>& rows)
+{
+    std::size_t count = 0;
+    for (const std::vector<Glyph>& row : rows) {
+        count += row.size();
+    }
+    return count;
+}
+
+}   // namespace
+
+bool isReportPage(const ImageF& picture)
+{
+    if (picture.isEmpty()) {
+        return false;
+    }
+    const auto [low, high] = std::ranges::minmax_element(picture.pixels);
+    const float range = *high - *low;
+    const auto paper = range > 0.0F ? paperOf(picture, *low, range) : std::nullopt;
+    if (!paper) {
+        return false;
+    }
+    const double greatest = greatestLetterShare * std::max(picture.width, picture.height);
+    std::vector<Glyph> glyphs;
+    std::size_t tonePx = 0;   // of shapes too large for letters that fill their box, as lines and frames do not
+    for (const std::vector<std::size_t>& shape : componentsOf(inkOn(picture, *paper, range))) {
+        const Glyph bounds = boundsOf(shape, picture.width);
+        if (bounds.height() <= greatest && bounds.width() <= greatest) {
+            if (shape.size() >= 4 && bounds.height() >= 4) {
+                glyphs.push_back(bounds);
+            }
+        } else {
+            tonePx += shape.size();
+        }
+    }
+    const std::size_t letters = letterCount(textRows(glyphs));
+    return letters >= leastLetters &&
+           static_cast<double>(letters) >= leastInRows * static_cast<double>(glyphs.size()) &&
+           static_cast<double>(tonePx) <= mostToneShare * static_cast<double>(picture.pixels.size());
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,60 @@
+#include "core/tracing/angiogram/frame/text_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t leastInRow = 3;
+
+/// Side by side in one line: of about one height, on one level, not farther apart than two letters.
+bool areInOneRow(const Glyph& a, const Glyph& b)
+{
+    const int height = std::max(a.height(), b.height());
+    const int gap = std::max(a.left, b.left) - std::min(a.right, b.right);
+    return std::min(a.height(), b.height()) >= 0.6 * height && std::abs(a.bottom - b.bottom) <= 0.4 * height &&
+           gap > 0 && gap <= 2 * height;
+}
+
+/// The glyphs that form one row with the first of `waiting`, taken out of it.
+std::vector<Glyph> takeTextRow(std::vector<Glyph>& waiting)
+{
+    std::vector<Glyph> row{waiting.back()};
+    waiting.pop_back();
+    for (std::size_t next = 0; next < row.size(); ++next) {
+        const auto rest = std::stable_partition(waiting.begin(), waiting.end(),
+                                                [&](const Glyph& glyph) { return !areInOneRow(row[next], glyph); });
+        row.insert(row.end(), rest, waiting.end());
+        waiting.erase(rest, waiting.end());
+    }
+    return row;
+}
+
+}   // namespace
+
+Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth)
+{
+    Glyph glyph{imageWidth, -1, 1 << 30, -1};
+    for (const std::size_t p : pixels) {
+        const int x = static_cast<int>(p % static_cast<std::size_t>(imageWidth));
+        const int y = static_cast<int>(p / static_cast<std::size_t>(imageWidth));
+        glyph = {std::min(glyph.left, x), std::max(glyph.right, x), std::min(glyph.top, y), std::max(glyph.bottom, y)};
+    }
+    return glyph;
+}
+
+std::vector<std::vector<Glyph>> textRows(std::vector<Glyph> glyphs)
+{
+    std::vector<std::vector<Glyph>> rows;
+    while (!glyphs.empty()) {
+        std::vector<Glyph> row = takeTextRow(glyphs);
+        if (row.size() >= leastInRow) {
+            rows.push_back(std::move(row));
+        }
+    }
+    return rows;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+
+namespace angiopose::test {
+
+/// "E", "L", "H", 5 × 7 px each.
+inline constexpr std::array<std::array<std::string_view, 7>, 3> drawnLetters{{
+    {"#####", "#....", "#....", "####.", "#....", "#....", "#####"},
+    {"#....", "#....", "#....", "#....", "#....", "#....", "#####"},
+    {"#...#", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"},
+}};
+
+/// Writes letters twice as large, the upper left corner of the first at `at`.
+inline void writeLetters(core::ImageF& frame, const Eigen::Vector2i& at, int count, float value)
+{
+    for (int k = 0; k < count; ++k) {
+        const auto& letter = drawnLetters[static_cast<std::size_t>(k) % drawnLetters.size()];
+        for (int row = 0; row < 14; ++row) {
+            for (int column = 0; column < 10; ++column) {
+                if (letter[static_cast<std::size_t>(row / 2)][static_cast<std::size_t>(column / 2)] == '#') {
+                    frame.at(at.x() + 14 * k + column, at.y() + row) = value;
+                }
+            }
+        }
+    }
+}
+
+}   // namespace angiopose::test
