@@ -56,6 +56,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       tracing_(document_, {window.actions(), window.tracing(), window.slices(), window.slicesPage(), window.strip()}),
       mask_(document_, [this] { return tracing_.draft(); },
             {window.actions(), window.tracing(), window.slices(), window.strip()}),
+      paths_(document_, {window.actions(), window.tracing(), window.slices()}),
       treeActions_(document_, branches_, tracing_,
                    {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
                     window.slicesPage(), window}),
@@ -151,6 +152,8 @@ void CaseController::connectTracing()
     connect(&mask_, &MaskController::told, &notices_, &Notices::showNote);
     connect(&mask_, &MaskController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
+    connect(&paths_, &PathController::told, &notices_, &Notices::showNote);
+    connect(&paths_, &PathController::failed, &notices_, &Notices::showNote);
     connect(&session_.saving(), &SaveController::saved, &mask_, &MaskController::noteSaved);
 }
 

@@ -10,6 +10,7 @@
 #include "app/editing/mark_controller.h"
 #include "app/editing/mask_controller.h"
 #include "app/editing/measure_controller.h"
+#include "app/editing/path_controller.h"
 #include "app/editing/pivot_controller.h"
 #include "app/editing/pose_controller.h"
 #include "app/editing/start_pose_controller.h"
@@ -123,6 +124,7 @@ private:
     SliceController slices_;
     TracingController tracing_;
     MaskController mask_;
+    PathController paths_;
     TreeActions treeActions_;
     StepController steps_;
     PoseTools poses_;

@@ -133,6 +133,12 @@ struct BatchArguments {
 };
 int runBatch(const BatchArguments& arguments);
 
+/// A vessel's part between two places, patient LPS mm.
+struct Stretch {
+    Eigen::Vector3d from;
+    Eigen::Vector3d to;
+};
+
 struct TraceVesselArguments {
     std::string inputPath;   ///< volume, DICOM folder, label image or surface
     std::string outputPath;
@@ -141,6 +147,8 @@ struct TraceVesselArguments {
     std::vector<std::string> labels;   ///< numbers or names; empty: those of vessels, or all
     double unitMm = 1.0;
     core::VesselTracingOptions tracing;
+    std::vector<Stretch> stretches;   ///< traced instead of everything
+    std::string intoPath;   ///< a tree that they are added to; empty: none
 };
 int runTraceVessel(const TraceVesselArguments& arguments);
 

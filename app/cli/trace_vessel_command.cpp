@@ -1,6 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
+#include "core/tracing/volume/path/vessel_path.h"
+#include "core/vessel/add_branch.h"
 #include "io/label_list.h"
 #include "io/support/input_bytes.h"
 #include "io/surface_file.h"
@@ -61,25 +63,71 @@ core::LabelVolume labelsOf(const core::VoxelMask& mask)
     return labels;
 }
 
-void printTree(const io::LoadedVessels& vessels, const std::string& path)
+std::string described(const core::VesselTree& tree)
 {
     double lengthMm = 0.0;
-    for (const core::VesselBranch& branch : vessels.tree.branches) {
+    for (const core::VesselBranch& branch : tree.branches) {
         lengthMm += branch.lengthMm();
     }
-    const std::size_t count = vessels.tree.branches.size();
-    std::printf("%s: %zu %s, %s mm", path.c_str(), count, count == 1 ? "branch" : "branches",
-                fixedText(lengthMm, 1).c_str());
-    if (vessels.volume) {
-        std::printf(", lumen above %s", fixedText(vessels.threshold, 1).c_str());
+    const std::size_t count = tree.branches.size();
+    return std::to_string(count) + (count == 1 ? " branch, " : " branches, ") + fixedText(lengthMm, 1) + " mm";
+}
+
+/// The tree that single vessels are added to; without a file it has no branches yet.
+core::Result<core::VesselTree> treeToAddTo(const TraceVesselArguments& arguments)
+{
+    return arguments.intoPath.empty() ? core::VesselTree() : io::readVesselTree(arguments.intoPath);
+}
+
+/// Adds a vessel's part to the tree, and says what it is.
+core::Status addStretch(core::VesselTree& tree, const core::Volume& scan, const Stretch& stretch)
+{
+    auto path = core::vesselBetween(scan, stretch.from, stretch.to, [](const core::TracingReport&) {
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+    if (!path) {
+        return path.error();
     }
-    std::printf("\n");
+    printWarnings(path.value().warnings);
+    auto added = core::withBranch(tree, std::move(path).value().branch);
+    if (!added) {
+        return added.error();
+    }
+    tree = std::move(added).value();
+    return core::Done{};
+}
+
+int traceStretches(const TraceVesselArguments& arguments)
+{
+    auto tree = treeToAddTo(arguments);
+    if (!tree) {
+        return failInput(tree.error());
+    }
+    const auto scan = io::readVolume(arguments.inputPath, arguments.seriesId);
+    if (!scan) {
+        return failInput(scan.error());
+    }
+    printWarnings(scan.value().warnings);
+    core::VesselTree grown = std::move(tree).value();
+    for (const Stretch& stretch : arguments.stretches) {
+        if (const auto added = addStretch(grown, scan.value().volume, stretch); !added) {
+            return failInput(added.error().about(arguments.inputPath));
+        }
+    }
+    if (const auto written = io::writeVesselTree(grown, arguments.outputPath); !written) {
+        return failInput(written.error());
+    }
+    std::printf("%s: %s\n", arguments.outputPath.c_str(), described(grown).c_str());
+    return exitDone;
 }
 
 }   // namespace
 
 int runTraceVessel(const TraceVesselArguments& arguments)
 {
+    if (!arguments.stretches.empty()) {
+        return traceStretches(arguments);
+    }
     auto kind = io::vesselInputKindOf(arguments.inputPath);
     if (!kind) {
         return failInput(kind.error());
@@ -113,7 +161,8 @@ int runTraceVessel(const TraceVesselArguments& arguments)
             return failInput(written.error());
         }
     }
-    printTree(vessels.value(), arguments.outputPath);
+    std::printf("%s: %s%s\n", arguments.outputPath.c_str(), described(vessels.value().tree).c_str(),
+                vessels.value().volume ? (", lumen above " + fixedText(vessels.value().threshold, 1)).c_str() : "");
     return exitDone;
 }
 

@@ -9,22 +9,29 @@
 namespace angiopose::app {
 namespace {
 
-/// "x,y,z" in patient LPS mm; nothing when it is not that.
-std::optional<Eigen::Vector3d> pointFrom(const std::string& text)
+/// As many numbers as asked for, with commas between; nothing when it is not that.
+template <int Count>
+std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& text)
 {
-    Eigen::Vector3d point;
+    Eigen::Matrix<double, Count, 1> numbers;
     std::string_view rest = text;
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int place = 0; place < Count; ++place) {
         const std::size_t comma = rest.find(',');
         const std::string_view number = rest.substr(0, comma);
-        const auto parsed = std::from_chars(number.data(), number.data() + number.size(), point[axis]);
+        const auto parsed = std::from_chars(number.data(), number.data() + number.size(), numbers[place]);
         const bool isLast = comma == std::string_view::npos;
-        if (parsed.ec != std::errc{} || parsed.ptr != number.data() + number.size() || isLast != (axis == 2)) {
+        if (parsed.ec != std::errc{} || parsed.ptr != number.data() + number.size() || isLast != (place == Count - 1)) {
             return std::nullopt;
         }
         rest.remove_prefix(isLast ? rest.size() : comma + 1);
     }
-    return point;
+    return numbers;
+}
+
+/// "x,y,z" in patient LPS mm; nothing when it is not that.
+std::optional<Eigen::Vector3d> pointFrom(const std::string& text)
+{
+    return numbersFrom<3>(text);
 }
 
 /// An option that takes a point each time it is given.
@@ -43,6 +50,27 @@ void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Ve
         ->allow_extra_args(false)
         ->check([](const std::string& text) {
             return pointFrom(text) ? std::string() : "give a point as x,y,z in mm, not '" + text + "'";
+        });
+}
+
+/// Two places each time it is given.
+void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
+{
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--between",
+            [&stretches](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                    const Eigen::Vector<double, 6> ends =
+                        numbersFrom<6>(text).value_or(Eigen::Vector<double, 6>::Zero());
+                    stretches.push_back({ends.head<3>(), ends.tail<3>()});
+                }
+            },
+            "x,y,z,x,y,z (LPS mm): trace just the vessel from one place to the other, by the path that is most like a "
+            "vessel; may be repeated: later ones join the earlier")
+        ->allow_extra_args(false)
+        ->check([](const std::string& text) {
+            return numbersFrom<6>(text) ? std::string() : "give two points as x,y,z,x,y,z in mm, not '" + text + "'";
         });
 }
 
@@ -66,6 +94,10 @@ void addTraceVessel(CLI::App& app, int& exitCode)
               "vessel, aorta or main artery, is found)");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
               "x,y,z (LPS mm) in the heart, a vein or bone; may be repeated");
+    command->add_flag("--tubes", arguments->tracing.tubesOnly,
+                      "Thin vessels alone, from the seeds: chambers, organs and what is wider than a centimetre end them");
+    addStretches(command, arguments->stretches);
+    command->add_option("--into", arguments->intoPath, "Tree that vessels traced by --between are added to");
     addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree begins at the end nearest to it");
     command->add_option("--min-length", arguments->tracing.minBranchLengthMm, "Shorter branches are removed, mm")
         ->check(CLI::Range(0.0, 1000.0));

@@ -26,8 +26,8 @@ VolumeGeometry toPublic(const core::VolumeGeometry& geometry)
 
 core::VesselTracingOptions toCore(const VesselTracingOptions& options)
 {
-    const auto& [threshold, seeds, avoid, root, minLength, minRadius, spacing, threads] = options;
-    return {threshold, seeds, avoid, root, minLength, minRadius, spacing, threads};
+    const auto& [threshold, seeds, avoid, root, minLength, minRadius, spacing, tubesOnly, threads] = options;
+    return {threshold, seeds, avoid, root, minLength, minRadius, spacing, tubesOnly, threads};
 }
 
 core::VesselInput vesselInputOf(const std::string& path, const VesselReadOptions& options)

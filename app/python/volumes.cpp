@@ -99,7 +99,7 @@ void bindOptionsOfTracing(py::module_& module)
                                      "One set of defaults for every scan; places LPS mm.")
         .def(py::init([](std::optional<double> threshold, const Places& seedsInPatient, const Places& avoidInPatient,
                          const std::optional<Eigen::Vector3d>& rootInPatient, double minBranchLengthMm,
-                         double minBranchRadiusMm, double pointSpacingMm, int threads) {
+                         double minBranchRadiusMm, double pointSpacingMm, bool tubesOnly, int threads) {
                  return VesselTracingOptions{threshold,
                                              placesOf(seedsInPatient, "seedsInPatient"),
                                              placesOf(avoidInPatient, "avoidInPatient"),
@@ -107,15 +107,17 @@ void bindOptionsOfTracing(py::module_& module)
                                              minBranchLengthMm,
                                              minBranchRadiusMm,
                                              pointSpacingMm,
+                                             tubesOnly,
                                              threads};
              }),
              py::kw_only(), py::arg("threshold") = py::none(), py::arg("seedsInPatient") = py::none(),
              py::arg("avoidInPatient") = py::none(), py::arg("rootInPatient") = py::none(),
              py::arg("minBranchLengthMm") = 4.0, py::arg("minBranchRadiusMm") = 0.0, py::arg("pointSpacingMm") = 1.0,
-             py::arg("threads") = 0,
+             py::arg("tubesOnly") = false, py::arg("threads") = 0,
              "threshold: HU where the lumen begins; None: found from the blood. seedsInPatient: (n, 3), only vessels\n"
              "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
-             "vessel. rootInPatient: (3,); None: the thickest end. threads: 0: all; the result is the same for any.")
+             "vessel. rootInPatient: (3,); None: the thickest end. tubesOnly: thin vessels alone, from the seeds. "
+             "threads: 0: all; the result is the same for any.")
         .def_readwrite("threshold", &Options::threshold, "HU where the lumen begins; None: found from the blood")
         .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
                       assignPlaces<&Options::seedsInPatient>("seedsInPatient"),
@@ -129,6 +131,8 @@ void bindOptionsOfTracing(py::module_& module)
         .def_readwrite("minBranchRadiusMm", &Options::minBranchRadiusMm,
                        "branches that are thinner on average are removed")
         .def_readwrite("pointSpacingMm", &Options::pointSpacingMm, "along the branches")
+        .def_readwrite("tubesOnly", &Options::tubesOnly,
+                       "thin vessels alone, from the seeds: chambers, organs and wide vessels end them")
         .def_readwrite("threads", &Options::threads, "0: as many as the processor has; the result is the same");
 
     py::class_<VesselReadOptions>(module, "VesselReadOptions", "How the vessels of a file are read.")

@@ -3957,14 +3957,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild scheint gespiegelt und um 90° gedreht: zurechtgerückt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde.</translation>
     </message>
     <message>
+        <source>The patient lay %1, and the device seems to count its angles from the table: read so, %2 of vessels and image agree, as it is %3. Type these in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <comment>frame.counted-from-table</comment>
+        <translation>Der Patient lag %1, und das Gerät scheint seine Winkel vom Tisch aus zu zählen: so gelesen stimmen %2 von Gefäßen und Bild überein, so wie es ist %3. Geben Sie in der Geometrie ein: LAO/RAO %4, CRA/CAU %5, Bilddrehung %6.</translation>
+    </message>
+    <message>
         <source>Mirrored, the image fits the vessels about as well (%1 of both agree, as it is %2): make sure from which side it is shown.</source>
         <comment>frame.mirror-rival</comment>
         <translation>Gespiegelt passt das Bild etwa ebenso gut zu den Gefäßen (%1 von beiden stimmen überein, so wie es ist %2): vergewissern Sie sich, von welcher Seite es gezeigt wird.</translation>
     </message>
     <message>
-        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: type other angles or the roll, or place the vessels by landmarks.</source>
+        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: a registration that fails tries that, and says which angles to type.</source>
         <comment>dicom.patient-lies</comment>
-        <translation>Der Patient lag %1 (0018,5100), nicht Kopf voran auf dem Rücken. Die Winkel gelten wie im Standard: vom Patienten aus, im Bild ist der Kopf oben. Zählt dieses Gerät sie vom Tisch aus, so ist die Startlage gedreht: geben Sie andere Winkel oder die Bilddrehung ein, oder setzen Sie die Gefäße mit Landmarken.</translation>
+        <translation>Der Patient lag %1 (0018,5100), nicht Kopf voran auf dem Rücken. Die Winkel gelten wie im Standard: vom Patienten aus, im Bild ist der Kopf oben. Zählt dieses Gerät sie vom Tisch aus, so ist die Startlage gedreht: eine Registrierung, die misslingt, versucht das und sagt, welche Winkel einzugeben sind.</translation>
     </message>
     <message>
         <source>The table moved during this run (%1). That is not used: a pose holds for its own frame only, and frames are not views of one place.</source>
@@ -4065,6 +4070,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
         <translation>Das Angiogrammbild ist einfarbig: es gibt nichts zu erkennen. Anderes Bild oder andere Datei wählen.</translation>
+    </message>
+    <message>
+        <source>This is a page of text, as dose reports are, and no angiogram. Choose the run it belongs to, or another frame.</source>
+        <comment>frame.report-page</comment>
+        <translation>Das ist eine Textseite, wie Dosisberichte es sind, und kein Angiogramm. Wählen Sie die Serie, zu der sie gehört, oder ein anderes Bild.</translation>
     </message>
     <message>
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
@@ -4192,6 +4202,46 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kein Startpunkt gesetzt, und nichts gleicht einem großen Gefäß: Das größte Stück wurde erfasst. Einen Startpunkt in die Gefäße setzen, wenn es nicht diese sind.</translation>
     </message>
     <message>
+        <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
+        <comment>tracing.path-end-outside-scan</comment>
+        <translation>Die Stelle %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie eine innerhalb.</translation>
+    </message>
+    <message>
+        <source>The place %1 mm (LPS) lies in nothing brighter than its surroundings. Place it inside the vessel.</source>
+        <comment>tracing.path-end-in-nothing</comment>
+        <translation>Die Stelle %1 mm (LPS) liegt in nichts, was heller ist als seine Umgebung. Setzen Sie sie in das Gefäß.</translation>
+    </message>
+    <message>
+        <source>Both places lie at the same spot of the vessel. Place them farther apart.</source>
+        <comment>tracing.path-ends-too-near</comment>
+        <translation>Beide Stellen liegen am selben Punkt des Gefäßes. Setzen Sie sie weiter auseinander.</translation>
+    </message>
+    <message>
+        <source>No way was found between the two places. Place them nearer to each other.</source>
+        <comment>tracing.path-not-found</comment>
+        <translation>Zwischen den beiden Stellen wurde kein Weg gefunden. Setzen Sie sie näher zusammen.</translation>
+    </message>
+    <message>
+        <source>For %1 the path runs through nothing like a vessel. Look at it, or place a point in between.</source>
+        <comment>tracing.path-outside</comment>
+        <translation>Auf %1 führt der Weg durch nichts Gefäßartiges. Sehen Sie ihn an, oder setzen Sie eine Stelle dazwischen.</translation>
+    </message>
+    <message>
+        <source>Thin vessels are traced from seeds, and none is placed. Place one in each vessel, near where it begins.</source>
+        <comment>tracing.tubes-need-seed</comment>
+        <translation>Dünne Gefäße werden von Startpunkten aus erfasst, und keiner ist gesetzt. Setzen Sie in jedes Gefäß einen, nahe seinem Anfang.</translation>
+    </message>
+    <message>
+        <source>No thin vessel of any length leads from the seeds. Place them in the middle of the vessels, or trace without the restriction to thin ones.</source>
+        <comment>tracing.no-tube-at-seed</comment>
+        <translation>Von den Startpunkten führt kein dünnes Gefäß weiter. Setzen Sie sie in die Mitte der Gefäße, oder erfassen Sie ohne die Beschränkung auf dünne.</translation>
+    </message>
+    <message>
+        <source>More was reached than is searched: the vessels are cut short. Look for a leak into lung, liver or bone.</source>
+        <comment>tracing.tubes-cut-short</comment>
+        <translation>Es wurde mehr erreicht, als durchsucht wird: die Gefäße sind abgeschnitten. Suchen Sie nach einem Übertritt in Lunge, Leber oder Knochen.</translation>
+    </message>
+    <message>
         <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
         <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
@@ -4315,6 +4365,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
         <comment>edit.cut-too-near-end</comment>
         <translation>Ast %1 lässt sich so nah am Ende nicht trennen. Stattdessen löschen oder weiter innen trennen.</translation>
+    </message>
+    <message>
+        <source>The whole way runs inside vessels that are traced already: there is nothing to add.</source>
+        <comment>edit.branch-runs-inside</comment>
+        <translation>Der ganze Weg verläuft in Gefäßen, die schon erfasst sind: es gibt nichts hinzuzufügen.</translation>
     </message>
     <message>
         <source>A branch cannot be joined to itself. Choose two branches.</source>
@@ -7601,6 +7656,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäßmaske exportieren …</translation>
     </message>
     <message>
+        <source>Trace one vessel between two places</source>
+        <translation>Ein Gefäß zwischen zwei Stellen erfassen</translation>
+    </message>
+    <message>
         <source>Paint into the lumen mask</source>
         <translation>In die Gefäßmaske malen</translation>
     </message>
@@ -9829,6 +9888,18 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::TracingPanel</name>
     <message>
+        <source>Thin vessels only, from the seeds</source>
+        <translation>Nur dünne Gefäße, von den Startpunkten aus</translation>
+    </message>
+    <message>
+        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
+        <translation>Für Kranzgefäße neben gefüllten Herzkammern, Leberarterien neben der Pfortader: was breiter als ein Zentimeter ist, beendet die Gefäße. Braucht Startpunkte.</translation>
+    </message>
+    <message>
+        <source>One vessel by two clicks</source>
+        <translation>Ein Gefäß mit zwei Klicks</translation>
+    </message>
+    <message>
         <source>%1  %2  %3  %4</source>
         <translation>%1  %2  %3  %4</translation>
     </message>
@@ -10596,6 +10667,28 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Check point %1</source>
         <translation>Prüfpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PathController</name>
+    <message>
+        <source>Trace one vessel</source>
+        <translation>Ein Gefäß erfassen</translation>
+    </message>
+    <message>
+        <source>Traced: one vessel of %1 mm.</source>
+        <translation>Erfasst: ein Gefäß von %1 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PathTool</name>
+    <message>
+        <source>One vessel: click where it ends · Esc begins anew</source>
+        <translation>Ein Gefäß: klicken, wo es endet · Esc beginnt neu</translation>
+    </message>
+    <message>
+        <source>One vessel: click where it begins, then where it ends</source>
+        <translation>Ein Gefäß: klicken, wo es beginnt, dann, wo es endet</translation>
     </message>
 </context>
 <context>

@@ -3957,14 +3957,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像似乎既镜像又旋转了 90°：校正后血管与图像吻合 %1，现状为 %2。请检查其导出方式。</translation>
     </message>
     <message>
+        <source>The patient lay %1, and the device seems to count its angles from the table: read so, %2 of vessels and image agree, as it is %3. Type these in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <comment>frame.counted-from-table</comment>
+        <translation>患者体位为 %1，该设备似乎以检查床为基准计角：按此理解血管与图像吻合 %2，现状为 %3。请在几何中输入：LAO/RAO %4，CRA/CAU %5，滚转 %6。</translation>
+    </message>
+    <message>
         <source>Mirrored, the image fits the vessels about as well (%1 of both agree, as it is %2): make sure from which side it is shown.</source>
         <comment>frame.mirror-rival</comment>
         <translation>镜像后的图像与血管同样吻合（吻合 %1，现状为 %2）：请确认图像从哪一侧显示。</translation>
     </message>
     <message>
-        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: type other angles or the roll, or place the vessels by landmarks.</source>
+        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: a registration that fails tries that, and says which angles to type.</source>
         <comment>dicom.patient-lies</comment>
-        <translation>患者体位为 %1 (0018,5100)，而非头先进仰卧。角度按标准理解：以患者为基准，图像中头部朝上。若该设备以检查床为基准，初始位姿会被旋转：请输入其他角度或滚转角，或用标志点放置血管。</translation>
+        <translation>患者体位为 %1 (0018,5100)，而非头先进仰卧。角度按标准理解：以患者为基准，图像中头部朝上。若该设备以检查床为基准，初始位姿会被旋转：配准失败时会尝试这种理解，并给出应输入的角度。</translation>
     </message>
     <message>
         <source>The table moved during this run (%1). That is not used: a pose holds for its own frame only, and frames are not views of one place.</source>
@@ -4065,6 +4070,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
         <translation>此帧为单一颜色：无可提取。请选择其他帧或文件。</translation>
+    </message>
+    <message>
+        <source>This is a page of text, as dose reports are, and no angiogram. Choose the run it belongs to, or another frame.</source>
+        <comment>frame.report-page</comment>
+        <translation>这是一页文字（如剂量报告），不是血管造影。请选择其所属的序列或其他帧。</translation>
     </message>
     <message>
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
@@ -4192,6 +4202,46 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未放置种子点，也没有类似大血管的结构：已提取最大的一块。如果它不是所需血管，请在血管中放置种子点。</translation>
     </message>
     <message>
+        <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
+        <comment>tracing.path-end-outside-scan</comment>
+        <translation>位置 %1 mm (LPS) 在扫描之外。请选择扫描内的位置。</translation>
+    </message>
+    <message>
+        <source>The place %1 mm (LPS) lies in nothing brighter than its surroundings. Place it inside the vessel.</source>
+        <comment>tracing.path-end-in-nothing</comment>
+        <translation>位置 %1 mm (LPS) 处没有比周围更亮的结构。请将其放在血管内。</translation>
+    </message>
+    <message>
+        <source>Both places lie at the same spot of the vessel. Place them farther apart.</source>
+        <comment>tracing.path-ends-too-near</comment>
+        <translation>两个位置位于血管的同一点。请放得更远一些。</translation>
+    </message>
+    <message>
+        <source>No way was found between the two places. Place them nearer to each other.</source>
+        <comment>tracing.path-not-found</comment>
+        <translation>两个位置之间未找到路径。请放得更近一些。</translation>
+    </message>
+    <message>
+        <source>For %1 the path runs through nothing like a vessel. Look at it, or place a point in between.</source>
+        <comment>tracing.path-outside</comment>
+        <translation>路径有 %1 穿过不像血管的部分。请检查，或在中间放置一点。</translation>
+    </message>
+    <message>
+        <source>Thin vessels are traced from seeds, and none is placed. Place one in each vessel, near where it begins.</source>
+        <comment>tracing.tubes-need-seed</comment>
+        <translation>细血管从种子点开始提取，但尚未放置种子点。请在每条血管的起始处附近放置一个。</translation>
+    </message>
+    <message>
+        <source>No thin vessel of any length leads from the seeds. Place them in the middle of the vessels, or trace without the restriction to thin ones.</source>
+        <comment>tracing.no-tube-at-seed</comment>
+        <translation>从种子点出发没有足够长的细血管。请将种子点放在血管中央，或取消仅提取细血管的限制。</translation>
+    </message>
+    <message>
+        <source>More was reached than is searched: the vessels are cut short. Look for a leak into lung, liver or bone.</source>
+        <comment>tracing.tubes-cut-short</comment>
+        <translation>到达的范围超出了搜索上限：血管被截断。请检查是否泄漏到肺、肝或骨骼。</translation>
+    </message>
+    <message>
         <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
         <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
@@ -4315,6 +4365,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
         <comment>edit.cut-too-near-end</comment>
         <translation>分支 %1 不能在靠近末端处切断。请改为删除，或在更内侧切断。</translation>
+    </message>
+    <message>
+        <source>The whole way runs inside vessels that are traced already: there is nothing to add.</source>
+        <comment>edit.branch-runs-inside</comment>
+        <translation>整条路径都在已提取的血管内：没有可添加的部分。</translation>
     </message>
     <message>
         <source>A branch cannot be joined to itself. Choose two branches.</source>
@@ -7601,6 +7656,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>导出管腔掩膜……</translation>
     </message>
     <message>
+        <source>Trace one vessel between two places</source>
+        <translation>提取两点之间的一条血管</translation>
+    </message>
+    <message>
         <source>Paint into the lumen mask</source>
         <translation>在管腔掩膜中绘制</translation>
     </message>
@@ -9828,6 +9887,18 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::ui::TracingPanel</name>
     <message>
+        <source>Thin vessels only, from the seeds</source>
+        <translation>仅细血管，从种子点开始</translation>
+    </message>
+    <message>
+        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
+        <translation>用于充盈心腔旁的冠状动脉、门静脉旁的肝动脉：宽于一厘米的结构会终止血管。需要种子点。</translation>
+    </message>
+    <message>
+        <source>One vessel by two clicks</source>
+        <translation>两次单击提取一条血管</translation>
+    </message>
+    <message>
         <source>%1  %2  %3  %4</source>
         <translation>%1  %2  %3  %4</translation>
     </message>
@@ -10595,6 +10666,28 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Check point %1</source>
         <translation>检查点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PathController</name>
+    <message>
+        <source>Trace one vessel</source>
+        <translation>提取一条血管</translation>
+    </message>
+    <message>
+        <source>Traced: one vessel of %1 mm.</source>
+        <translation>已提取：一条 %1 mm 的血管。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PathTool</name>
+    <message>
+        <source>One vessel: click where it ends · Esc begins anew</source>
+        <translation>一条血管：单击其终点 · Esc 重新开始</translation>
+    </message>
+    <message>
+        <source>One vessel: click where it begins, then where it ends</source>
+        <translation>一条血管：单击其起点，再单击终点</translation>
     </message>
 </context>
 <context>

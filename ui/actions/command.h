@@ -34,6 +34,7 @@ enum class Command {
     CopyWindow,
     // Vessels
     TraceScan,
+    TraceBetween,
     ChooseLabels,
     PaintMask,
     EraseMask,

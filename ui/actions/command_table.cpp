@@ -56,6 +56,7 @@ std::span<const CommandRow> CommandTable::vesselsCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::TraceScan, QT_TR_NOOP("Trace the scan again"), "Ctrl+T"},
+        {Command::TraceBetween, QT_TR_NOOP("Trace one vessel between two places"), "Ctrl+I", Switch},
         {Command::ChooseLabels, QT_TR_NOOP("Choose the labels that are vessels"), "Ctrl+Shift+T"},
         {Command::PaintMask, QT_TR_NOOP("Paint into the lumen mask"), "Ctrl+D", Switch | StartsGroup},
         {Command::EraseMask, QT_TR_NOOP("Erase from the lumen mask"), "Ctrl+R", Switch},

@@ -1,5 +1,6 @@
 #include "ui/slices/mask_panel.h"
 
+#include "ui/actions/action_button.h"
 #include "ui/actions/key_hint.h"
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
@@ -20,40 +21,14 @@ namespace {
 
 enum Tool { Paint, Erase, Cut };
 
-QPushButton* toolButton(const Words& text, Command command)
-{
-    auto* button = withText(new QPushButton, text);
-    withTip(button, [text, command] { return withKey(text(), command); });
-    button->setCheckable(true);
-    return button;
-}
-
-/// A button that does what an action does, and is as the action is.
-void follow(QPushButton& button, QAction& action)
-{
-    QObject::connect(&button, &QPushButton::clicked, &action, [&action](bool on) {
-        if (action.isCheckable()) {
-            action.setChecked(on);
-        } else {
-            action.trigger();
-        }
-    });
-    const auto look = [&button, &action] {
-        button.setEnabled(action.isEnabled());
-        button.setChecked(action.isChecked());
-    };
-    QObject::connect(&action, &QAction::changed, &button, look);
-    look();
-}
-
 }   // namespace
 
 MaskPanel::MaskPanel(QWidget* parent)
     : QWidget(parent),
       opacity_(new QSlider(Qt::Horizontal)),
-      tools_{toolButton([] { return tr("Paint"); }, Command::PaintMask),
-             toolButton([] { return tr("Erase"); }, Command::EraseMask),
-             toolButton([] { return tr("Scissors"); }, Command::CutMask)},
+      tools_{modeButton([] { return tr("Paint"); }, Command::PaintMask),
+             modeButton([] { return tr("Erase"); }, Command::EraseMask),
+             modeButton([] { return tr("Scissors"); }, Command::CutMask)},
       radius_(new NumberField({0.2, 25.0, 1, QStringLiteral("mm"), 0.5})),
       ball_(withText(new QCheckBox, [] { return tr("Ball, through the slices beside"); })),
       above_(withText(new QCheckBox, [] { return tr("Paint only above the threshold"); })),

@@ -1,5 +1,6 @@
 #include "ui/slices/tracing_panel.h"
 
+#include "ui/actions/action_button.h"
 #include "ui/controls/number_field.h"
 #include "ui/slices/label_choice.h"
 #include "ui/slices/mask_panel.h"
@@ -69,6 +70,13 @@ TracingPanel::TracingPanel(QWidget* parent)
                                   "Then click heart, veins or bone in a slice: what is reached from there on "
                                   "wider ways is left out.");
                           })),
+      tubes_(withTip(withText(new QCheckBox, [] { return tr("Thin vessels only, from the seeds"); }),
+                     [] {
+                         return tr(
+                             "For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: "
+                             "what is wider than a centimetre ends the vessels. Needs seeds.");
+                     })),
+      path_(modeButton([] { return tr("One vessel by two clicks"); }, Command::TraceBetween)),
       points_(new QListWidget),
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       minLength_(new NumberField({0.0, 1000.0, 1, QStringLiteral("mm"), 1.0})),
@@ -135,6 +143,12 @@ QLayout* TracingPanel::pointRows()
     points_->setFrameShape(QFrame::NoFrame);
     points_->installEventFilter(this);
     rows->addWidget(points_);
+    rows->addWidget(tubes_);
+    rows->addWidget(path_);
+    connect(tubes_, &QCheckBox::toggled, this, [this](bool on) {
+        options_.tubesOnly = on;
+        emit optionsEdited(options_);
+    });
     connect(seed_, &QPushButton::toggled, this,
             [this](bool on) { emit pickWanted(on ? TracingPick::Seed : TracingPick::Nothing); });
     connect(avoid_, &QPushButton::toggled, this,
@@ -184,11 +198,18 @@ QLayout* TracingPanel::buttonRow()
     return row;
 }
 
+void TracingPanel::bindPath(QAction& action)
+{
+    follow(*path_, action);
+}
+
 void TracingPanel::showOptions(const core::VesselTracingOptions& options)
 {
     const bool samePoints =
         options.seedsInPatient == options_.seedsInPatient && options.avoidInPatient == options_.avoidInPatient;
     options_ = options;
+    const QSignalBlocker quietTubes(tubes_);
+    tubes_->setChecked(options.tubesOnly);
     showThreshold();
     minLength_->showValue(options.minBranchLengthMm);
     minRadius_->showValue(options.minBranchRadiusMm);
@@ -201,6 +222,7 @@ void TracingPanel::showRange(std::optional<std::pair<double, double>> range, con
 {
     hasValues_ = range.has_value();
     thresholdBox_->setVisible(hasValues_);
+    tubes_->setVisible(hasValues_);
     if (range) {
         const QSignalBlocker quiet(slider_);
         slider_->setRange(static_cast<int>(std::floor(range->first)), static_cast<int>(std::ceil(range->second)));

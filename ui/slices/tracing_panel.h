@@ -5,6 +5,7 @@
 
 #include <optional>
 
+class QAction;
 class QCheckBox;
 class QListWidget;
 class QPushButton;
@@ -31,6 +32,7 @@ public:
     void showRange(std::optional<std::pair<double, double>> range, const QString& unit);
     LabelChoice& labels() { return *labels_; }
     MaskPanel& mask() { return *mask_; }
+    void bindPath(QAction& action);   ///< one vessel by two clicks
     void showFound(std::optional<double> threshold);   ///< what "automatic" comes to, when known
     void showPick(TracingPick pick);
     void showWhyNot(const QString& reason);   ///< empty: can be traced
@@ -74,6 +76,8 @@ private:
     QCheckBox* preview_;
     QPushButton* seed_;
     QPushButton* avoid_;
+    QCheckBox* tubes_;
+    QPushButton* path_;
     QListWidget* points_;
     QPushButton* remove_;
     NumberField* minLength_;

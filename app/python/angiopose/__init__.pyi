@@ -193,7 +193,7 @@ class Volume:
     def intercept(self) -> float: ...
 
 class VesselTracingOptions:
-    def __init__(self, *, threshold: Optional[float] = None, seedsInPatient: Optional[ArrayLike] = None, avoidInPatient: Optional[ArrayLike] = None, rootInPatient: Optional[ArrayLike] = None, minBranchLengthMm: float = 4.0, minBranchRadiusMm: float = 0.0, pointSpacingMm: float = 1.0, threads: int = 0) -> None: ...
+    def __init__(self, *, threshold: Optional[float] = None, seedsInPatient: Optional[ArrayLike] = None, avoidInPatient: Optional[ArrayLike] = None, rootInPatient: Optional[ArrayLike] = None, minBranchLengthMm: float = 4.0, minBranchRadiusMm: float = 0.0, pointSpacingMm: float = 1.0, tubesOnly: bool = False, threads: int = 0) -> None: ...
     threshold: Optional[float]
     @property
     def seedsInPatient(self) -> NDArray[np.float64]: ...
@@ -210,6 +210,7 @@ class VesselTracingOptions:
     minBranchLengthMm: float
     minBranchRadiusMm: float
     pointSpacingMm: float
+    tubesOnly: bool
     threads: int
 
 class VesselReadOptions:

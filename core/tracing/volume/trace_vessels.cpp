@@ -10,6 +10,7 @@
 #include "core/tracing/volume/great_vessels/find_great_vessels.h"
 #include "core/tracing/volume/lumen/blood_level.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
+#include "core/tracing/volume/path/trace_tubes.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
@@ -213,6 +214,9 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
 {
     if (const auto problem = problemWith(volume.geometry, volume.voxels.size())) {
         return Error(*problem);
+    }
+    if (options.tubesOnly) {
+        return traceTubes(volume, options, observe);
     }
     TracingProgress progress(observe);
     progress.enter("blood", 0.0, 0.05);

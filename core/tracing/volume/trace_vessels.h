@@ -26,7 +26,7 @@ struct TracedVessels {
 /// Contrast-filled vessels of a CT angiogram: threshold or seeded growth, bone and table left out, thinning, a tree of
 /// smooth centrelines with radii. Without seeds the tree is that of the vessel most like an aorta (see `Trunk::worth`),
 /// else of the largest piece; a warning says which. Fails on an empty or flat volume, seeds outside the lumen, when
-/// nothing is like a vessel (the axes of that piece hold no blood); ends as stopped when the observer says so, then
+/// nothing is like a vessel (the axes of that piece hold no blood); with `tubesOnly` see `traceTubes`; ends as stopped when the observer says so, then
 /// nothing is kept. Needs at most twice the volume's own memory besides it.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                    const TracingObserver& observe = {});

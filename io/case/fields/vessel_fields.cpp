@@ -86,7 +86,11 @@ StoredField<Vessels> tracingField()
         storedIfSet("avoidInPatientMm",
                     about(listSchema(definedAs("point")), "What is reached from these on wider ways is no vessel."),
                     &Options::avoidInPatient),
-        storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient)};
+        storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient),
+        storedIfSet(
+            "tubesOnly",
+            about(flagSchema(), "Thin vessels alone, from the seeds: chambers, organs and wide vessels end them."),
+            &Options::tubesOnly)};
     const Json schema{{"description", "How a segmentation, surface or volume is traced; absent: the defaults."}};
     return writtenWhere([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
                         storedThrough<Vessels>(

@@ -67,6 +67,7 @@ struct VesselTracingOptions {
     double minBranchLengthMm = 4.0;   ///< branches that leave their parent's wall by less are removed
     double minBranchRadiusMm = 0.0;   ///< branches that are thinner on average are removed
     double pointSpacingMm = 1.0;   ///< along the branches
+    bool tubesOnly = false;   ///< thin vessels alone, from the seeds: chambers, organs and wide vessels end them
     int threads = 0;   ///< 0: as many as the processor has; the result is the same for any number
 };
 

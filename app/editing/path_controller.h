@@ -1,0 +1,53 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/newest_job.h"
+#include "core/tracing/volume/path/vessel_path.h"
+#include "ui/words/spoken.h"
+
+#include <QObject>
+
+namespace angiopose::ui {
+class PathTool;
+class SliceModel;
+class TracingPanel;
+class WindowActions;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// One vessel of the scan by two clicks in the slices: its way is shown while the mouse moves, and becomes a branch of
+/// the tree as one step of undo.
+class PathController : public QObject {
+    Q_OBJECT
+public:
+    /// What of the window it serves.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::TracingPanel& panel;
+        ui::SliceModel& slices;
+    };
+    PathController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
+
+signals:
+    void told(const QString& note);
+    void failed(const QString& reason);
+
+private:
+    struct Ends {
+        Eigen::Vector3d from;
+        Eigen::Vector3d to;
+    };
+    void followDocument();
+    void trace(const Ends& ends);
+    void add(const core::VesselPath& path);
+
+    CaseDocument& document_;
+    Ui ui_;
+    ui::PathTool* tool_;
+    std::shared_ptr<const core::Volume> scan_;
+    NewestJob<Ends, core::VesselPath> preview_;
+    Job<core::VesselPath> job_;
+};
+
+}   // namespace angiopose::app

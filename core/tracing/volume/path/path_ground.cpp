@@ -1,0 +1,131 @@
+#include "core/tracing/volume/path/path_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace angiopose::core {
+namespace {
+
+// From coronary branches to the aorta: just beyond the wall of each.
+constexpr std::array shellRadiiMm{1.2, 1.8, 2.6, 3.6, 5.0, 7.0, 10.0, 14.0};
+constexpr double shellBeyondWall = 1.2;
+constexpr double clearDrop = 0.4;   // of a voxel's height above tissue, to what lies beside it
+// Along a straight tube about 9 of 13 directions leave it; in a wall 4, where it goes on flat 0.
+constexpr double leastShareOfTube = 0.35;
+constexpr double shareOfTube = 0.65;
+constexpr double tissueReachMm = 6.0;
+constexpr double tissueRank = 0.3;   // of the values around: the vessel and its neighbours fill less than the rest
+
+/// Steps in every second of 26 directions, none opposite to another.
+std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& spacingMm)
+{
+    std::vector<Eigen::Vector3i> steps;
+    for (int n = 14; n < 27; ++n) {   // the second half of the 26 neighbours
+        const Eigen::Vector3d way(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const Eigen::Vector3d step = (radiusMm * way.normalized()).cwiseQuotient(spacingMm);
+        steps.emplace_back(step.array().round().cast<int>());
+    }
+    return steps;
+}
+
+}   // namespace
+
+PathGround::PathGround(const Volume& volume, double widestRadiusMm) : volume_(volume)
+{
+    for (const double radiusMm : shellRadiiMm) {
+        if (radiusMm > shellBeyondWall * widestRadiusMm) {
+            break;
+        }
+        const Shell shell{radiusMm, halfShell(radiusMm, volume.geometry.spacingMm)};
+        const auto isNone = [](const Eigen::Vector3i& step) { return step == Eigen::Vector3i::Zero(); };
+        if (std::ranges::none_of(shell.steps, isNone)) {
+            shells_.push_back(shell);
+        }
+    }
+}
+
+double PathGround::valueAt(const Eigen::Vector3i& voxel) const
+{
+    const Eigen::Vector3i inside = voxel.cwiseMax(0).cwiseMin((volume_.geometry.size.array() - 1).matrix());
+    return volume_.value(volume_.geometry.index(inside.x(), inside.y(), inside.z()));
+}
+
+TubeLook PathGround::tube(const Eigen::Vector3i& voxel, double tissue) const
+{
+    const double here = valueAt(voxel);
+    const double drop = clearDrop * (here - tissue);
+    if (drop <= 0.0) {
+        return {};
+    }
+    TubeLook look;
+    std::ptrdiff_t most = 0;
+    for (const Shell& shell : shells_) {
+        const auto falls = [&](const Eigen::Vector3i& step) {
+            return valueAt(voxel + step) <= here - drop && valueAt(voxel - step) <= here - drop;
+        };
+        if (const std::ptrdiff_t count = std::ranges::count_if(shell.steps, falls); count > most) {
+            most = count;
+            look.shellMm = shell.radiusMm;
+        }
+    }
+    const double share = static_cast<double>(most) / 13.0;
+    look.share = std::clamp((share - leastShareOfTube) / (shareOfTube - leastShareOfTube), 0.0, 1.0);
+    return look;
+}
+
+std::vector<double> PathGround::valuesAround(const Eigen::Vector3i& voxel, double distanceMm) const
+{
+    std::vector<double> values;
+    for (const Eigen::Vector3i& step : halfShell(distanceMm, volume_.geometry.spacingMm)) {
+        values.push_back(valueAt(voxel + step));
+        values.push_back(valueAt(voxel - step));
+    }
+    return values;
+}
+
+VesselLook PathGround::lookAt(const Eigen::Vector3i& voxel) const
+{
+    const Eigen::Vector3i reach =
+        (tissueReachMm * volume_.geometry.spacingMm.cwiseInverse()).array().ceil().cast<int>();
+    std::vector<double> around;
+    for (int k = -reach.z(); k <= reach.z(); ++k) {
+        for (int j = -reach.y(); j <= reach.y(); ++j) {
+            for (int i = -reach.x(); i <= reach.x(); ++i) {
+                around.push_back(valueAt(voxel + Eigen::Vector3i(i, j, k)));
+            }
+        }
+    }
+    const auto rank = around.begin() + static_cast<std::ptrdiff_t>(tissueRank * static_cast<double>(around.size() - 1));
+    std::nth_element(around.begin(), rank, around.end());
+    return {valueAt(voxel), *rank};
+}
+
+Eigen::Vector3i PathGround::likeliestNear(const Eigen::Vector3i& voxel, double reachMm) const
+{
+    const Eigen::Vector3d& spacing = volume_.geometry.spacingMm;
+    const Eigen::Vector3i reach = (reachMm * spacing.cwiseInverse()).array().floor().cast<int>();
+    const double tissue = lookAt(voxel).tissue;
+    double best = -std::numeric_limits<double>::infinity();
+    Eigen::Vector3i likeliest = voxel;
+    for (int k = -reach.z(); k <= reach.z(); ++k) {
+        for (int j = -reach.y(); j <= reach.y(); ++j) {
+            for (int i = -reach.x(); i <= reach.x(); ++i) {
+                const Eigen::Vector3i at = voxel + Eigen::Vector3i(i, j, k);
+                const double awayMm = Eigen::Vector3d(i, j, k).cwiseProduct(spacing).norm();
+                if (awayMm > reachMm || !volume_.geometry.contains(at)) {
+                    continue;
+                }
+                const double likely =
+                    (valueAt(at) - tissue) * (0.3 + tube(at, tissue).share) * (1.0 - 0.5 * awayMm / reachMm);
+                if (likely > best) {
+                    best = likely;
+                    likeliest = at;
+                }
+            }
+        }
+    }
+    return likeliest;
+}
+
+}   // namespace angiopose::core

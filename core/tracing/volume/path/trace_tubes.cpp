@@ -1,0 +1,82 @@
+#include "core/tracing/volume/path/trace_tubes.h"
+
+#include "core/imaging/mark_ball.h"
+#include "core/messages/says.h"
+#include "core/tracing/tree/tree_of_paths.h"
+#include "core/tracing/volume/chosen/chosen_lumen.h"
+#include "core/tracing/volume/path/look_along_path.h"
+#include "core/tracing/volume/path/path_end.h"
+#include "core/tracing/volume/path/tube_growth.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+/// The voxels inside the branches, in the order of the scan.
+VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
+{
+    VoxelMask lumen(grid);
+    for (const VesselBranch& branch : resampled(tree, 0.5 * grid.spacingMm.minCoeff()).branches) {
+        for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
+            markBall(branch.pointsInPatient[n], branch.radiusMm[n], lumen);
+        }
+    }
+    return lumen;
+}
+
+Result<std::vector<Eigen::Vector3i>> seedVoxels(const PathGround& ground, const VesselTracingOptions& options)
+{
+    if (options.seedsInPatient.empty()) {
+        return Error(says::tubesNeedSeed());
+    }
+    std::vector<Eigen::Vector3i> voxels;
+    for (const Eigen::Vector3d& seed : options.seedsInPatient) {
+        const auto end = pathEnd(ground, seed);
+        if (!end) {
+            return end.error();
+        }
+        voxels.push_back(end.value().voxel);
+    }
+    return voxels;
+}
+
+}   // namespace
+
+Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOptions& options,
+                                 const TracingObserver& observe)
+{
+    TracingProgress progress(observe);
+    progress.enter("vessels", 0.0, 0.8);
+    const PathGround ground(volume, widestTubeMm);
+    const auto seeds = seedVoxels(ground, options);
+    if (!seeds) {
+        return seeds.error();
+    }
+    const GrownTubes grown =
+        growTubes(ground, seeds.value(), {.minBranchLengthMm = options.minBranchLengthMm}, progress);
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
+    if (grown.paths.empty()) {
+        return Error(says::noTubeAtSeed());
+    }
+    const VolumeGeometry& grid = volume.geometry;
+    const FillOfPath fillOf = [&ground](const BranchPath& path) {
+        return [look = LookAlongPath(ground, path.pointsMm)](const Eigen::Vector3d& at) { return look.fill(at); };
+    };
+    progress.enter("branches", 0.8, 1.0);
+    TracedVessels traced;
+    traced.tree = treeOfPaths(grown.paths, fillOf, grid, options.pointSpacingMm, progress);
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
+    traced.lumen = lumenOf(traced.tree, grid);
+    traced.threshold = 0.5 * (grown.look.blood + grown.look.tissue);
+    if (grown.isCutShort) {
+        traced.warnings.push_back(says::tubesCutShort());
+    }
+    return traced;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,241 @@
+#include "core/tracing/volume/path/tube_growth.h"
+
+#include "core/support/quantile.h"
+#include "core/tracing/volume/path/voxel_cost.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+
+namespace angiopose::core {
+namespace {
+
+// Costs of a millimetre (see `costOfVoxel`): below the first a voxel is a tube's, as of 0.7 of the blood's height and
+// half a tube; what costs more adds to a way's debt.
+constexpr double tubeCost = 3.3;
+constexpr double mostDebt = 9.0;   // about 3 mm of a chamber, a quarter of a mm of tissue
+constexpr double paidBack = 0.5;   // of what a tube's voxel costs less
+constexpr double memoryMm = 12.0;   // over which the look of a way follows what it runs through
+constexpr std::size_t mostGrown = 2'000'000;
+constexpr std::size_t grownPerReport = 4096;
+constexpr double radiusOfShell = 0.75;   // the wall lies within the shell that is darker
+constexpr int noBranch = -1;
+
+/// What a way is like at a voxel.
+struct ReachedVoxel {
+    double cost = std::numeric_limits<double>::infinity();
+    double wayMm = 0.0;   ///< from the seed
+    double debt = 0.0;
+    VesselLook look;
+    std::size_t before = 0;   ///< the voxel it came from; itself: a seed
+    bool isTube = false;
+    bool isSettled = false;
+    int branch = noBranch;   ///< whose lumen it is in
+    std::size_t axis = 0;   ///< and beside which voxel of it
+    bool isTooShort = false;   ///< a way to here was looked at, and was no branch
+};
+
+struct WaitingWay {
+    double cost;
+    std::size_t voxel;
+    bool operator>(const WaitingWay& other) const { return cost > other.cost; }
+};
+
+class TubeGrowth {
+public:
+    TubeGrowth(const PathGround& ground, const TubeLimits& limits)
+        : ground_(ground), grid_(ground.volume().geometry), limits_(limits)
+    {
+    }
+
+    bool grow(const std::vector<Eigen::Vector3i>& seeds, TracingProgress& progress)
+    {
+        for (const Eigen::Vector3i& seed : seeds) {
+            const std::size_t voxel = indexOf(seed);
+            reached_[voxel] = {0.0, 0.0, 0.0, ground_.lookAt(seed), voxel, true};
+            waiting_.push({0.0, voxel});
+        }
+        for (settled_ = 0; !waiting_.empty() && settled_ < mostGrown;) {
+            const WaitingWay next = waiting_.top();
+            waiting_.pop();
+            ReachedVoxel& here = reached_.at(next.voxel);
+            if (here.isSettled || next.cost > here.cost) {
+                continue;
+            }
+            here.isSettled = true;
+            spread(next.voxel, here);
+            if (++settled_ % grownPerReport == 0 &&
+                !progress.advance(static_cast<double>(settled_) / static_cast<double>(mostGrown))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool isCutShort() const { return settled_ >= mostGrown; }
+
+    /// The ends that are farthest from what is a branch already, one after the other.
+    std::vector<BranchPath> branches()
+    {
+        std::vector<std::size_t> ends;
+        for (const auto& [voxel, here] : reached_) {
+            if (here.isSettled && here.isTube) {
+                ends.push_back(voxel);
+            }
+        }
+        std::ranges::sort(ends, [&](std::size_t a, std::size_t b) {
+            const double wayA = reached_.at(a).wayMm;
+            const double wayB = reached_.at(b).wayMm;
+            return wayA != wayB ? wayA > wayB : a < b;
+        });
+        std::vector<BranchPath> paths;
+        for (const std::size_t end : ends) {
+            addBranch(end, paths);
+        }
+        return paths;
+    }
+
+    VesselLook look() const
+    {
+        std::vector<double> bloods;
+        std::vector<double> tissues;
+        for (const auto& [voxel, here] : reached_) {
+            if (here.branch != noBranch) {
+                bloods.push_back(here.look.blood);
+                tissues.push_back(here.look.tissue);
+            }
+        }
+        return bloods.empty() ? VesselLook() : VesselLook{medianOf(bloods), medianOf(tissues)};
+    }
+
+private:
+    std::size_t indexOf(const Eigen::Vector3i& voxel) const { return grid_.index(voxel.x(), voxel.y(), voxel.z()); }
+    Eigen::Vector3d placeMm(std::size_t voxel) const
+    {
+        return grid_.voxelAt(voxel).cast<double>().cwiseProduct(grid_.spacingMm);
+    }
+
+    void spread(std::size_t from, const ReachedVoxel& here)
+    {
+        const Eigen::Vector3i voxel = grid_.voxelAt(from);
+        for (int n = 0; n < 27; ++n) {
+            const Eigen::Vector3i way(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+            if (way != Eigen::Vector3i::Zero() && grid_.contains(voxel + way)) {
+                reach(voxel + way, from, here, way.cast<double>().cwiseProduct(grid_.spacingMm).norm());
+            }
+        }
+    }
+
+    void reach(const Eigen::Vector3i& voxel, std::size_t from, const ReachedVoxel& here, double stepMm)
+    {
+        ReachedVoxel& there = reached_[indexOf(voxel)];
+        if (there.isSettled || there.cost <= here.cost) {
+            return;
+        }
+        const double perMm = costOfVoxel(ground_, voxel, here.look);
+        const double debt =
+            std::max(0.0, here.debt + (perMm - tubeCost) * stepMm * (perMm < tubeCost ? paidBack : 1.0));
+        const double cost = here.cost + perMm * stepMm;
+        if (debt > mostDebt || cost >= there.cost) {
+            return;
+        }
+        const bool isTube = perMm <= tubeCost;
+        const double share = isTube ? 1.0 - std::exp(-stepMm / memoryMm) : 0.0;
+        const double value = ground_.volume().value(indexOf(voxel));
+        there = {cost, here.wayMm + stepMm, debt, here.look, from, isTube};
+        there.look.blood += share * (std::max(value, here.look.tissue + 1.0) - here.look.blood);
+        waiting_.push({cost, indexOf(voxel)});
+    }
+
+    /// The way back from an end to a branch or a seed, where it is long enough to be a branch.
+    void addBranch(std::size_t end, std::vector<BranchPath>& paths)
+    {
+        std::vector<std::size_t> way{end};
+        while (reached_.at(way.back()).branch == noBranch && reached_.at(way.back()).before != way.back()) {
+            if (reached_.at(way.back()).isTooShort) {
+                return;   // from farther on it was too short as well
+            }
+            way.push_back(reached_.at(way.back()).before);
+        }
+        const ReachedVoxel& start = reached_.at(way.back());
+        if (reached_.at(end).wayMm - start.wayMm < limits_.minBranchLengthMm + limits_.assumedRadiusMm) {
+            for (const std::size_t voxel : way) {
+                ReachedVoxel& on = reached_.at(voxel);
+                on.isTooShort = on.branch == noBranch;
+            }
+            return;
+        }
+        BranchPath path;
+        path.parent = start.branch;
+        path.generation = start.branch == noBranch ? 0 : paths[static_cast<std::size_t>(start.branch)].generation + 1;
+        if (start.branch != noBranch) {
+            way.back() = start.axis;   // its own tube is claimed, not the axis it leaves
+        }
+        std::ranges::reverse(way);
+        for (const std::size_t voxel : way) {
+            path.pointsMm.push_back(placeMm(voxel));
+            path.radiusMm.push_back(radiusOfShell * tubeRadiusMm(voxel));
+        }
+        for (std::size_t n = 0; n < way.size(); ++n) {
+            claimAround(way[n], tubeRadiusMm(way[n]), static_cast<int>(paths.size()));
+        }
+        paths.push_back(std::move(path));
+    }
+
+    /// What lies within the tube around a voxel of a branch is that branch's.
+    void claimAround(std::size_t voxel, double radiusMm, int branch)
+    {
+        const Eigen::Vector3i middle = grid_.voxelAt(voxel);
+        const Eigen::Vector3i reach = (radiusMm * grid_.spacingMm.cwiseInverse()).array().ceil().cast<int>();
+        for (int k = -reach.z(); k <= reach.z(); ++k) {
+            for (int j = -reach.y(); j <= reach.y(); ++j) {
+                for (int i = -reach.x(); i <= reach.x(); ++i) {
+                    const Eigen::Vector3i at = middle + Eigen::Vector3i(i, j, k);
+                    const double awayMm = Eigen::Vector3d(i, j, k).cwiseProduct(grid_.spacingMm).norm();
+                    if (awayMm > radiusMm || !grid_.contains(at)) {
+                        continue;
+                    }
+                    const auto found = reached_.find(indexOf(at));
+                    if (found != reached_.end() && found->second.branch == noBranch) {
+                        found->second.branch = branch;
+                        found->second.axis = voxel;
+                    }
+                }
+            }
+        }
+    }
+
+    double tubeRadiusMm(std::size_t voxel) const
+    {
+        const double shellMm = ground_.tube(grid_.voxelAt(voxel), reached_.at(voxel).look.tissue).shellMm;
+        return std::clamp(shellMm, grid_.spacingMm.maxCoeff(), widestTubeMm);
+    }
+
+    const PathGround& ground_;
+    const VolumeGeometry& grid_;
+    TubeLimits limits_;
+    std::unordered_map<std::size_t, ReachedVoxel> reached_;
+    std::priority_queue<WaitingWay, std::vector<WaitingWay>, std::greater<>> waiting_;
+    std::size_t settled_ = 0;
+};
+
+}   // namespace
+
+GrownTubes growTubes(const PathGround& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
+                     TracingProgress& progress)
+{
+    TubeGrowth growth(ground, limits);
+    if (!growth.grow(seeds, progress)) {
+        return {};
+    }
+    GrownTubes grown;
+    grown.paths = growth.branches();
+    grown.look = growth.look();
+    grown.isCutShort = growth.isCutShort();
+    return grown;
+}
+
+}   // namespace angiopose::core

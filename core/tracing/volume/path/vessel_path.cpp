@@ -1,0 +1,124 @@
+#include "core/tracing/volume/path/vessel_path.h"
+
+#include "core/messages/says.h"
+#include "core/tracing/tree/tree_of_paths.h"
+#include "core/tracing/volume/chosen/chosen_lumen.h"
+#include "core/tracing/volume/path/cheapest_path.h"
+#include "core/tracing/volume/path/look_along_path.h"
+#include "core/tracing/volume/path/path_end.h"
+#include "core/tracing/volume/path/voxel_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double outsideFill = 0.35;   // below: no vessel there
+constexpr double sayOutsideMm = 2.0;
+constexpr double assumedRadiusMm = 1.5;   // of which the first cross-sections are looked for
+constexpr double pointSpacingMm = 1.0;
+
+/// What vessels look like on the way from one end to the other: changing evenly.
+class LookOnTheWay {
+public:
+    LookOnTheWay(const Eigen::Vector3d& fromMm, const VesselLook& from, const Eigen::Vector3d& toMm,
+                 const VesselLook& to)
+        : fromMm_(fromMm), way_(toMm - fromMm), from_(from), to_(to)
+    {
+    }
+
+    VesselLook at(const Eigen::Vector3d& pointMm) const
+    {
+        const double share = std::clamp((pointMm - fromMm_).dot(way_) / std::max(way_.squaredNorm(), 1e-12), 0.0, 1.0);
+        return {from_.blood + share * (to_.blood - from_.blood), from_.tissue + share * (to_.tissue - from_.tissue)};
+    }
+
+private:
+    Eigen::Vector3d fromMm_;
+    Eigen::Vector3d way_;
+    VesselLook from_;
+    VesselLook to_;
+};
+
+std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, const VolumeGeometry& grid)
+{
+    std::vector<Eigen::Vector3d> placesMm;
+    for (const Eigen::Vector3i& voxel : path) {
+        placesMm.emplace_back(voxel.cast<double>().cwiseProduct(grid.spacingMm));
+    }
+    return placesMm;
+}
+
+/// The way as a smooth, centred curve with radii.
+VesselBranch centredBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
+                           const LookAlongPath& look, TracingProgress& progress)
+{
+    BranchPath way;
+    way.pointsMm = placesMm;
+    way.radiusMm.assign(placesMm.size(), std::max(assumedRadiusMm, grid.spacingMm.minCoeff()));
+    const auto fill = [&look](const BranchPath&) {
+        return [&look](const Eigen::Vector3d& at) { return look.fill(at); };
+    };
+    VesselTree tree = treeOfPaths({way}, fill, grid, pointSpacingMm, progress);
+    VesselBranch branch = tree.branches.empty() ? VesselBranch() : std::move(tree.branches.front());
+    branch.id = 0;
+    branch.generation = -1;
+    return branch;
+}
+
+/// Length of the path on which it is not in a vessel.
+double lengthOutside(const std::vector<Eigen::Vector3d>& placesMm, const LookAlongPath& look)
+{
+    double outsideMm = 0.0;
+    for (std::size_t n = 1; n < placesMm.size(); ++n) {
+        outsideMm += look.fill(placesMm[n]) < outsideFill ? (placesMm[n] - placesMm[n - 1]).norm() : 0.0;
+    }
+    return outsideMm;
+}
+
+}   // namespace
+
+Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,
+                                 const Eigen::Vector3d& toInPatient, const TracingObserver& observe)
+{
+    TracingProgress progress(observe);
+    const PathGround ground(volume);
+    const auto from = pathEnd(ground, fromInPatient);
+    const auto to = from ? pathEnd(ground, toInPatient) : from;
+    if (!to) {
+        return to.error();
+    }
+    const Eigen::Vector3d& spacing = volume.geometry.spacingMm;
+    if (from.value().voxel == to.value().voxel) {
+        return Error(says::pathEndsTooNear());
+    }
+    const LookOnTheWay look(from.value().voxel.cast<double>().cwiseProduct(spacing), from.value().look,
+                            to.value().voxel.cast<double>().cwiseProduct(spacing), to.value().look);
+    const VoxelCost cost = [&](const Eigen::Vector3i& voxel) {
+        return costOfVoxel(ground, voxel, look.at(voxel.cast<double>().cwiseProduct(spacing)));
+    };
+    progress.enter("path", 0.0, 1.0);
+    const std::vector<Eigen::Vector3i> path =
+        cheapestPath(volume.geometry, from.value().voxel, to.value().voxel, cost, progress);
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
+    if (path.empty()) {
+        return Error(says::pathNotFound());
+    }
+    const std::vector<Eigen::Vector3d> placesMm = placesOf(path, volume.geometry);
+    const LookAlongPath along(ground, placesMm);
+    VesselPath found;
+    found.branch = centredBranch(placesMm, volume.geometry, along, progress);
+    found.outsideMm = lengthOutside(placesMm, along);
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
+    if (found.outsideMm >= sayOutsideMm) {
+        found.warnings.push_back(says::pathOutside(Quantity{found.outsideMm, 0, "mm"}));
+    }
+    return found;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,103 @@
+#include "app/document/case_document.h"
+#include "io/case/case_file.h"
+#include "tests/app/scan_window.h"
+#include "ui/slices/slice_tool.h"
+
+#include <QPushButton>
+
+namespace angiopose::app {
+namespace {
+
+using core::BodyPlane;
+
+/// A scan with a fork; its side branch is taken out of the tree, as if tracing had missed it.
+class WindowPath : public test::ScanWindow {
+protected:
+    void SetUp() override
+    {
+        ScanWindow::SetUp();
+        const auto& branches = w.current().vessels.tree->branches;
+        ASSERT_GE(branches.size(), 2U);
+        missed = branches.back();
+        w.controller.branches().select({missed.id});
+        w.window.actions()[ui::Command::DeleteBranches]->trigger();
+        ASSERT_FALSE(w.current().vessels.tree->find(missed.id));
+        count = w.current().vessels.tree->branches.size();
+    }
+    void clickAt(const Eigen::Vector3d& point)
+    {
+        model().setCrosshair(point);   // the slice that shows it
+        QApplication::processEvents();
+        click(BodyPlane::Axial, point);
+    }
+    bool waitForBranch()
+    {
+        return QTest::qWaitFor([this] { return w.current().vessels.tree->branches.size() > count; }, test::patienceMs);
+    }
+
+    core::VesselBranch missed;
+    std::size_t count = 0;
+};
+
+TEST_F(WindowPath, TwoClicksAddAMissedVesselAsOneStep)
+{
+    const QString noteBefore = w.history().undoText();
+    w.press(Qt::Key_I, Qt::ControlModifier);
+    ASSERT_TRUE(model().tool());
+    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("begins")));
+    clickAt(missed.pointsInPatient.front());
+    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("ends")));
+    clickAt(missed.pointsInPatient.back());
+    ASSERT_TRUE(waitForBranch());
+
+    const core::VesselBranch& added = w.current().vessels.tree->branches.back();
+    double farthestMm = 0.0;
+    for (const Eigen::Vector3d& point : added.pointsInPatient) {
+        double nearestMm = 1e9;
+        for (const Eigen::Vector3d& other : missed.pointsInPatient) {
+            nearestMm = std::min(nearestMm, (point - other).norm());
+        }
+        farthestMm = std::max(farthestMm, nearestMm);
+    }
+    EXPECT_LT(farthestMm, 2.0);
+    EXPECT_NEAR(added.lengthMm(), missed.lengthMm(), 4.0);
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Trace one vessel"));
+    ASSERT_TRUE(model().tool()) << "the mode stays for the next vessel";
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(w.current().vessels.tree->branches.size(), count);
+    EXPECT_EQ(w.history().undoText(), noteBefore);
+}
+
+TEST_F(WindowPath, EscapeTakesTheFirstClickBackThenEndsTheMode)
+{
+    press<QPushButton>(QStringLiteral("One vessel by two clicks"));
+    ASSERT_TRUE(model().tool());
+    clickAt(missed.pointsInPatient.front());
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Escape);
+    ASSERT_TRUE(model().tool());
+    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("begins")));
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Escape);
+    EXPECT_FALSE(model().tool());
+    EXPECT_FALSE(w.window.actions()[ui::Command::TraceBetween]->isChecked());
+}
+
+TEST_F(WindowPath, AddedVesselIsKeptWithTheCase)
+{
+    w.press(Qt::Key_I, Qt::ControlModifier);
+    clickAt(missed.pointsInPatient.front());
+    clickAt(missed.pointsInPatient.back());
+    ASSERT_TRUE(waitForBranch());
+    const std::string path = folder.filePath(QStringLiteral("case.angiopose")).toStdString();
+    ASSERT_TRUE(io::saveCase(w.current(), path));
+    const auto added = w.current().vessels.tree->branches.back();
+    test::OpenWindow other;
+    other.drop({QString::fromStdString(path)});
+    const auto& reopened = other.current().vessels;
+    ASSERT_TRUE(reopened.tree);
+    EXPECT_EQ(reopened.tree->branches.size(), count + 1);
+    EXPECT_LT((reopened.tree->branches.back().pointsInPatient.back() - added.pointsInPatient.back()).norm(), 1e-3);
+    EXPECT_TRUE(reopened.scan);
+}
+
+}   // namespace
+}   // namespace angiopose::app
