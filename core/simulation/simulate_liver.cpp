@@ -19,7 +19,7 @@ VesselTree arteriesFrom(const Eigen::Vector3d& hilum, std::uint64_t seed, Counte
 {
     TreeOptions options;
     options.branchCount = 8;
-    options.extentMm = random.uniform(85.0, 105.0);
+    options.extentMm = random.uniform(70.0, 85.0);
     options.rootRadiusMm = 2.2;
     VesselTree tree = growTree(seed, options).tree;
     const Eigen::Vector3d first = tree.branches.front().pointsInPatient.front();
@@ -72,7 +72,7 @@ void paintUpperOrgans(ScanPainter& painter, double bloodHu)
 BodyScan simulateLiver(std::uint64_t seed, const BodyScanOptions& options)
 {
     CounterRandom random(seed ^ 0x11FE4ULL);
-    const Eigen::Vector3d extentMm(220.0, 180.0, 150.0);
+    const Eigen::Vector3d extentMm(260.0, 200.0, 150.0);
     const Eigen::Vector3d spacingMm = options.spacingMm * 1.3;   // a larger field in as many voxels
     const VolumeGeometry geometry =
         gridAroundOrigin(extentMm.cwiseQuotient(spacingMm).array().ceil().cast<int>(), spacingMm);

@@ -3,6 +3,8 @@
 #include "tests/app/scan_window.h"
 #include "ui/slices/slice_tool.h"
 
+#include <QColor>
+#include <QImage>
 #include <QPushButton>
 
 namespace angiopose::app {
@@ -87,8 +89,20 @@ TEST_F(WindowPath, AddedVesselIsKeptWithTheCase)
     clickAt(missed.pointsInPatient.front());
     clickAt(missed.pointsInPatient.back());
     ASSERT_TRUE(waitForBranch());
+    const QString imagePath = folder.filePath(QStringLiteral("frame.png"));   // a case is kept with one
+    QImage image(128, 128, QImage::Format_Grayscale8);
+    for (int x = 0; x < image.width(); ++x) {
+        for (int y = 0; y < image.height(); ++y) {
+            const int grey = std::abs(x - y) < 3 ? 40 : 120 + x / 2;
+            image.setPixelColor(x, y, QColor::fromRgb(qRgb(grey, grey, grey)));
+        }
+    }
+    ASSERT_TRUE(image.save(imagePath));
+    w.drop({imagePath});
+    ASSERT_EQ(w.current().vessels.tree->branches.size(), count + 1);
     const std::string path = folder.filePath(QStringLiteral("case.angiopose")).toStdString();
-    ASSERT_TRUE(io::saveCase(w.current(), path));
+    const auto saved = io::saveCase(w.current(), path);
+    ASSERT_TRUE(saved) << saved.error().message.text();
     const auto added = w.current().vessels.tree->branches.back();
     test::OpenWindow other;
     other.drop({QString::fromStdString(path)});

@@ -32,6 +32,8 @@ const char* const usage =
     "  --save <folder>  writes the simulated scans there, to be looked at\n";
 
 constexpr int firstSeed = 1;
+constexpr double widestCoronaryMm = 3.5;
+constexpr std::size_t clickedAfterMm = 10;   // of a coronary artery, where one sees that it is one
 
 /// One way of asking for the vessels.
 struct Asking {
@@ -102,16 +104,42 @@ void addBody(core::ResultTable& table, const std::string& name, const std::vecto
     }
 }
 
+/// The stretches of a tree that are no wider than coronary arteries: the file's lines begin in the aorta.
+core::VesselTree thinPart(const core::VesselTree& tree)
+{
+    core::VesselTree thin;
+    for (const core::VesselBranch& branch : tree.branches) {
+        core::VesselBranch part;
+        part.id = branch.id;
+        for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
+            if (branch.radiusMm[n] <= widestCoronaryMm) {
+                part.pointsInPatient.push_back(branch.pointsInPatient[n]);
+                part.radiusMm.push_back(branch.radiusMm[n]);
+            } else {
+                part.pointsInPatient.clear();   // the aorta, up to here
+                part.radiusMm.clear();
+            }
+        }
+        if (part.pointsInPatient.size() > 1) {
+            thin.branches.push_back(std::move(part));
+        }
+    }
+    return thin;
+}
+
 std::vector<core::BodyScan> patientHearts(double bloodHu)
 {
     std::vector<core::BodyScan> scans;
     for (const char* side : {"lca", "rca"}) {
+        const core::VesselTree whole = benchmarks::coronaryTree(side);
         core::BodyScan scan;
-        scan.arteries = benchmarks::coronaryTree(side);
+        scan.arteries = thinPart(whole);
         if (!scan.arteries.branches.empty()) {
-            scan.volume = benchmarks::drawnHeart(scan.arteries, bloodHu);
-            const auto& trunk = scan.arteries.branches.front().pointsInPatient;
-            scan.origins = {trunk[std::min<std::size_t>(5, trunk.size() - 1)]};
+            scan.volume = benchmarks::drawnHeart(whole, bloodHu);
+            core::VesselTree trunk;
+            trunk.branches = {scan.arteries.branches.front()};
+            const auto places = core::resampled(trunk, 1.0).branches.front().pointsInPatient;
+            scan.origins = {places[std::min(clickedAfterMm, places.size() - 1)]};
             scans.push_back(std::move(scan));
         }
     }

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int keyRole = Qt::UserRole;
-constexpr int orderRole = Qt::UserRole + 1;
+constexpr int studyOrderRole = Qt::UserRole + 1;
 constexpr int wordsRole = Qt::UserRole + 2;
 constexpr int glanceMs = 60;   // what is passed by needs no picture
 constexpr int headingHeight = 30;
@@ -28,7 +28,7 @@ public:
     bool operator<(const QTreeWidgetItem& other) const override
     {
         const int column = treeWidget() ? treeWidget()->sortColumn() : 0;
-        const QVariant mine = data(column, orderRole), its = other.data(column, orderRole);
+        const QVariant mine = data(column, studyOrderRole), its = other.data(column, studyOrderRole);
         if (mine.isValid() && its.isValid()) {
             return mine.toDouble() < its.toDouble();
         }
@@ -95,7 +95,7 @@ QTreeWidgetItem* StudyList::itemFor(const QString& key, QTreeWidgetItem* parent,
         item->setExpanded(true);
     }
     for (int column = 0; column < ColumnCount; ++column) {
-        item->setData(column, orderRole, place);
+        item->setData(column, studyOrderRole, place);
     }
     return item;
 }
@@ -160,11 +160,11 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
         item.setText(column, texts[column]);
         item.setForeground(column, tone);
         item.setToolTip(column, row.notes.join(u'\n'));
-        item.setData(column, orderRole, {});
+        item.setData(column, studyOrderRole, {});
     }
-    item.setData(Number, orderRole, row.number);
-    item.setData(Images, orderRole, row.imageCount);
-    item.setData(Pace, orderRole, row.paceValue);
+    item.setData(Number, studyOrderRole, row.number);
+    item.setData(Images, studyOrderRole, row.imageCount);
+    item.setData(Pace, studyOrderRole, row.paceValue);
     for (const Column column : {Number, Images, Pace}) {
         item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }

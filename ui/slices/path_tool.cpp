@@ -15,7 +15,7 @@ namespace {
 constexpr double endRadiusPx = 5.0;
 constexpr double wayWidthPx = 2.0;
 constexpr double nearSlices = 1.5;   // thicknesses: what lies farther off is drawn fainter
-constexpr double faint = 0.35;
+constexpr double faintWay = 0.35;
 
 }   // namespace
 
@@ -95,10 +95,10 @@ void PathTool::paint(QPainter& painter, SliceView& view) const
     for (std::size_t n = 1; n < way_.size(); ++n) {
         const bool isHere = isNear(way_[n]) || isNear(way_[n - 1]);
         painter.setPen(
-            QPen(toQColor(tones().attention, isHere ? 1.0 : faint), wayWidthPx, Qt::SolidLine, Qt::RoundCap));
+            QPen(toQColor(tones().attention, isHere ? 1.0 : faintWay), wayWidthPx, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(view.widgetFromPatient(way_[n - 1]), view.widgetFromPatient(way_[n]));
     }
-    painter.setPen(QPen(toQColor(tones().attention, isNear(*from_) ? 1.0 : faint), wayWidthPx));
+    painter.setPen(QPen(toQColor(tones().attention, isNear(*from_) ? 1.0 : faintWay), wayWidthPx));
     painter.drawEllipse(view.widgetFromPatient(*from_), endRadiusPx, endRadiusPx);
     painter.restore();
 }

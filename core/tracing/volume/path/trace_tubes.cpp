@@ -2,6 +2,7 @@
 
 #include "core/imaging/mark_ball.h"
 #include "core/messages/says.h"
+#include "core/support/quantile.h"
 #include "core/tracing/tree/tree_of_paths.h"
 #include "core/tracing/volume/chosen/chosen_lumen.h"
 #include "core/tracing/volume/path/look_along_path.h"
@@ -13,6 +14,9 @@
 namespace angiopose::core {
 namespace {
 
+constexpr double mostWidening = 1.4;   // over the vessel that a branch leaves
+constexpr double radiusNoiseMm = 0.3;
+
 /// The voxels inside the branches, in the order of the scan.
 VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
 {
@@ -23,6 +27,37 @@ VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
         }
     }
     return lumen;
+}
+
+/// True where a branch is wider than the vessel it leaves is there: a vein that touches an artery, no branch of it.
+bool widens(const VesselBranch& branch, const VesselBranch& parent)
+{
+    const Eigen::Vector3d& start = branch.pointsInPatient.front();
+    std::size_t nearest = 0;
+    for (std::size_t n = 1; n < parent.pointsInPatient.size(); ++n) {
+        const bool isNearer =
+            (parent.pointsInPatient[n] - start).norm() < (parent.pointsInPatient[nearest] - start).norm();
+        nearest = isNearer ? n : nearest;
+    }
+    return medianOf(branch.radiusMm) > mostWidening * parent.radiusMm[nearest] + radiusNoiseMm;
+}
+
+/// Without branches that widen, and what leaves those; `paths` as the branches.
+VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>& paths)
+{
+    VesselTree kept;
+    std::vector<bool> isKept(paths.size(), true);
+    for (std::size_t n = 0; n < paths.size(); ++n) {
+        if (paths[n].parent >= 0) {
+            const auto parent = static_cast<std::size_t>(paths[n].parent);
+            isKept[n] = isKept[parent] && !widens(tree.branches[n], tree.branches[parent]);
+        }
+        if (isKept[n]) {
+            kept.branches.push_back(tree.branches[n]);
+            kept.branches.back().id = static_cast<int>(kept.branches.size());
+        }
+    }
+    return kept;
 }
 
 Result<std::vector<Eigen::Vector3i>> seedVoxels(const PathGround& ground, const VesselTracingOptions& options)
@@ -67,10 +102,11 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
     };
     progress.enter("branches", 0.8, 1.0);
     TracedVessels traced;
-    traced.tree = treeOfPaths(grown.paths, fillOf, grid, options.pointSpacingMm, progress);
+    const VesselTree whole = treeOfPaths(grown.paths, fillOf, grid, options.pointSpacingMm, progress);
     if (progress.isStopped()) {
         return stoppedTracing();
     }
+    traced.tree = withoutWidening(whole, grown.paths);
     traced.lumen = lumenOf(traced.tree, grid);
     traced.threshold = 0.5 * (grown.look.blood + grown.look.tissue);
     if (grown.isCutShort) {

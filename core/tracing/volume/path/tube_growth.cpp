@@ -103,7 +103,7 @@ public:
         std::vector<double> bloods;
         std::vector<double> tissues;
         for (const auto& [voxel, here] : reached_) {
-            if (here.branch != noBranch) {
+            if (here.isSettled && here.branch != noBranch) {
                 bloods.push_back(here.look.blood);
                 tissues.push_back(here.look.tissue);
             }
