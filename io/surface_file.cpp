@@ -1,5 +1,6 @@
 #include "io/surface_file.h"
 
+#include "core/vessel/stray_points.h"
 #include "io/decode/vtk_file.h"
 #include "io/messages/says.h"
 #include "io/support/atomic_file.h"
@@ -60,13 +61,13 @@ std::optional<core::Message> findProblem(const VtkLines& surface)
     return surface.triangles.empty() ? std::optional(says::surfaceNoTriangles()) : std::nullopt;
 }
 
-core::Result<core::SurfaceMesh> meshOf(VtkLines surface, double unitMm, const std::string& path)
+/// With a warning where points were left out.
+core::Result<LoadedSurface> surfaceOf(VtkLines surface, double unitMm, const std::string& path,
+                                      const ReadObserver& observe)
 {
-    core::SurfaceMesh mesh;
+    LoadedSurface loaded;
+    core::SurfaceMesh& mesh = loaded.mesh;
     for (Eigen::Vector3d point : surface.set.points) {
-        if (!point.allFinite() || point.cwiseAbs().maxCoeff() * unitMm > 1e6) {
-            return fileError(path, says::surfaceCoordinate());
-        }
         if (surface.set.isRas) {
             point.head<2>() *= -1.0;
         }
@@ -76,7 +77,19 @@ core::Result<core::SurfaceMesh> meshOf(VtkLines surface, double unitMm, const st
         return fileError(path, *problem);
     }
     mesh.triangles = std::move(surface.triangles);
-    return core::welded(mesh);
+    if (const std::size_t stray = core::dropStrayPoints(mesh); stray > 0) {
+        loaded.warnings.push_back(
+            says::surfaceStrayPoints(stray, core::Quantity{core::largestReachMm / 1000.0, 1, "m"}));
+    }
+    const bool isPlausible = std::ranges::all_of(mesh.pointsInPatient, [](const Eigen::Vector3d& point) {
+        return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e6;
+    });
+    if (!isPlausible) {
+        return fileError(path, says::surfaceCoordinate());
+    }
+    bool isStopped = false;
+    mesh = core::welded(mesh, [&] { return !(isStopped = isStopped || isStopWished(observe, 1.0)); });
+    return isStopped ? core::Result<LoadedSurface>(stoppedReading(path)) : loaded;
 }
 
 double acrossMmOf(const core::SurfaceMesh& mesh)
@@ -128,17 +141,17 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
     // Slicer notes the axes in the comment of any format.
     surface.set.isRas =
         surface.set.isRas || input.value().view().substr(0, 1024).find("SPACE=RAS") != std::string_view::npos;
-    auto mesh = meshOf(std::move(surface), unitMm, path);
-    if (!mesh) {
-        return mesh.error();
+    auto whole = surfaceOf(std::move(surface), unitMm, path, observe);
+    if (!whole) {
+        return whole.error();
     }
-    LoadedSurface loaded;
-    loaded.mesh = std::move(mesh).value();
+    LoadedSurface loaded = std::move(whole).value();
     if (loaded.mesh.triangles.empty()) {
         return fileError(path, says::surfaceNoArea());
     }
     loaded.acrossMm = acrossMmOf(loaded.mesh);
-    loaded.warnings = doubtsAbout(loaded.mesh, loaded.acrossMm);
+    const core::Messages doubts = doubtsAbout(loaded.mesh, loaded.acrossMm);
+    loaded.warnings.insert(loaded.warnings.end(), doubts.begin(), doubts.end());
     return loaded;
 }
 

@@ -98,7 +98,11 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     if (isStopWished(observe, surfaceShare)) {
         return stoppedReading(path);
     }
-    const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh));
+    const auto goesOn = [&] { return !isStopWished(observe, surfaceShare); };
+    const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh), goesOn);
+    if (mask.isStopped()) {
+        return stoppedReading(path);
+    }
     if (!mask) {
         return fileError(path, mask.error());
     }

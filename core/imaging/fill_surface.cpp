@@ -14,6 +14,8 @@ constexpr double usualVoxelsInside = 5e6;
 constexpr double leastVoxelSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
+constexpr int rowsUnheard = 1000;   ///< of one triangle
+constexpr std::size_t trianglesUnheard = 0xFFF;   ///< less one
 
 /// Rays run beside the voxel centres by this part of a voxel, so that they miss the mesh's corners and edges.
 constexpr double sideStepB = 1.237e-5;
@@ -52,7 +54,8 @@ public:
         rows_.resize(static_cast<std::size_t>(size_[b_]) * static_cast<std::size_t>(size_[c_]));
     }
 
-    void add(const std::array<Eigen::Vector3d, 3>& corners)
+    /// Stops within a triangle that covers much.
+    void add(const std::array<Eigen::Vector3d, 3>& corners, const std::function<bool()>& goesOn)
     {
         const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
         const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
@@ -63,8 +66,13 @@ public:
         }
         const int lastB = std::min(size_[b_] - 1, static_cast<int>(std::floor(high[b_])));
         const int lastC = std::min(size_[c_] - 1, static_cast<int>(std::floor(high[c_])));
-        for (int c = std::max(0, static_cast<int>(std::floor(low[c_]))); c <= lastC; ++c) {
-            for (int b = std::max(0, static_cast<int>(std::floor(low[b_]))); b <= lastB; ++b) {
+        const int firstC = std::max(0, static_cast<int>(std::floor(low[c_])));
+        const int firstB = std::max(0, static_cast<int>(std::floor(low[b_])));
+        for (int c = firstC; c <= lastC; ++c) {
+            if (c > firstC && lastB - firstB > rowsUnheard && !goesOn()) {
+                return;
+            }
+            for (int b = firstB; b <= lastB; ++b) {
                 const Eigen::Vector2d ray(b + sideStepB, c + sideStepC);
                 const double u = cross(q - ray, r - ray) / area;
                 const double v = cross(r - ray, p - ray) / area;
@@ -78,9 +86,9 @@ public:
     }
 
     /// Adds a vote to every voxel that this axis finds inside; rays that end inside have no say.
-    void vote(Filling filling, VoxelMask& votes)
+    void vote(Filling filling, VoxelMask& votes, const std::function<bool()>& goesOn)
     {
-        for (int c = 0; c < size_[c_]; ++c) {
+        for (int c = 0; c < size_[c_] && goesOn(); ++c) {
             for (int b = 0; b < size_[b_]; ++b) {
                 std::vector<Crossing>& row = rows_[rowIndex(b, c)];
                 int total = 0;
@@ -139,17 +147,23 @@ VolumeGeometry gridAround(const Box& box, double spacingMm)
     return geometry;
 }
 
-void castAlong(int axis, const SurfaceMesh& mesh, Filling filling, VoxelMask& votes)
+void castAlong(int axis, const SurfaceMesh& mesh, VoxelMask& votes, Filling filling,
+               const std::function<bool()>& goesOn)
 {
     RayCaster caster(votes.geometry, axis);
     const Eigen::Vector3d origin = votes.geometry.originInPatient;
     const double spacing = votes.geometry.spacingMm.x();
-    for (const auto& triangle : mesh.triangles) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if ((t & trianglesUnheard) == 0 && !goesOn()) {
+            return;
+        }
+        const auto& triangle = mesh.triangles[t];
         caster.add({(mesh.pointsInPatient[triangle[0]] - origin) / spacing,
                     (mesh.pointsInPatient[triangle[1]] - origin) / spacing,
-                    (mesh.pointsInPatient[triangle[2]] - origin) / spacing});
+                    (mesh.pointsInPatient[triangle[2]] - origin) / spacing},
+                   goesOn);
     }
-    caster.vote(filling, votes);
+    caster.vote(filling, votes, goesOn);
 }
 
 /// Between the walls, by the divergence theorem; of an open mesh what its cones to the middle of the box hold.
@@ -180,8 +194,13 @@ double usualSpacingMm(const SurfaceMesh& mesh)
     return std::max(std::cbrt(needed), leastVoxelSpacingMm);
 }
 
-Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)
+Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const std::function<bool()>& goesOn)
 {
+    bool isStopped = false;
+    const std::function<bool()> hears = [&] {
+        isStopped = isStopped || (goesOn && !goesOn());
+        return !isStopped;
+    };
     if (mesh.triangles.empty() || !(spacingMm > 0.0)) {
         return Error(says::surfaceEmpty());
     }
@@ -198,7 +217,10 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm)
     const Filling filling = check.isOriented ? Filling::Winding : Filling::Parity;
     const bool isSure = check.isClosed() && check.isOriented;
     for (int axis = 0; axis < (isSure ? 1 : 3); ++axis) {
-        castAlong(axis, mesh, filling, votes);
+        castAlong(axis, mesh, votes, filling, hears);
+    }
+    if (isStopped) {
+        return Stopped{says::tracingStopped()};
     }
     std::size_t inside = 0;
     for (std::uint8_t& voxel : votes.voxels) {

@@ -8,6 +8,8 @@
 namespace angiopose::core {
 namespace {
 
+constexpr std::size_t pointsUnheard = 0xFFFF;   ///< less one
+
 /// Undirected edge, and whether the triangle runs along it upwards.
 struct HalfEdge {
     std::uint32_t low, high;
@@ -52,13 +54,16 @@ MeshCheck checkMesh(const SurfaceMesh& mesh)
     return check;
 }
 
-SurfaceMesh welded(const SurfaceMesh& mesh)
+SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& goesOn)
 {
     SurfaceMesh result;
     std::map<std::tuple<double, double, double>, std::uint32_t> indexOfPlace;
     std::vector<std::uint32_t> merged;
     merged.reserve(mesh.pointsInPatient.size());
     for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
+        if ((merged.size() & pointsUnheard) == 0 && goesOn && !goesOn()) {
+            return {};
+        }
         const auto [place, isNew] = indexOfPlace.try_emplace({point.x(), point.y(), point.z()},
                                                              static_cast<std::uint32_t>(result.pointsInPatient.size()));
         if (isNew) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace angiopose::core {
@@ -24,7 +25,8 @@ struct MeshCheck {
 };
 MeshCheck checkMesh(const SurfaceMesh& mesh);
 
-/// The same mesh with points at exactly the same place merged, and triangles without area left out.
-SurfaceMesh welded(const SurfaceMesh& mesh);
+/// The same mesh with points at exactly the same place merged, and triangles without area left out. Incomplete where
+/// `goesOn`, asked now and then, says no.
+SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& goesOn = {});
 
 }   // namespace angiopose::core

@@ -5402,6 +5402,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche misst %1, das ist ungewöhnlich: wenn ihre Einheit nicht Millimeter ist, die Einheit angeben.</translation>
     </message>
     <message>
+        <source>Points astray were left out with their triangles, since they cannot be of one body with the others: %1 (no numbers, or farther than %2 from the middle). Check the surface.</source>
+        <comment>surface.stray-points</comment>
+        <translation>Verirrte Punkte wurden mit ihren Dreiecken ausgelassen, da sie nicht zum selben Körper gehören können: %1 (keine Zahlen oder mehr als %2 von der Mitte). Die Oberfläche prüfen.</translation>
+    </message>
+    <message>
         <source>the surface is %1 across, larger than any body. Give the unit of the file, or remove points that lie astray.</source>
         <comment>surface.larger-than-body</comment>
         <translation>die Oberfläche misst %1, mehr als jeder Körper. Die Einheit der Datei angeben oder abseits liegende Punkte entfernen.</translation>

@@ -5402,6 +5402,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面跨度为 %1，不寻常：若单位不是毫米，请指定单位。</translation>
     </message>
     <message>
+        <source>Points astray were left out with their triangles, since they cannot be of one body with the others: %1 (no numbers, or farther than %2 from the middle). Check the surface.</source>
+        <comment>surface.stray-points</comment>
+        <translation>已略去离群点及其三角形，因其不可能与其余部分属于同一身体：%1 个（非数值，或距中心超过 %2）。请检查该表面。</translation>
+    </message>
+    <message>
         <source>the surface is %1 across, larger than any body. Give the unit of the file, or remove points that lie astray.</source>
         <comment>surface.larger-than-body</comment>
         <translation>表面跨度为 %1，大于任何人体。请给出文件的单位，或去除远离的点。</translation>

@@ -77,6 +77,18 @@ TEST(FillSurface, UsualVoxelsAreCoarserForWhatIsSolid)
     EXPECT_EQ(usualSpacingMm(SurfaceMesh{}), 1.0);
 }
 
+TEST(FillSurface, EndsWhenStopped)
+{
+    for (const int heardAfter : {1, 2, 5, 50}) {
+        int asked = 0;
+        const auto mask = fillSurface(tubeMesh(5.0, 40.0, false), 0.2, [&] { return ++asked < heardAfter; });
+        ASSERT_FALSE(mask);
+        EXPECT_TRUE(mask.isStopped());
+        EXPECT_EQ(asked, heardAfter) << "once stopped, it is not asked again";
+    }
+    EXPECT_TRUE(fillSurface(tubeMesh(5.0, 40.0, false), 0.2, [] { return true; }));
+}
+
 TEST(FillSurface, RefusesWhatBoundsNothing)
 {
     EXPECT_FALSE(fillSurface({}, 1.0));

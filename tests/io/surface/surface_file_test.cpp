@@ -1,11 +1,13 @@
 #include "io/surface_file.h"
 
 #include "core/imaging/fill_surface.h"
+#include "io/vessel_input_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -204,6 +206,82 @@ TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
         ASSERT_FALSE(surface) << name;
         EXPECT_TRUE(surface.error().message.text().starts_with(folder.file(name))) << surface.error().message;
         EXPECT_TRUE(surface.error().message.text().ends_with(".")) << surface.error().message;
+    }
+}
+
+/// A tube of 60 rings of 16 points, closed by caps, and one corner more that three triangles go to.
+std::string tubeWithCornerAt(const std::string& corner)
+{
+    constexpr int rings = 60, sides = 16;
+    std::string text;
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int side = 0; side < sides; ++side) {
+            const double angle = 2.0 * std::numbers::pi * side / sides;
+            text += "v " + std::to_string(4.0 * std::cos(angle)) + " " + std::to_string(4.0 * std::sin(angle)) + " " +
+                    std::to_string(1.5 * ring) + "\n";
+        }
+    }
+    const auto face = [&text](int a, int b, int c) {
+        text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " + std::to_string(c + 1) + "\n";
+    };
+    for (int ring = 0; ring + 1 < rings; ++ring) {
+        for (int side = 0; side < sides; ++side) {
+            const int a = ring * sides + side, b = ring * sides + (side + 1) % sides;
+            face(a, b, b + sides);
+            face(a, b + sides, a + sides);
+        }
+    }
+    for (int side = 1; side + 1 < sides; ++side) {
+        face(0, side + 1, side);
+        face((rings - 1) * sides, (rings - 1) * sides + side, (rings - 1) * sides + side + 1);
+    }
+    text += "v " + corner + "\n";
+    for (int side = 0; side < 3; ++side) {
+        face(480 + side, 481 + side, rings * sides);
+    }
+    return text;
+}
+
+TEST(ReadSurface, PointsThatCannotBeOfTheBodyAreLeftOutAndItIsSaid)
+{
+    const TemporaryFolder folder;
+    for (const char* corner : {"1000000 0 0", "0 -5000 30", "9e30 0 0"}) {
+        const std::string path = folder.write("tube.obj", tubeWithCornerAt(corner));
+        const auto surface = io::readSurface(path);
+        ASSERT_TRUE(surface) << surface.error().message;
+        EXPECT_EQ(surface.value().mesh.pointsInPatient.size(), 960U);
+        EXPECT_LT(surface.value().acrossMm, 100.0);
+        ASSERT_FALSE(surface.value().warnings.empty());
+        EXPECT_NE(surface.value().warnings.front().text().find("one body with the others: 1 "), std::string::npos)
+            << surface.value().warnings.front();
+        core::VesselInput input;
+        input.kind = core::VesselInputKind::Surface;
+        const auto vessels = io::readVessels(path, input);
+        ASSERT_TRUE(vessels) << vessels.error().message;
+        ASSERT_EQ(vessels.value().tree.branches.size(), 1U);
+        EXPECT_NEAR(vessels.value().tree.branches.front().lengthMm(), 88.0, 5.0);
+    }
+    const auto near = io::readSurface(folder.write("near.obj", tubeWithCornerAt("900 0 0")));
+    ASSERT_TRUE(near);
+    EXPECT_GT(near.value().acrossMm, 800.0) << "a body may be so large";
+}
+
+TEST(ReadSurface, TracingOneEndsWhenStopped)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.write("tube.obj", tubeWithCornerAt("2400 30 20"));
+    core::VesselInput input;
+    input.kind = core::VesselInputKind::Surface;
+    for (const int heardAfter : {1, 2, 3, 5, 8, 13, 21, 34}) {
+        int asked = 0;
+        const auto vessels = io::readVessels(
+            path, input, [&](double) { return ++asked >= heardAfter ? core::Verdict::Stop : core::Verdict::Continue; });
+        if (asked < heardAfter) {
+            break;   // it was quicker
+        }
+        ASSERT_FALSE(vessels);
+        EXPECT_TRUE(vessels.error().isStop()) << vessels.error().message;
+        EXPECT_LE(asked, heardAfter + 1) << "once stopped, it ends";
     }
 }
 

@@ -1,0 +1,66 @@
+#include "core/vessel/stray_points.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double mostStrayShare = 0.01;
+
+/// The median along each axis; points that are no numbers do not count.
+Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& points)
+{
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        values.reserve(points.size());
+        for (const Eigen::Vector3d& point : points) {
+            if (point.allFinite()) {
+                values.push_back(point[axis]);
+            }
+        }
+        if (!values.empty()) {
+            const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+            std::nth_element(values.begin(), half, values.end());
+            middle[axis] = *half;
+        }
+    }
+    return middle;
+}
+
+}   // namespace
+
+std::size_t dropStrayPoints(SurfaceMesh& mesh)
+{
+    const Eigen::Vector3d middle = middleOf(mesh.pointsInPatient);
+    constexpr std::uint32_t gone = 0xFFFFFFFFU;
+    std::vector<std::uint32_t> kept;
+    kept.reserve(mesh.pointsInPatient.size());
+    std::uint32_t next = 0;
+    for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
+        const bool isNear = point.allFinite() && (point - middle).norm() <= largestReachMm;
+        kept.push_back(isNear ? next++ : gone);
+    }
+    const std::size_t stray = kept.size() - next;
+    if (stray == 0 || static_cast<double>(stray) > mostStrayShare * static_cast<double>(kept.size())) {
+        return 0;
+    }
+    for (std::size_t n = 0; n < kept.size(); ++n) {
+        if (kept[n] != gone) {
+            mesh.pointsInPatient[kept[n]] = mesh.pointsInPatient[n];
+        }
+    }
+    mesh.pointsInPatient.resize(next);
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        if (kept[a] != gone && kept[b] != gone && kept[c] != gone) {
+            triangles.push_back({kept[a], kept[b], kept[c]});
+        }
+    }
+    mesh.triangles = std::move(triangles);
+    return stray;
+}
+
+}   // namespace angiopose::core
