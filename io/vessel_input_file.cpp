@@ -57,6 +57,7 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
     loaded.tree = std::move(vessels.tree);
     loaded.lumen = std::move(vessels.lumen);
     loaded.threshold = vessels.threshold;
+    loaded.pieces = std::move(vessels.pieces);
     loaded.warnings.insert(loaded.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
     if (core::isCompact(loaded.tree)) {
         loaded.warnings.push_back(says::tracedIsCompact());

@@ -4,6 +4,7 @@
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
 #include "core/tracing/volume/vessel_input.h"
+#include "core/tracing/volume/voxels/traced_piece.h"
 #include "core/vessel/vessel_tree.h"
 #include "io/support/read_observer.h"
 
@@ -21,6 +22,7 @@ struct LoadedVessels {
     core::StudyIdentity identity;   ///< of a DICOM scan
     core::VoxelMask lumen;   ///< what was traced; empty for centrelines
     double threshold = 0.0;   ///< where the lumen begins, when a scan was traced
+    std::vector<core::TracedPiece> pieces;   ///< of what could be traced, the largest first
     core::Messages warnings;
 };
 

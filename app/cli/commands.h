@@ -146,7 +146,7 @@ struct TraceVesselArguments {
     std::string seriesId;
     std::vector<std::string> labels;   ///< numbers or names; empty: those of vessels, or all
     double unitMm = 1.0;
-    core::VesselTracingOptions tracing;
+    core::VesselTracingOptions tracing;   ///< its `pieces` counts where there is no seed
     std::vector<Stretch> stretches;   ///< traced instead of everything
     std::string intoPath;   ///< a tree that they are added to; empty: none
 };

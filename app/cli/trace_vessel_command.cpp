@@ -121,6 +121,19 @@ int traceStretches(const TraceVesselArguments& arguments)
     return exitDone;
 }
 
+/// Every piece where there are several, with a seed that asks for it.
+void printPieces(const std::vector<core::TracedPiece>& pieces)
+{
+    for (std::size_t n = 0; pieces.size() > 1 && n < pieces.size(); ++n) {
+        const core::TracedPiece& piece = pieces[n];
+        const Eigen::Vector3d& place = piece.placeInPatient;
+        const std::string length = piece.isTraced() ? fixedText(piece.lengthMm, 1) + " mm" : std::string("left out");
+        std::printf("piece %zu: %s, %s %% of the voxels, --seed=%s,%s,%s\n", n + 1, length.c_str(),
+                    fixedText(100.0 * piece.share, 2).c_str(), fixedText(place.x(), 2).c_str(),
+                    fixedText(place.y(), 2).c_str(), fixedText(place.z(), 2).c_str());
+    }
+}
+
 }   // namespace
 
 int runTraceVessel(const TraceVesselArguments& arguments)
@@ -163,6 +176,7 @@ int runTraceVessel(const TraceVesselArguments& arguments)
     }
     std::printf("%s: %s%s\n", arguments.outputPath.c_str(), described(vessels.value().tree).c_str(),
                 vessels.value().volume ? (", lumen above " + fixedText(vessels.value().threshold, 1)).c_str() : "");
+    printPieces(vessels.value().pieces);
     return exitDone;
 }
 

@@ -74,6 +74,20 @@ void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
         });
 }
 
+/// Seeds and a choice without them contradict each other.
+core::TracedPieces piecesCalled(const std::string& word, bool hasSeeds)
+{
+    if (word == "seeded" && !hasSeeds) {
+        throw CLI::ValidationError("--pieces", "'seeded' needs a --seed");
+    }
+    if ((word == "all" || word == "largest") && hasSeeds) {
+        throw CLI::ValidationError("--pieces", "'" + word + "' is for tracing without a --seed");
+    }
+    return word == "all"       ? core::TracedPieces::All
+           : word == "largest" ? core::TracedPieces::Largest
+                               : core::TracedPieces::Usual;
+}
+
 }   // namespace
 
 void addTraceVessel(CLI::App& app, int& exitCode)
@@ -91,11 +105,12 @@ void addTraceVessel(CLI::App& app, int& exitCode)
     command->add_option("--threshold", arguments->tracing.threshold, "The lumen begins here (HU; default: found)");
     addPoints(command, "--seed", arguments->tracing.seedsInPatient,
               "x,y,z (LPS mm) anywhere in a vessel: trace what is connected to it; may be repeated (default: the great "
-              "vessel, aorta or main artery, is found)");
+              "vessel, aorta or main artery, of a scan is found, all pieces of a mask are taken)");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
               "x,y,z (LPS mm) in the heart, a vein or bone; may be repeated");
-    command->add_flag("--tubes", arguments->tracing.tubesOnly,
-                      "Thin vessels alone, from the seeds: chambers, organs and what is wider than a centimetre end them");
+    command->add_flag(
+        "--tubes", arguments->tracing.tubesOnly,
+        "Thin vessels alone, from the seeds: chambers, organs and what is wider than a centimetre end them");
     addStretches(command, arguments->stretches);
     command->add_option("--into", arguments->intoPath, "Tree that vessels traced by --between are added to");
     addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree begins at the end nearest to it");
@@ -112,13 +127,27 @@ void addTraceVessel(CLI::App& app, int& exitCode)
         ->delimiter(',');
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface, mm")
         ->check(CLI::Range(1e-6, 1e4));
+    auto pieces = std::make_shared<std::string>();
+    command
+        ->add_option("--pieces", *pieces,
+                     "all: every piece of a mask, of a scan those of every great vessel; largest; seeded: those that "
+                     "hold a --seed (default: seeded where there is a seed, else all of a mask, of a scan the aorta's)")
+        ->check(CLI::IsMember({"all", "largest", "seeded"}));
+    auto loops = std::make_shared<std::string>();
+    command
+        ->add_option("--loops", *loops,
+                     "opened: at their thinnest places; kept: those that are no flaw of the lumen, such as the circle "
+                     "of Willis (default: opened)")
+        ->check(CLI::IsMember({"opened", "kept"}));
     command->add_option("--threads", arguments->tracing.threads, "Threads (default: all); the result is the same")
         ->check(CLI::Range(0, 256));
     command->footer("Example: angiopose-cli trace-vessel cta/ --output tree.vtp --mask lumen.nii.gz");
-    command->callback([arguments, root, &exitCode] {
+    command->callback([arguments, root, pieces, loops, &exitCode] {
         if (!root->empty()) {
             arguments->tracing.rootInPatient = root->back();
         }
+        arguments->tracing.pieces = piecesCalled(*pieces, !arguments->tracing.seedsInPatient.empty());
+        arguments->tracing.loops = *loops == "kept" ? core::VesselLoops::Kept : core::VesselLoops::Opened;
         exitCode = runTraceVessel(*arguments);
     });
 }

@@ -26,8 +26,19 @@ VolumeGeometry toPublic(const core::VolumeGeometry& geometry)
 
 core::VesselTracingOptions toCore(const VesselTracingOptions& options)
 {
-    const auto& [threshold, seeds, avoid, root, minLength, minRadius, spacing, tubesOnly, threads] = options;
-    return {threshold, seeds, avoid, root, minLength, minRadius, spacing, tubesOnly, threads};
+    const auto& [threshold, seeds, avoid, root, minLength, minRadius, spacing, tubesOnly, threads, pieces, loops] =
+        options;
+    return {threshold,
+            seeds,
+            avoid,
+            root,
+            minLength,
+            minRadius,
+            spacing,
+            static_cast<core::TracedPieces>(pieces),
+            static_cast<core::VesselLoops>(loops),
+            tubesOnly,
+            threads};
 }
 
 core::VesselInput vesselInputOf(const std::string& path, const VesselReadOptions& options)

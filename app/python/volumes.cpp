@@ -95,11 +95,19 @@ auto assignPlaces(const char* name)
 void bindOptionsOfTracing(py::module_& module)
 {
     using Options = VesselTracingOptions;
+    py::enum_<TracedPieces>(module, "TracedPieces", "Which pieces are traced where there is no seed.")
+        .value("USUAL", TracedPieces::Usual)
+        .value("ALL", TracedPieces::All)
+        .value("LARGEST", TracedPieces::Largest);
+    py::enum_<VesselLoops>(module, "VesselLoops", "What becomes of vessels that run in a circle.")
+        .value("OPENED", VesselLoops::Opened)
+        .value("KEPT", VesselLoops::Kept);
     py::class_<VesselTracingOptions>(module, "VesselTracingOptions",
                                      "One set of defaults for every scan; places LPS mm.")
         .def(py::init([](std::optional<double> threshold, const Places& seedsInPatient, const Places& avoidInPatient,
                          const std::optional<Eigen::Vector3d>& rootInPatient, double minBranchLengthMm,
-                         double minBranchRadiusMm, double pointSpacingMm, bool tubesOnly, int threads) {
+                         double minBranchRadiusMm, double pointSpacingMm, bool tubesOnly, int threads,
+                         TracedPieces pieces, VesselLoops loops) {
                  return VesselTracingOptions{threshold,
                                              placesOf(seedsInPatient, "seedsInPatient"),
                                              placesOf(avoidInPatient, "avoidInPatient"),
@@ -108,16 +116,20 @@ void bindOptionsOfTracing(py::module_& module)
                                              minBranchRadiusMm,
                                              pointSpacingMm,
                                              tubesOnly,
-                                             threads};
+                                             threads,
+                                             pieces,
+                                             loops};
              }),
              py::kw_only(), py::arg("threshold") = py::none(), py::arg("seedsInPatient") = py::none(),
              py::arg("avoidInPatient") = py::none(), py::arg("rootInPatient") = py::none(),
              py::arg("minBranchLengthMm") = 4.0, py::arg("minBranchRadiusMm") = 0.0, py::arg("pointSpacingMm") = 1.0,
-             py::arg("tubesOnly") = false, py::arg("threads") = 0,
+             py::arg("tubesOnly") = false, py::arg("threads") = 0, py::arg("pieces") = TracedPieces::Usual,
+             py::arg("loops") = VesselLoops::Opened,
              "threshold: HU where the lumen begins; None: found from the blood. seedsInPatient: (n, 3), only vessels\n"
              "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
-             "vessel. rootInPatient: (3,); None: the thickest end. tubesOnly: thin vessels alone, from the seeds. "
-             "threads: 0: all; the result is the same for any.")
+             "vessel. rootInPatient: (3,); None: the thickest end. tubesOnly: thin vessels alone, from the seeds.\n"
+             "threads: 0: all; the result is the same for any.\n"
+             "pieces: which are traced without seeds; USUAL: all of a mask, of a scan that of the great vessel.")
         .def_readwrite("threshold", &Options::threshold, "HU where the lumen begins; None: found from the blood")
         .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
                       assignPlaces<&Options::seedsInPatient>("seedsInPatient"),
@@ -133,7 +145,9 @@ void bindOptionsOfTracing(py::module_& module)
         .def_readwrite("pointSpacingMm", &Options::pointSpacingMm, "along the branches")
         .def_readwrite("tubesOnly", &Options::tubesOnly,
                        "thin vessels alone, from the seeds: chambers, organs and wide vessels end them")
-        .def_readwrite("threads", &Options::threads, "0: as many as the processor has; the result is the same");
+        .def_readwrite("threads", &Options::threads, "0: as many as the processor has; the result is the same")
+        .def_readwrite("pieces", &Options::pieces, "which are traced where there is no seed")
+        .def_readwrite("loops", &Options::loops, "what becomes of vessels that run in a circle");
 
     py::class_<VesselReadOptions>(module, "VesselReadOptions", "How the vessels of a file are read.")
         .def(py::init([](const std::vector<int>& labels, const std::string& seriesId, double unitMm,
@@ -205,11 +219,10 @@ void bindVolumes(py::module_& module)
     module.def("traceVessels", &traced, py::arg("volume"),
                py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
                "Contrast-filled vessels of a CT angiogram.");
-    module.def(
-        "traceMask", &tracedMask, py::arg("mask"), py::arg("geometry"),
-        py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
-        "The vessels of a mask (k, j, i; not 0: lumen), taken as it is: its largest piece, or those that hold the\n"
-        "seeds.");
+    module.def("traceMask", &tracedMask, py::arg("mask"), py::arg("geometry"),
+               py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
+               "The vessels of a mask (k, j, i; not 0: lumen), taken as it is: all its pieces, or those that hold the\n"
+               "seeds.");
     module.def(
         "readVessels",
         [](const Path& path, const VesselReadOptions& options, const py::object& observe) {

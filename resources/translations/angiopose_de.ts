@@ -4242,14 +4242,49 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es wurde mehr erreicht, als durchsucht wird: die Gefäße sind abgeschnitten. Suchen Sie nach einem Übertritt in Lunge, Leber oder Knochen.</translation>
     </message>
     <message>
-        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
-        <comment>tracing.one-piece-left-out</comment>
-        <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen. Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
+        <source>The vessels are %1 pieces that do not connect, each with a root of its own: %2. Join those that belong together, or ask for some by a seed in each.</source>
+        <comment>tracing.vessels-in-pieces</comment>
+        <translation>Die Gefäße sind %1 Stücke ohne Verbindung, jedes mit eigener Wurzel: %2. Verbinden, was zusammengehört, oder durch je einen Startpunkt einzelne wählen.</translation>
     </message>
     <message>
-        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
+        <source>%1 (%2 of the voxels) at %3</source>
+        <comment>tracing.piece-of-length</comment>
+        <translation>%1 (%2 der Voxel) bei %3</translation>
+    </message>
+    <message>
+        <source>%1 of the voxels at %2</source>
+        <comment>tracing.piece-of-share</comment>
+        <translation>%1 der Voxel bei %2</translation>
+    </message>
+    <message>
+        <source>%1 others with %2</source>
+        <comment>tracing.other-pieces</comment>
+        <translation>%1 weitere mit %2</translation>
+    </message>
+    <message>
+        <source>A piece that does not connect to the traced vessels was left out: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <comment>tracing.one-piece-left-out</comment>
+        <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen: %1 mm (LPS). Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
+    </message>
+    <message>
+        <source>%1 pieces with %2 of the voxels that do not connect to the traced vessels were left out: %3. Place a seed in each that belongs to the tree.</source>
         <comment>tracing.pieces-left-out</comment>
-        <translation>%1 Stücke ohne Verbindung zu den erkannten Gefäßen wurden ausgelassen. In jedes, das zum Baum gehört, einen Startpunkt setzen.</translation>
+        <translation>%1 Stücke mit %2 der Voxel ohne Verbindung zu den erkannten Gefäßen wurden ausgelassen: %3. In jedes, das zum Baum gehört, einen Startpunkt setzen.</translation>
+    </message>
+    <message>
+        <source>A piece holds no branch of the shortest length and was left out: %1 mm (LPS). Lower the shortest branch length if it is a vessel.</source>
+        <comment>tracing.one-piece-too-short</comment>
+        <translation>Ein Stück enthält keinen Ast der kürzesten Länge und wurde ausgelassen: %1 mm (LPS). Den kürzesten Ast verkleinern, wenn es ein Gefäß ist.</translation>
+    </message>
+    <message>
+        <source>%1 pieces with %2 of the voxels hold no branch of the shortest length and were left out: %3. Lower the shortest branch length if they are vessels.</source>
+        <comment>tracing.pieces-too-short</comment>
+        <translation>%1 Stücke mit %2 der Voxel enthalten keinen Ast der kürzesten Länge und wurden ausgelassen: %3. Den kürzesten Ast verkleinern, wenn es Gefäße sind.</translation>
+    </message>
+    <message>
+        <source>Gaps between pieces over which a vessel clearly goes on were closed: %1, of up to %2. Look there for vessels that do not belong together.</source>
+        <comment>tracing.gaps-closed</comment>
+        <translation>Lücken zwischen Stücken, über die ein Gefäß deutlich weiterläuft, wurden geschlossen: %1, bis %2. Dort nach Gefäßen sehen, die nicht zusammengehören.</translation>
     </message>
     <message>
         <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
@@ -4260,6 +4295,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
         <comment>tracing.loops-opened</comment>
         <translation>%1 Schleifen wurden an den dünnsten Stellen geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
+    </message>
+    <message>
+        <source>Loops that were kept, as asked: %1. A branch ends on another where one closes.</source>
+        <comment>tracing.loops-kept</comment>
+        <translation>Schleifen, die wie gewünscht erhalten blieben: %1. Wo eine sich schließt, endet ein Ast auf einem anderen.</translation>
     </message>
     <message>
         <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
@@ -9979,6 +10019,34 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Branches whose mean radius is smaller are removed.</source>
         <translation>Äste mit kleinerem mittlerem Radius entfallen.</translation>
+    </message>
+    <message>
+        <source>Keep loops</source>
+        <translation>Schleifen behalten</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Without seeds. As usual: all pieces of a mask, of a scan the great vessel&apos;s. All of a scan: those of every great vessel.</source>
+        <translation>Ohne Startpunkte. Wie üblich: alle Stücke einer Maske, im Scan das des großen Gefäßes. Alle im Scan: die aller großen Gefäße.</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>The largest</source>
+        <translation>Das größte</translation>
+    </message>
+    <message>
+        <source>Vessels that run in a circle stay closed, else each is opened where it is thinnest.</source>
+        <translation>Gefäße, die im Kreis laufen, bleiben geschlossen; sonst wird jeder Kreis an der dünnsten Stelle geöffnet.</translation>
     </message>
     <message>
         <source>Ends the tracing; the vessels stay as they were.</source>

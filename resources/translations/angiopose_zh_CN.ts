@@ -4242,14 +4242,49 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>到达的范围超出了搜索上限：血管被截断。请检查是否泄漏到肺、肝或骨骼。</translation>
     </message>
     <message>
-        <source>A piece that does not connect to the traced vessels was left out. Place a seed in it if it belongs to the tree.</source>
-        <comment>tracing.one-piece-left-out</comment>
-        <translation>有一段未与提取血管相连，已略去。若属于血管树，请在其中放种子点。</translation>
+        <source>The vessels are %1 pieces that do not connect, each with a root of its own: %2. Join those that belong together, or ask for some by a seed in each.</source>
+        <comment>tracing.vessels-in-pieces</comment>
+        <translation>血管由 %1 段互不相连的部分组成，每段各有一个根：%2。请连接同属一体的部分，或在所需的各段中放种子点。</translation>
     </message>
     <message>
-        <source>%1 pieces that do not connect to the traced vessels were left out. Place a seed in each that belongs to the tree.</source>
+        <source>%1 (%2 of the voxels) at %3</source>
+        <comment>tracing.piece-of-length</comment>
+        <translation>%1（占体素 %2），位于 %3</translation>
+    </message>
+    <message>
+        <source>%1 of the voxels at %2</source>
+        <comment>tracing.piece-of-share</comment>
+        <translation>占体素 %1，位于 %2</translation>
+    </message>
+    <message>
+        <source>%1 others with %2</source>
+        <comment>tracing.other-pieces</comment>
+        <translation>另有 %1 段共 %2</translation>
+    </message>
+    <message>
+        <source>A piece that does not connect to the traced vessels was left out: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <comment>tracing.one-piece-left-out</comment>
+        <translation>有一段未与提取血管相连，已略去：%1 mm（LPS）。若属于血管树，请在其中放种子点。</translation>
+    </message>
+    <message>
+        <source>%1 pieces with %2 of the voxels that do not connect to the traced vessels were left out: %3. Place a seed in each that belongs to the tree.</source>
         <comment>tracing.pieces-left-out</comment>
-        <translation>有 %1 段未与提取血管相连，已略去。请在属于血管树的各段中放种子点。</translation>
+        <translation>有 %1 段（占体素 %2）未与提取血管相连，已略去：%3。请在属于血管树的各段中放种子点。</translation>
+    </message>
+    <message>
+        <source>A piece holds no branch of the shortest length and was left out: %1 mm (LPS). Lower the shortest branch length if it is a vessel.</source>
+        <comment>tracing.one-piece-too-short</comment>
+        <translation>有一段不含达到最短长度的分支，已略去：%1 mm（LPS）。若为血管，请减小最短分支长度。</translation>
+    </message>
+    <message>
+        <source>%1 pieces with %2 of the voxels hold no branch of the shortest length and were left out: %3. Lower the shortest branch length if they are vessels.</source>
+        <comment>tracing.pieces-too-short</comment>
+        <translation>有 %1 段（占体素 %2）不含达到最短长度的分支，已略去：%3。若为血管，请减小最短分支长度。</translation>
+    </message>
+    <message>
+        <source>Gaps between pieces over which a vessel clearly goes on were closed: %1, of up to %2. Look there for vessels that do not belong together.</source>
+        <comment>tracing.gaps-closed</comment>
+        <translation>已闭合血管明显延续的断口：%1 处，最长 %2。请检查该处血管是否同属一体。</translation>
     </message>
     <message>
         <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
@@ -4260,6 +4295,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
         <comment>tracing.loops-opened</comment>
         <translation>%1 个环在最细处断开：请检查这些地方是否仅为血管相触。</translation>
+    </message>
+    <message>
+        <source>Loops that were kept, as asked: %1. A branch ends on another where one closes.</source>
+        <comment>tracing.loops-kept</comment>
+        <translation>按要求保留的环：%1 个。环闭合处，一条分支止于另一条。</translation>
     </message>
     <message>
         <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
@@ -9978,6 +10018,34 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Branches whose mean radius is smaller are removed.</source>
         <translation>平均半径更小的分支移除。</translation>
+    </message>
+    <message>
+        <source>Keep loops</source>
+        <translation>保留环</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>Without seeds. As usual: all pieces of a mask, of a scan the great vessel&apos;s. All of a scan: those of every great vessel.</source>
+        <translation>无种子点时。常规：掩膜的所有部分；扫描中为大血管所在部分。扫描的全部：每条大血管所在部分。</translation>
+    </message>
+    <message>
+        <source>As usual</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>The largest</source>
+        <translation>最大的一段</translation>
+    </message>
+    <message>
+        <source>Vessels that run in a circle stay closed, else each is opened where it is thinnest.</source>
+        <translation>环状血管保持闭合；否则在最细处断开。</translation>
     </message>
     <message>
         <source>Ends the tracing; the vessels stay as they were.</source>

@@ -116,7 +116,8 @@ std::optional<ThoracicScan> readThoracicScan()
     core::TracingProgress unheard({});
     thorax.toArteries = core::distanceMap(others, 1, unheard);
     // The masks are a network's, with stubs on their walls that are no vessels.
-    auto axes = core::traceLabels(thorax.arteries, {}, {.minBranchLengthMm = 12.0});
+    auto axes =
+        core::traceLabels(thorax.arteries, {}, {.minBranchLengthMm = 12.0, .pieces = core::TracedPieces::Largest});
     if (thorax.scan.voxels.empty() || !axes) {
         return std::nullopt;
     }

@@ -4,6 +4,7 @@
 #include "io/volume_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/io/series/dicom_slices.h"
+#include "tests/support/drawn_tubes.h"
 #include "tests/support/forked_vessel.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -107,6 +108,41 @@ TEST(Cli, TracesALabelImageToATree)
     EXPECT_EQ(test::endsOf(tree.value()), 3);
     EXPECT_TRUE(io::readLabels(folder.file("lumen.nii.gz")));
     EXPECT_EQ(runCli({"trace-vessel", folder.file("tree.vtp"), "--output", folder.file("x.vtp")}).exitCode, 3);
+}
+
+TEST(Cli, TracesEveryPieceOfAMaskAndNamesTheSeeds)
+{
+    const TemporaryFolder folder;
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {60, 40, 60}, {1, 1, 1});
+    const core::VoxelMask mask =
+        test::drawnMask(grid, {{{-15, 0, -22}, {-15, 0, 22}, 3.0}, {{15, 0, -15}, {15, 0, 15}, 2.0}});
+    core::LabelVolume labels(grid);
+    std::ranges::copy(mask.voxels, labels.voxels.begin());
+    const std::string file = folder.file("mask.nii.gz");
+    ASSERT_TRUE(io::writeLabels(labels, file));
+    const auto trace = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"trace-vessel", file, "--output", folder.file("tree.vtp")};
+        words.insert(words.end(), more.begin(), more.end());
+        return runCli(words);
+    };
+    const auto all = trace({});
+    ASSERT_EQ(all.exitCode, 0) << all.messages;
+    EXPECT_NE(all.messages.find("2 pieces that do not connect"), std::string::npos) << all.messages;
+    EXPECT_NE(all.output.find(": 2 branches"), std::string::npos) << all.output;
+    const std::size_t second = all.output.find("piece 2: ");
+    ASSERT_NE(second, std::string::npos) << all.output;
+    const std::size_t seed = all.output.find("--seed=", second);
+    ASSERT_NE(seed, std::string::npos);
+    const std::string ready = all.output.substr(seed, all.output.find('\n', seed) - seed);
+    const auto one = trace({ready});
+    ASSERT_EQ(one.exitCode, 0) << ready << one.messages;
+    EXPECT_NE(one.output.find(": 1 branch, 2"), std::string::npos) << one.output;
+    EXPECT_NE(one.output.find("left out"), std::string::npos) << one.output;
+    EXPECT_NE(trace({"--pieces", "largest"}).output.find(": 1 branch, 4"), std::string::npos);
+    EXPECT_EQ(trace({"--pieces", "seeded", ready}).output, one.output);
+    EXPECT_EQ(trace({"--pieces", "seeded"}).exitCode, 2);
+    EXPECT_EQ(trace({"--pieces", "all", ready}).exitCode, 2);
+    EXPECT_EQ(trace({"--loops", "kept"}).exitCode, 0);
 }
 
 /// What libraries print is no message of the program.

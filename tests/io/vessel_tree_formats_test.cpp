@@ -1,3 +1,6 @@
+#include "core/vessel/root_tree.h"
+#include "core/vessel/tree_gaps.h"
+#include "core/vessel/tree_knots.h"
 #include "io/vessel_tree_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -61,6 +64,46 @@ std::string treeErrorOf(const std::string& path)
 }
 
 constexpr const char* header = "# vtk DataFile Version 3.0\n";
+
+/// Two pieces with a root each, the second with a loop: a branch that ends on another.
+core::VesselTree forest()
+{
+    core::VesselTree tree;
+    const auto add = [&tree](int generation, const std::vector<Eigen::Vector3d>& corners) {
+        core::VesselBranch branch{static_cast<int>(tree.branches.size()) + 1, "", corners, {}, generation};
+        branch.radiusMm.assign(corners.size(), 1.5);
+        tree.branches.push_back(std::move(branch));
+    };
+    add(0, {{0, 0, 0}, {0, 0, 20}, {0, 0, 40}});
+    add(1, {{0, 0, 20}, {10, 0, 30}, {20, 0, 40}});
+    add(0, {{50, 0, 0}, {50, 0, 20}, {50, 0, 40}, {50, 0, 60}});
+    add(1, {{50, 0, 20}, {70, 0, 30}, {50, 0, 40}});
+    return core::resampled(tree, 1.0);
+}
+
+TEST(VesselTreeFormats, KeepSeveralRootsAndLoops)
+{
+    const core::VesselTree tree = forest();
+    ASSERT_EQ(core::pieceCount(tree), 2);
+    double lengthMm = 0.0;
+    for (const core::VesselBranch& branch : tree.branches) {
+        lengthMm += branch.lengthMm();
+    }
+    for (const char* name : {"tree.vtp", "tree.csv", "tree.swc", "tree.mrk.json"}) {
+        const test::TemporaryFolder folder;
+        ASSERT_TRUE(io::writeVesselTree(tree, folder.file(name))) << name;
+        const core::VesselTree read = readTreeOrFail(folder.file(name));
+        EXPECT_EQ(core::pieceCount(read), 2) << name;
+        EXPECT_EQ(core::treeKnots(read, {}, 2.0).cuts.size(), 1U) << name;
+        double readMm = 0.0;
+        for (const core::VesselBranch& branch : read.branches) {
+            readMm += branch.lengthMm();
+        }
+        EXPECT_NEAR(readMm, lengthMm, 3.0) << name;
+        const core::VesselTree rooted = core::rootedAt(read, {50, 0, 0});
+        EXPECT_EQ(std::ranges::count(rooted.branches, 0, &core::VesselBranch::generation), 2) << name;
+    }
+}
 
 }   // namespace
 

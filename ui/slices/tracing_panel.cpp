@@ -8,6 +8,7 @@
 #include "ui/words/spoken.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
@@ -81,6 +82,8 @@ TracingPanel::TracingPanel(QWidget* parent)
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       minLength_(new NumberField({0.0, 1000.0, 1, QStringLiteral("mm"), 1.0})),
       minRadius_(new NumberField({0.0, 1000.0, 2, QStringLiteral("mm"), 0.1})),
+      pieces_(new QComboBox),
+      keepLoops_(withText(new QCheckBox, [] { return tr("Keep loops"); })),
       trace_(withText(new QPushButton, [] { return tr("Trace"); })),
       stop_(withText(new QPushButton, [] { return tr("Stop"); })),
       note_(roleLabel("hint"))
@@ -93,6 +96,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     contentLayout()->addWidget(thresholdBox_);
     contentLayout()->addLayout(pointRows());
     contentLayout()->addLayout(limitRows());
+    contentLayout()->addLayout(shapeRows());
     contentLayout()->addLayout(buttonRow());
     note_->setWordWrap(true);
     contentLayout()->addWidget(note_);
@@ -186,6 +190,33 @@ QLayout* TracingPanel::limitRows()
     return rows;
 }
 
+QLayout* TracingPanel::shapeRows()
+{
+    auto* rows = new QVBoxLayout;
+    rows->setSpacing(4);
+    withName(pieces_, [] { return tr("Pieces"); });
+    withTip(pieces_, [] {
+        return tr(
+            "Without seeds. As usual: all pieces of a mask, of a scan the great vessel's. All of a scan: those of "
+            "every "
+            "great vessel.");
+    });
+    speak(pieces_, [this] { setWords(*pieces_, {tr("As usual"), tr("All"), tr("The largest")}); });
+    withTip(keepLoops_,
+            [] { return tr("Vessels that run in a circle stay closed, else each is opened where it is thinnest."); });
+    rows->addLayout(labelled([] { return tr("Pieces"); }, pieces_));
+    rows->addWidget(keepLoops_);
+    connect(pieces_, &QComboBox::activated, this, [this](int index) {
+        options_.pieces = static_cast<core::TracedPieces>(index);
+        emit optionsEdited(options_);
+    });
+    connect(keepLoops_, &QCheckBox::clicked, this, [this](bool isKept) {
+        options_.loops = isKept ? core::VesselLoops::Kept : core::VesselLoops::Opened;
+        emit optionsEdited(options_);
+    });
+    return rows;
+}
+
 QLayout* TracingPanel::buttonRow()
 {
     auto* row = new QHBoxLayout;
@@ -213,6 +244,9 @@ void TracingPanel::showOptions(const core::VesselTracingOptions& options)
     showThreshold();
     minLength_->showValue(options.minBranchLengthMm);
     minRadius_->showValue(options.minBranchRadiusMm);
+    pieces_->setCurrentIndex(static_cast<int>(options.pieces));
+    pieces_->setEnabled(options.seedsInPatient.empty());
+    keepLoops_->setChecked(options.loops == core::VesselLoops::Kept);
     if (!samePoints || points_->count() == 0) {
         fillPoints();
     }

@@ -7,6 +7,7 @@
 
 class QAction;
 class QCheckBox;
+class QComboBox;
 class QListWidget;
 class QPushButton;
 class QSlider;
@@ -55,6 +56,7 @@ private:
     QLayout* thresholdRows();
     QLayout* pointRows();
     QLayout* limitRows();
+    QLayout* shapeRows();
     QLayout* buttonRow();
     void setThreshold(std::optional<double> threshold);
     void showThreshold();
@@ -82,6 +84,8 @@ private:
     QPushButton* remove_;
     NumberField* minLength_;
     NumberField* minRadius_;
+    QComboBox* pieces_;
+    QCheckBox* keepLoops_;
     QPushButton* trace_;
     QPushButton* stop_;
     QLabel* note_;

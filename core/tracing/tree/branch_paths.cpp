@@ -25,18 +25,26 @@ struct Start {
 class Gatherer {
 public:
     explicit Gatherer(const VesselGraph& graph)
-        : graph_(graph), meeting_(graph.edgesByNode()), used_(graph.edges.size(), false)
+        : graph_(graph),
+          meeting_(graph.edgesByNode()),
+          used_(graph.edges.size(), false),
+          owner_(graph.nodesMm.size(), -1)
     {
     }
 
     std::vector<BranchPath> run(const std::optional<Eigen::Vector3d>& rootMm,
-                                const std::vector<Eigen::Vector3d>& seedsMm)
+                                const std::vector<Eigen::Vector3d>& seedsMm, PathPieces withoutSeeds)
     {
         for (const std::vector<int>& nodes : pieces()) {
-            const bool isAsked = seedsMm.empty() ? paths_.empty() : isNearOne(nodes, seedsMm);
-            const int root = rootEnd(graph_, nodes, rootMm);
-            if (isAsked && root >= 0) {
-                starts_.push_back({meeting_[static_cast<std::size_t>(root)].front(), root, -1, 0});
+            const bool isAsked =
+                !seedsMm.empty() ? isNearOne(nodes, seedsMm) : paths_.empty() || withoutSeeds == PathPieces::All;
+            const int root = isAsked ? rootOf(nodes, rootMm) : -1;
+            if (root >= 0) {
+                const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(root)];
+                starts_.push_back({edges.front(), root, -1, 0});
+                for (const std::size_t e : edges) {   // more than one on a ring
+                    starts_.push_back({e, root, static_cast<int>(paths_.size()), 1});
+                }
                 followAll();
             }
         }
@@ -45,6 +53,13 @@ public:
 
 private:
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
+
+    /// A free end, or on a ring without one the widest place.
+    int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
+    {
+        const int end = rootEnd(graph_, meeting_, nodes, rootMm);
+        return end >= 0 ? end : *std::ranges::max_element(nodes, {}, [this](int node) { return nodeRadius(node); });
+    }
 
     /// Nodes by connected piece, that with the greatest length of vessels first.
     std::vector<std::vector<int>> pieces() const
@@ -116,9 +131,10 @@ private:
     void follow(const Start& start)
     {
         const int index = static_cast<int>(paths_.size());
-        BranchPath path{start.parent, start.generation, {}, {}};
+        BranchPath path{start.parent, start.generation, -1, {}, {}};
         std::size_t edge = start.edge;
         int node = start.node;
+        ownedBy(node, index);
         for (bool goesOn = true; goesOn;) {
             const VesselEdge way = graph_.leaving(edge, node);
             used_[edge] = true;
@@ -127,6 +143,10 @@ private:
             path.radiusMm.insert(path.radiusMm.end(), way.radiusMm.begin() + skip, way.radiusMm.end());
             node = way.endNode;
             goesOn = false;
+            path.endsOn = ownedBy(node, index);
+            if (path.endsOn >= 0) {
+                break;   // what leaves there leaves that vessel
+            }
             const std::size_t next = continuation(way);
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
                 if (e == next) {
@@ -138,6 +158,15 @@ private:
             edge = next;
         }
         paths_.push_back(std::move(path));
+    }
+
+    /// Whose a node was; whose it was not before is its from now on.
+    int ownedBy(int node, int path)
+    {
+        int& owner = owner_[static_cast<std::size_t>(node)];
+        const int before = owner;
+        owner = before < 0 ? path : before;
+        return before;
     }
 
     /// The edge in which the vessel that arrives by `way` goes on; the number of edges when it ends.
@@ -164,6 +193,7 @@ private:
     const VesselGraph& graph_;
     std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
     std::vector<bool> used_;
+    std::vector<int> owner_;   ///< path that passes a node first
     std::deque<Start> starts_;
     std::vector<BranchPath> paths_;
 };
@@ -171,9 +201,9 @@ private:
 }   // namespace
 
 std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
-                                    const std::vector<Eigen::Vector3d>& seedsMm)
+                                    const std::vector<Eigen::Vector3d>& seedsMm, PathPieces withoutSeeds)
 {
-    return Gatherer(graph).run(rootMm, seedsMm);
+    return Gatherer(graph).run(rootMm, seedsMm, withoutSeeds);
 }
 
 }   // namespace angiopose::core

@@ -4,8 +4,8 @@
 #include "core/support/parallel_for.h"
 #include "core/tracing/tree/branch_paths.h"
 #include "core/tracing/tree/drop_dim_parts.h"
-#include "core/tracing/tree/open_loops.h"
 #include "core/tracing/tree/prune_spurs.h"
+#include "core/tracing/tree/rim_stubs.h"
 #include "core/tracing/tree/vessel_curve.h"
 #include "core/tracing/tree/vessel_graph.h"
 #include "core/tracing/volume/voxels/beyond_rim.h"
@@ -17,6 +17,8 @@
 
 namespace angiopose::core {
 namespace {
+
+constexpr double leastLoopInBranches = 4.0;   ///< way around a loop that is kept, in shortest branches
 
 Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
 {
@@ -39,7 +41,35 @@ std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOpt
     if (options.rootInPatient) {
         rootMm = onGrid(*options.rootInPatient, grid);
     }
-    return branchPaths(graph, rootMm, startsOn(grid, options));
+    const PathPieces pieces = options.pieces == TracedPieces::All ? PathPieces::All : PathPieces::First;
+    return branchPaths(graph, rootMm, startsOn(grid, options), pieces);
+}
+
+LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& options, TracingProgress& progress)
+{
+    return options.loops == VesselLoops::Kept
+               ? openSmallLoops(graph, leastLoopInBranches * options.minBranchLengthMm, progress)
+               : LoopCount{openLoops(graph), 0};
+}
+
+/// Dim parts are looked for in a forest: what closes its loops comes back where both its ends still are.
+int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeGeometry& grid,
+                        const VesselTracingOptions& options)
+{
+    const bool hasLoops = options.loops == VesselLoops::Kept;
+    const std::vector<VesselEdge> closing = hasLoops ? takeClosingEdges(graph) : std::vector<VesselEdge>();
+    const std::vector<int> before = graph.degrees();
+    const int dropped = dropDimParts(graph, fill, startsOn(grid, options), grid.spacingMm.maxCoeff());
+    const std::vector<int> after = graph.degrees();
+    const auto isThere = [&](int node) {
+        return after[static_cast<std::size_t>(node)] > 0 || before[static_cast<std::size_t>(node)] == 0;   // a ring
+    };
+    for (const VesselEdge& edge : closing) {
+        if (isThere(edge.startNode) && isThere(edge.endNode)) {
+            graph.edges.push_back(edge);
+        }
+    }
+    return dropped;
 }
 
 /// Skeleton of the lumen without what lies beyond the rim.
@@ -57,6 +87,16 @@ std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& pro
     return within;
 }
 
+void closeGapsAsAsked(VesselGraph& graph, const VolumeGeometry& grid, const VesselTracingOptions& options,
+                      TracingProgress& progress, LumenTree& found)
+{
+    if (options.pieces == TracedPieces::All) {
+        const ClosedGaps closed = closeClearGaps(graph, grid.spacingMm.maxCoeff(), progress);
+        found.closedGaps.count += closed.count;
+        found.closedGaps.longestMm = std::max(found.closedGaps.longestMm, closed.longestMm);
+    }
+}
+
 VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
                         TracingProgress& progress, LumenTree& found)
 {
@@ -67,13 +107,41 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const Ves
         return {};
     }
     progress.enter("branches", 0.8, 1.0);
-    VesselGraph graph = vesselGraph(skeleton, distances);
-    found.openedLoops = openLoops(graph);
+    VesselGraph graph = vesselGraph(skeleton, distances, progress);
+    found.loops = openLoopsAsAsked(graph, options, progress);
     const SpurLimits limits{.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm};
-    pruneSpurs(graph, limits);
-    found.dimParts = dropDimParts(graph, fill, startsOn(lumen.geometry, options), lumen.geometry.spacingMm.maxCoeff());
-    pruneSpurs(graph, limits);
+    closeGapsAsAsked(graph, lumen.geometry, options, progress, found);
+    pruneSpurs(graph, limits, progress);
+    closeGapsAsAsked(graph, lumen.geometry, options, progress, found);   // ends without their spurs point better
+    found.dimParts = dropDimPartsAsAsked(graph, fill, lumen.geometry, options);
+    pruneSpurs(graph, limits, progress);
     return graph;
+}
+
+/// Those that are no stubs at the rim.
+std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, const std::vector<VesselCurve>& curves,
+                                       const VoxelMask& lumen, double leastMm)
+{
+    std::vector<bool> isLeaf(paths.size(), true);
+    for (const BranchPath& path : paths) {
+        for (const int other : {path.parent, path.endsOn}) {
+            if (other >= 0) {
+                isLeaf[static_cast<std::size_t>(other)] = false;
+            }
+        }
+    }
+    std::vector<std::size_t> branches;
+    for (std::size_t n = 0; n < paths.size(); ++n) {
+        const bool canBeStub = isLeaf[n] && paths[n].endsOn < 0;
+        const bool isStub =
+            canBeStub && (paths[n].parent >= 0
+                              ? isRimStub(curves[n], curves[static_cast<std::size_t>(paths[n].parent)], lumen, leastMm)
+                              : isRimCrumb(curves[n], lumen, leastMm));
+        if (!isStub) {
+            branches.push_back(n);
+        }
+    }
+    return branches;
 }
 
 VesselBranch branchOf(const VesselCurve& curve, int id, int generation, const VolumeGeometry& grid)
@@ -98,15 +166,24 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
     const VesselGraph graph = prunedGraph(lumen, fill, options, progress, result);
     const std::vector<BranchPath> paths = pathsIn(graph, options, grid);
     const CurveSettings settings{grid.spacingMm.minCoeff(), options.pointSpacingMm, Eigen::Vector3d::Zero(),
-                                 grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
+                                 grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix()),
+                                 &progress};
     std::vector<VesselCurve> curves;
     for (const BranchPath& path : paths) {
-        const VesselCurve* parent = path.parent >= 0 ? &curves[static_cast<std::size_t>(path.parent)] : nullptr;
-        curves.push_back(vesselCurve(path, parent, fill, settings));
-        result.tree.branches.push_back(branchOf(curves.back(), static_cast<int>(curves.size()), path.generation, grid));
+        const auto curveOf = [&curves](int index) {
+            const bool isFinished = index >= 0 && index < static_cast<int>(curves.size());
+            return isFinished ? &curves[static_cast<std::size_t>(index)] : nullptr;
+        };
+        const CurveNeighbours beside{curveOf(path.parent), curveOf(path.endsOn),
+                                     path.endsOn == static_cast<int>(curves.size())};
+        curves.push_back(vesselCurve(path, beside, fill, settings));
         if (!progress.advance(static_cast<double>(curves.size()) / static_cast<double>(paths.size()))) {
             return {};
         }
+    }
+    for (const std::size_t n : branchesAmong(paths, curves, lumen, options.minBranchLengthMm)) {
+        const int id = static_cast<int>(result.tree.branches.size()) + 1;
+        result.tree.branches.push_back(branchOf(curves[n], id, paths[n].generation, grid));
     }
     return result;
 }

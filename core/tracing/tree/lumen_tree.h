@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "core/tracing/tree/close_gaps.h"
+#include "core/tracing/tree/open_loops.h"
 #include "core/tracing/volume/voxels/cross_section.h"
 #include "core/tracing/volume/voxels/tracing_options.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
@@ -9,8 +11,9 @@
 namespace angiopose::core {
 
 struct LumenTree {
-    VesselTree tree;   ///< patient LPS
-    int openedLoops = 0;
+    VesselTree tree;   ///< patient LPS; one branch of generation 0 begins each piece
+    LoopCount loops;
+    ClosedGaps closedGaps;   ///< where all pieces are asked for
     int dimParts = 0;   ///< left out: veins and organs
 };
 

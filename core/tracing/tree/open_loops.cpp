@@ -1,6 +1,7 @@
 #include "core/tracing/tree/open_loops.h"
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 namespace angiopose::core {
@@ -69,9 +70,43 @@ void addHalves(VesselGraph& graph, const VesselEdge& edge)
     }
 }
 
+/// Lengths of the ways along a forest.
+class WaysAlongForest {
+public:
+    explicit WaysAlongForest(const VesselGraph& forest) : forest_(forest), meeting_(forest.edgesByNode()) {}
+
+    /// From node to node; `enoughMm` where there is no way.
+    double lengthMm(int from, int to, double enoughMm) const
+    {
+        std::vector<double> ways(forest_.nodesMm.size(), -1.0);
+        std::vector<int> reached{from};
+        ways[static_cast<std::size_t>(from)] = 0.0;
+        for (std::size_t n = 0; n < reached.size(); ++n) {
+            const auto node = static_cast<std::size_t>(reached[n]);
+            if (reached[n] == to) {
+                return ways[node];
+            }
+            for (const std::size_t e : meeting_[node]) {
+                const VesselEdge& edge = forest_.edges[e];
+                const int next = edge.startNode == reached[n] ? edge.endNode : edge.startNode;
+                double& way = ways[static_cast<std::size_t>(next)];
+                if (way < 0.0) {
+                    way = ways[node] + edge.lengthMm();
+                    reached.push_back(next);
+                }
+            }
+        }
+        return enoughMm;
+    }
+
+private:
+    const VesselGraph& forest_;
+    std::vector<std::vector<std::size_t>> meeting_;
+};
+
 }   // namespace
 
-int openLoops(VesselGraph& graph)
+std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph)
 {
     std::vector<VesselEdge> edges = std::move(graph.edges);
     graph.edges.clear();
@@ -86,21 +121,50 @@ int openLoops(VesselGraph& graph)
 
     std::vector<int> above(graph.nodesMm.size());
     std::iota(above.begin(), above.end(), 0);
-    std::vector<std::size_t> closing;
+    std::vector<VesselEdge> closing;
     for (const std::size_t e : order) {
         const int start = representative(above, edges[e].startNode);
         const int end = representative(above, edges[e].endNode);
         if (start == end) {
-            closing.push_back(e);
+            closing.push_back(std::move(edges[e]));
         } else {
             above[static_cast<std::size_t>(start)] = end;
-            graph.edges.push_back(edges[e]);
+            graph.edges.push_back(std::move(edges[e]));
         }
     }
-    for (const std::size_t e : closing) {
-        addHalves(graph, edges[e]);
+    return closing;
+}
+
+int openLoops(VesselGraph& graph)
+{
+    const std::vector<VesselEdge> closing = takeClosingEdges(graph);
+    for (const VesselEdge& edge : closing) {
+        addHalves(graph, edge);
     }
     return static_cast<int>(closing.size());
+}
+
+LoopCount openSmallLoops(VesselGraph& graph, double leastLengthMm, TracingProgress& progress)
+{
+    const std::vector<VesselEdge> closing = takeClosingEdges(graph);
+    const VesselGraph forest = graph;
+    const WaysAlongForest ways(forest);
+    LoopCount loops;
+    for (const VesselEdge& edge : closing) {
+        if (!progress.advance(0.0)) {
+            break;
+        }
+        const double widestMm = *std::max_element(edge.radiusMm.begin(), edge.radiusMm.end());
+        const double leastMm = leastLengthMm + 2.0 * std::numbers::pi * widestMm;
+        if (edge.lengthMm() + ways.lengthMm(edge.startNode, edge.endNode, leastMm) >= leastMm) {
+            graph.edges.push_back(edge);
+            ++loops.kept;
+        } else {
+            addHalves(graph, edge);
+            ++loops.opened;
+        }
+    }
+    return loops;
 }
 
 }   // namespace angiopose::core

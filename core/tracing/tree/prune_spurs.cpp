@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace angiopose::core {
 namespace {
@@ -47,17 +49,15 @@ public:
         }
     }
 
-    void prune()
+    void prune(TracingProgress& progress)
     {
-        for (std::size_t e = 0; e < graph_.edges.size(); ++e) {
-            worths_[e] = isGone(e) ? never : worthOf(e);
-        }
-        while (!worths_.empty()) {
-            const auto least = std::min_element(worths_.begin(), worths_.end());
-            if (*least >= 1.0) {
-                return;
+        for (std::size_t e = 0; e < graph_.edges.size() && progress.advance(0.0); ++e) {
+            if (!isGone(e)) {
+                setWorth(e, worthOf(e));
             }
-            remove(static_cast<std::size_t>(least - worths_.begin()));
+        }
+        while (!spurs_.empty() && progress.advance(0.0)) {
+            remove(spurs_.begin()->second);
         }
     }
 
@@ -114,7 +114,7 @@ private:
         for (const int node : {start, end}) {
             joinThrough(node);
             for (const std::size_t touched : meetingAt(node)) {
-                worths_[touched] = worthOf(touched);
+                setWorth(touched, worthOf(touched));
             }
         }
     }
@@ -124,7 +124,17 @@ private:
         std::erase(meetingAt(graph_.edges[e].startNode), e);
         std::erase(meetingAt(graph_.edges[e].endNode), e);
         graph_.edges[e] = {};
-        worths_[e] = never;
+        setWorth(e, never);
+    }
+
+    /// Keeps the spurs in the order in which they go: the least first, of equal ones the first.
+    void setWorth(std::size_t e, double worth)
+    {
+        spurs_.erase({worths_[e], e});
+        worths_[e] = worth;
+        if (worth < 1.0) {
+            spurs_.emplace(worth, e);
+        }
     }
 
     /// Joins the two different edges that meet at `node`, if just two do, into the first of them.
@@ -146,22 +156,23 @@ private:
         meetingAt(first.startNode).push_back(pair[0]);
         meetingAt(first.endNode).push_back(pair[0]);
         graph_.edges[pair[0]] = std::move(first);
-        worths_[pair[0]] = worthOf(pair[0]);
+        setWorth(pair[0], worthOf(pair[0]));
     }
 
     VesselGraph& graph_;
     const SpurLimits& limits_;
     std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node; one from a node to itself counts twice
     std::vector<double> worths_;
+    std::set<std::pair<double, std::size_t>> spurs_;   ///< worth below 1, and edge
 };
 
 }   // namespace
 
-void pruneSpurs(VesselGraph& graph, const SpurLimits& limits)
+void pruneSpurs(VesselGraph& graph, const SpurLimits& limits, TracingProgress& progress)
 {
     Pruner pruner(graph, limits);
     pruner.joinAll();
-    pruner.prune();
+    pruner.prune(progress);
     pruner.dropGone();
 }
 

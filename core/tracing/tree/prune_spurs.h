@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/tracing/tree/vessel_graph.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
 
 namespace angiopose::core {
 
@@ -11,7 +12,8 @@ struct SpurLimits {
 };
 
 /// Removes spurs, the least first, until none is below the limits; edges that then continue each other are joined.
-/// A vessel without branches is no spur; it goes only when it is shorter than `minLengthMm` as a whole.
-void pruneSpurs(VesselGraph& graph, const SpurLimits& limits);
+/// A vessel without branches is no spur; it goes only when it is shorter than `minLengthMm` as a whole. Incomplete when
+/// stopped.
+void pruneSpurs(VesselGraph& graph, const SpurLimits& limits, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -27,7 +27,10 @@ struct RootWorth {
 
 class RootFinder {
 public:
-    explicit RootFinder(const VesselGraph& graph) : graph_(graph), meeting_(graph.edgesByNode()) {}
+    RootFinder(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& meeting)
+        : graph_(graph), meeting_(meeting)
+    {
+    }
 
     int among(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
     {
@@ -106,14 +109,15 @@ private:
     }
 
     const VesselGraph& graph_;
-    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
+    const std::vector<std::vector<std::size_t>>& meeting_;   ///< edges by node
 };
 
 }   // namespace
 
-int rootEnd(const VesselGraph& graph, const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm)
+int rootEnd(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& meeting,
+            const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm)
 {
-    return RootFinder(graph).among(nodes, rootMm);
+    return RootFinder(graph, meeting).among(nodes, rootMm);
 }
 
 }   // namespace angiopose::core

@@ -93,15 +93,25 @@ struct Anchors {
     std::vector<double> weights;
 };
 
+/// What a curve is held to.
+struct Surroundings {
+    const std::vector<Eigen::Vector3d>& way;   ///< it was found on
+    const BloodFill& fill;
+    TracingProgress* progress;
+
+    bool goesOn() const { return progress == nullptr || progress->advance(0.0); }
+};
+
 /// The spline through the anchors. Where it would leave the lumen, as in bends sharper than it is made for, it is held
 /// to the way it was found on.
 std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, std::size_t inside,
-                                           const std::vector<Eigen::Vector3d>& way, const BloodFill& fill)
+                                           const Surroundings& around)
 {
+    const auto& [way, fill, progress] = around;
     std::vector<Eigen::Vector3d> points = smoothed(anchors.pointsMm, anchors.weights, stiffness);
     for (int round = 0; round < holdingRounds; ++round) {
         bool isHeld = false;
-        for (std::size_t i = inside; i < points.size(); ++i) {
+        for (std::size_t i = inside; i < points.size() && around.goesOn(); ++i) {
             const Eigen::Vector3d& found = way[nearestPoint(way, points[i])];
             if (fill(points[i]) < leastShareOfWay * std::min(1.0, fill(found))) {
                 anchors.pointsMm[i] = found;
@@ -118,16 +128,16 @@ std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, s
 }
 
 /// One round: every point to the centre of its section, then smoothed by how far the sections can be trusted.
-void centre(VesselCurve& curve, std::size_t inside, const std::vector<Eigen::Vector3d>& way, const BloodFill& fill,
-            double stepMm)
+void centre(VesselCurve& curve, std::size_t inside, const Surroundings& around, double stepMm)
 {
     const std::size_t count = curve.pointsMm.size();
     const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(curve.pointsMm, 3);
     Anchors anchors{curve.pointsMm, std::vector<double>(count, 0.05)};
     std::vector<double>& weights = anchors.weights;
     std::vector<double> radii = curve.radiusMm;
-    for (std::size_t i = inside; i < count; ++i) {
-        const CrossSection section = crossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, fill);
+    for (std::size_t i = inside; i < count && around.goesOn(); ++i) {
+        const CrossSection section =
+            crossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, around.fill);
         const double farthest = 0.7 * curve.radiusMm[i] + stepMm;
         if (section.trust > 0.0 && (section.centreMm - curve.pointsMm[i]).norm() < farthest) {
             anchors.pointsMm[i] = section.centreMm;
@@ -138,7 +148,7 @@ void centre(VesselCurve& curve, std::size_t inside, const std::vector<Eigen::Vec
     if (inside > 0) {
         weights.front() = firmWeight;
     }
-    curve.pointsMm = smoothInLumen(anchors, stiffness(curve, stepMm), inside, way, fill);
+    curve.pointsMm = smoothInLumen(anchors, stiffness(curve, stepMm), inside, around);
     weights.front() = std::min(weights.front(), 0.05 + (inside > 0 ? 0.0 : 1.0));
     curve.radiusMm = smoothed(radii, weights, radiusStiffness * stiffness(curve, stepMm));
     for (double& radius : curve.radiusMm) {
@@ -200,20 +210,56 @@ void turnAround(VesselCurve& curve)
     std::reverse(curve.radiusMm.begin(), curve.radiusMm.end());
 }
 
-}   // namespace
-
-VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const BloodFill& fill,
-                        const CurveSettings& settings)
+/// Leads the end on to the axis of the vessel that it closes a loop with.
+void endOn(VesselCurve& curve, const VesselCurve& other)
 {
-    VesselCurve curve{path.pointsMm, path.radiusMm};
-    const std::vector<double> alike(curve.pointsMm.size(), 1.0);
-    curve.pointsMm = smoothed(curve.pointsMm, alike, stationarySteps);
-    if (parent == nullptr) {
+    turnAround(curve);
+    leaveParent(curve, pointsWithin(other, curve.pointsMm), other);
+    const Eigen::Vector3d onAxis = other.pointsMm[nearestPoint(other.pointsMm, curve.pointsMm.front())];
+    if ((curve.pointsMm.front() - onAxis).norm() > 1e-9) {
+        curve.pointsMm.insert(curve.pointsMm.begin(), onAxis);
+        curve.radiusMm.insert(curve.radiusMm.begin(), curve.radiusMm.front());
+    }
+    turnAround(curve);
+}
+
+/// The same for a vessel that comes back to itself: `nodeMm` is where.
+void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
+{
+    std::vector<Eigen::Vector3d> passed = curve.pointsMm;
+    const double backMm = 0.25 * polylineLength<3>(passed);   // not what has just come
+    while (passed.size() > 1 && polylineLength<3>(curve.pointsMm) - polylineLength<3>(passed) < backMm) {
+        passed.pop_back();
+    }
+    curve.pointsMm.push_back(passed[nearestPoint(passed, nodeMm)]);
+    curve.radiusMm.push_back(curve.radiusMm.back());
+}
+
+/// Free ends as far as the lumen goes.
+void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeighbours& beside, const BloodFill& fill,
+                    const CurveSettings& settings)
+{
+    const bool isRing = beside.endsOnItself && (path.pointsMm.front() - path.pointsMm.back()).norm() < 1e-9;
+    if (beside.parent == nullptr && !isRing) {
         turnAround(curve);
         extendEnd(curve, fill, settings);
         turnAround(curve);
     }
-    extendEnd(curve, fill, settings);
+    if (beside.endsOn == nullptr && !beside.endsOnItself) {
+        extendEnd(curve, fill, settings);
+    }
+}
+
+}   // namespace
+
+VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbours& beside, const BloodFill& fill,
+                        const CurveSettings& settings)
+{
+    const VesselCurve* parent = beside.parent;
+    VesselCurve curve{path.pointsMm, path.radiusMm};
+    const std::vector<double> alike(curve.pointsMm.size(), 1.0);
+    curve.pointsMm = smoothed(curve.pointsMm, alike, stationarySteps);
+    extendFreeEnds(curve, path, beside, fill, settings);
     curve = evenly(curve, settings.voxelMm);
     const double stepMm =
         polylineLength<3>(curve.pointsMm) / static_cast<double>(std::max<std::size_t>(1, curve.pointsMm.size() - 1));
@@ -223,8 +269,13 @@ VesselCurve vesselCurve(const BranchPath& path, const VesselCurve* parent, const
         if (parent != nullptr) {
             leaveParent(curve, inside, *parent);
         }
-        centre(curve, inside, way, fill, std::max(stepMm, 0.5 * settings.voxelMm));
+        centre(curve, inside, {way, fill, settings.progress}, std::max(stepMm, 0.5 * settings.voxelMm));
         dropBeyondRim(curve, settings);
+    }
+    if (beside.endsOn != nullptr) {
+        endOn(curve, *beside.endsOn);
+    } else if (beside.endsOnItself) {
+        endOnItself(curve, path.pointsMm.back());
     }
     return evenly(curve, settings.pointSpacingMm);
 }

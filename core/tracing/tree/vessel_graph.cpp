@@ -8,6 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestRing = 6;
+constexpr std::size_t voxelsUnheard = 0xFFF;   ///< less one
 
 /// Walks the skeleton voxel by voxel. Voxels are known by their place in the skeleton's list.
 class VoxelWalker {
@@ -15,10 +16,19 @@ public:
     VoxelWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
         : skeleton_(skeleton), distances_(distances), nodeAt_(skeleton.size(), -1), seen_(skeleton.size(), false)
     {
-        neighbours_.reserve(skeleton.size());
-        for (std::size_t v = 0; v < skeleton.size(); ++v) {
+    }
+
+    /// False when stopped.
+    bool meetNeighbours(TracingProgress& progress)
+    {
+        neighbours_.reserve(skeleton_.size());
+        for (std::size_t v = 0; v < skeleton_.size(); ++v) {
+            if ((v & voxelsUnheard) == 0 && !progress.advance(0.0)) {
+                return false;
+            }
             neighbours_.push_back(findNeighbours(v));
         }
+        return true;
     }
 
     VesselGraph run()
@@ -210,9 +220,11 @@ VesselEdge VesselGraph::leaving(std::size_t edge, int node) const
     return edges[edge].startNode == node ? edges[edge] : reversed(edges[edge]);
 }
 
-VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
+VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances,
+                        TracingProgress& progress)
 {
-    return VoxelWalker(skeleton, distances).run();
+    VoxelWalker walker(skeleton, distances);
+    return walker.meetNeighbours(progress) ? walker.run() : VesselGraph();
 }
 
 VesselEdge reversed(VesselEdge edge)

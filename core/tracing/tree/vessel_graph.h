@@ -32,8 +32,9 @@ struct VesselGraph {
 };
 
 /// Graph of a one voxel thin skeleton, given as ascending voxel indices; touching junction voxels are one node at their
-/// centroid.
-VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances);
+/// centroid. Empty when stopped.
+VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances,
+                        TracingProgress& progress);
 
 /// The edge seen from its other end.
 VesselEdge reversed(VesselEdge edge);

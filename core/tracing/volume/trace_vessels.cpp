@@ -11,6 +11,7 @@
 #include "core/tracing/volume/lumen/blood_level.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
 #include "core/tracing/volume/path/trace_tubes.h"
+#include "core/tracing/volume/piece_report.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
@@ -76,6 +77,24 @@ std::optional<Message> problemWith(const VolumeGeometry& geometry, std::size_t v
     return {};
 }
 
+/// All that is set is vessel, unless some of it is asked for.
+VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
+{
+    options.pieces = !options.seedsInPatient.empty()           ? TracedPieces::Usual
+                     : options.pieces == TracedPieces::Largest ? TracedPieces::Largest
+                                                               : TracedPieces::All;
+    return options;
+}
+
+/// Of a scan all pieces are those of great vessels.
+VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::vector<GreatVessel>& great)
+{
+    if (great.empty() || !options.seedsInPatient.empty()) {
+        options.pieces = TracedPieces::Usual;
+    }
+    return options;
+}
+
 Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
                              const VesselTracingOptions& options, TracingProgress& progress)
 {
@@ -90,8 +109,20 @@ Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, c
     traced.lumen = asStored(chosen.lumen, chosen.box, stored);
     traced.threshold = 0.5;
     traced.warnings = chosen.warnings;
-    if (found.openedLoops > 0) {
-        traced.warnings.push_back(loopWarning(found.openedLoops));
+    traced.pieces = reportedPieces(chosen.lumen, traced.tree, chosen.leftOut, progress);
+    const Messages ofPieces = pieceWarnings(traced.pieces, !options.seedsInPatient.empty());
+    traced.warnings.insert(traced.warnings.end(), ofPieces.begin(), ofPieces.end());
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
+    if (found.closedGaps.count > 0) {
+        traced.warnings.push_back(gapWarning(found.closedGaps));
+    }
+    if (found.loops.opened > 0) {
+        traced.warnings.push_back(loopWarning(found.loops.opened));
+    }
+    if (found.loops.kept > 0) {
+        traced.warnings.push_back(says::loopsKept(found.loops.kept));
     }
     if (found.dimParts > 0) {
         traced.warnings.push_back(dimWarning(found.dimParts));
@@ -125,7 +156,7 @@ void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progre
         fillHoles(lumen, isHole);
     }
     if (progress.advance(chosenShare)) {
-        fillCavities(lumen);
+        fillCavities(lumen, &progress);
     }
 }
 
@@ -179,7 +210,7 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
         return chosen.error();
     }
     ChosenLumen lumen = std::move(chosen).value();
-    fillCavities(lumen.lumen);
+    fillCavities(lumen.lumen, &progress);
     return unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(says::noLongBranch()));
 }
 
@@ -193,7 +224,8 @@ Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOption
     }
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.7);
-    return traceLumen(maskOf(mask, [](std::uint8_t voxel) { return voxel != 0; }), mask.geometry, options, progress);
+    return traceLumen(maskOf(mask, [](std::uint8_t voxel) { return voxel != 0; }), mask.geometry,
+                      withPiecesOfMask(options), progress);
 }
 
 Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<int>& labels,
@@ -206,7 +238,7 @@ Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<in
     progress.enter("vessels", 0.0, 0.7);
     const std::set<int> asked(labels.begin(), labels.end());
     const auto isAsked = [&](std::uint16_t label) { return asked.empty() ? label != 0 : asked.contains(label); };
-    return traceLumen(maskOf(image, isAsked), image.geometry, options, progress);
+    return traceLumen(maskOf(image, isAsked), image.geometry, withPiecesOfMask(options), progress);
 }
 
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options,
@@ -239,7 +271,8 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         return stoppedTracing();
     }
     const std::vector<GreatVessel>& great = found.great;
-    auto chosen = chosenLumen(std::move(found.lumen), options, fill, great, progress);
+    const VesselTracingOptions asked = withPiecesOfScan(options, great);
+    auto chosen = chosenLumen(std::move(found.lumen), asked, fill, great, progress);
     if (!chosen) {
         return chosen.error();
     }
@@ -250,7 +283,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     }
     const AxisOrder part = cropped(order, lumen.box);
     auto traced =
-        unlessEmpty(treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, options, progress),
+        unlessEmpty(treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, asked, progress),
                     options.threshold ? Error(says::noLongBranch()) : noVesselsFound(level.value()));
     if (!traced) {
         return traced.error();

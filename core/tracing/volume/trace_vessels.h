@@ -2,6 +2,7 @@
 
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
+#include "core/tracing/volume/voxels/traced_piece.h"
 #include "core/tracing/volume/voxels/tracing_options.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
 #include "core/vessel/vessel_tree.h"
@@ -15,11 +16,12 @@ namespace angiopose::core {
 
 /// A vessel tree with what was seen on the way to it.
 struct TracedVessels {
-    VesselTree tree;   ///< root first, then by generation; ids 1, 2, …; radii, patient LPS
+    VesselTree tree;   ///< piece by piece, in each root first, then by generation; ids 1, 2, …; radii, patient LPS
     VoxelMask lumen;   ///< the voxels that were traced, in the geometry of the input
     double threshold = 0.0;   ///< the value at which the lumen begins; 0.5 for masks
     std::optional<Eigen::Vector3d>
         foundStart;   ///< without seeds: a place in the great vessel that was begun at, LPS mm
+    std::vector<TracedPiece> pieces;   ///< of what could be traced, the largest first
     Messages warnings;   ///< pieces that were left out, loops that were opened, …
 };
 
@@ -31,7 +33,8 @@ struct TracedVessels {
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                    const TracingObserver& observe = {});
 
-/// A mask of vessels, taken as it is: its largest piece, or the pieces that hold the seeds.
+/// A mask of vessels, taken as it is: all its pieces, or those that hold the seeds. Gaps over which it is clear that a
+/// vessel goes on are closed.
 Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOptions& options = {},
                                 const TracingObserver& observe = {});
 

@@ -10,6 +10,11 @@ Message loopWarning(int loops)
     return loops == 1 ? says::oneLoopOpened() : says::loopsOpened(loops);
 }
 
+Message gapWarning(const ClosedGaps& gaps)
+{
+    return says::gapsClosed(gaps.count, inMm(gaps.longestMm, 1));
+}
+
 Message unitWarning()
 {
     return says::perhapsNoHounsfield();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/message.h"
+#include "core/tracing/tree/close_gaps.h"
 
 #include <Eigen/Core>
 #include <optional>
@@ -9,6 +10,7 @@ namespace angiopose::core {
 
 /// What users are told about a tree that was traced.
 Message loopWarning(int loops);
+Message gapWarning(const ClosedGaps& gaps);
 Message unitWarning();   ///< the values may be no Hounsfield units
 Message dimWarning(int parts);   ///< left out
 Message besideWarning(double besideMm);   ///< how far another great vessel runs beside the traced one

@@ -6,6 +6,7 @@
 #include "io/case/fields/measurement_fields.h"
 #include "io/case/fields/tree_fields.h"
 #include "io/case/fields/vessel_key.h"
+#include "io/case/fields/word_field.h"
 #include "io/messages/says.h"
 
 namespace angiopose::io {
@@ -16,6 +17,9 @@ using core::VesselInput;
 using core::VesselInputKind;
 using core::Vessels;
 using core::VesselTracingOptions;
+
+constexpr std::array pieceWords = {"usual", "all", "largest"};
+constexpr std::array loopWords = {"opened", "kept"};
 
 Json inputSchema(VesselInputKind kind)
 {
@@ -90,7 +94,18 @@ StoredField<Vessels> tracingField()
         storedIfSet(
             "tubesOnly",
             about(flagSchema(), "Thin vessels alone, from the seeds: chambers, organs and wide vessels end them."),
-            &Options::tubesOnly)};
+            &Options::tubesOnly),
+        writtenWhere(
+            [](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
+            wordField("pieces",
+                      about(choiceSchema({"usual", "all", "largest"}),
+                            "Which pieces are traced where there is no seed; absent or usual: all of a mask, of "
+                            "a scan that of the great vessel."),
+                      &Options::pieces, pieceWords)),
+        writtenWhere(
+            [](const Options& options) { return options.loops != core::VesselLoops::Opened; },
+            wordField("loops", about(choiceSchema({"opened", "kept"}), "What becomes of loops; absent: opened."),
+                      &Options::loops, loopWords))};
     const Json schema{{"description", "How a segmentation, surface or volume is traced; absent: the defaults."}};
     return writtenWhere([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
                         storedThrough<Vessels>(

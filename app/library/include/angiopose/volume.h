@@ -58,6 +58,13 @@ ANGIOPOSE_EXPORT Volume readVolume(const std::string& path, const std::string& s
 /// To .nii, .nii.gz, .nrrd or .mha, by the extension.
 ANGIOPOSE_EXPORT void writeVolume(const Volume& volume, const std::string& path);
 
+/// Which pieces are traced where there is no seed. Usual: all of a mask, of a scan that of the great vessel; All of a
+/// scan: those of every great vessel.
+enum class TracedPieces { Usual, All, Largest };
+
+/// What becomes of vessels that run in a circle: opened at their thinnest places, or kept where they are no flaw.
+enum class VesselLoops { Opened, Kept };
+
 /// One set of defaults for every scan; places are patient LPS mm.
 struct VesselTracingOptions {
     std::optional<double> threshold;   ///< the lumen begins at this value (HU for CT); not set: found from the blood
@@ -69,11 +76,13 @@ struct VesselTracingOptions {
     double pointSpacingMm = 1.0;   ///< along the branches
     bool tubesOnly = false;   ///< thin vessels alone, from the seeds: chambers, organs and wide vessels end them
     int threads = 0;   ///< 0: as many as the processor has; the result is the same for any number
+    TracedPieces pieces = TracedPieces::Usual;
+    VesselLoops loops = VesselLoops::Opened;
 };
 
 /// A vessel tree with what was seen on the way to it.
 struct TracedVessels {
-    VesselTree tree;   ///< root first, then by generation; ids 1, 2, …; radii
+    VesselTree tree;   ///< piece by piece, root first, then by generation; ids 1, 2, …; radii
     VolumeGeometry lumenGeometry;
     std::vector<std::uint8_t> lumen;   ///< voxels that were traced, not 0; i fastest; empty where nothing was traced
     double threshold = 0.0;   ///< the value at which the lumen begins; 0.5 for masks
@@ -84,7 +93,8 @@ struct TracedVessels {
 ANGIOPOSE_EXPORT TracedVessels traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                             const Observer& observe = {});
 
-/// The vessels of a mask (not 0: lumen; i fastest), taken as it is: its largest piece, or those that hold the seeds.
+/// The vessels of a mask (not 0: lumen; i fastest), taken as it is: all its pieces, or those that hold the
+/// seeds.
 ANGIOPOSE_EXPORT TracedVessels traceMask(std::span<const std::uint8_t> mask, const VolumeGeometry& geometry,
                                          const VesselTracingOptions& options = {}, const Observer& observe = {});
 

@@ -2,7 +2,6 @@
 
 #include "core/messages/says.h"
 #include "core/tracing/volume/chosen/split_by_seeds.h"
-#include "core/tracing/volume/voxels/chosen_pieces.h"
 #include "core/tracing/volume/voxels/voxel_pieces.h"
 
 #include <algorithm>
@@ -26,13 +25,24 @@ VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
     return part;
 }
 
-/// Points of the axes that lie in the lumen.
-std::vector<Eigen::Vector3d> placesIn(const VoxelMask& lumen, const GreatVessel& great)
+/// Adds the points of the axes that lie in the lumen.
+void addPlacesIn(const VoxelMask& lumen, const GreatVessel& great, std::vector<Eigen::Vector3d>& places)
 {
-    std::vector<Eigen::Vector3d> places;
     for (const Trunk& trunk : great.trunks) {
         std::copy_if(trunk.pointsInPatient.begin(), trunk.pointsInPatient.end(), std::back_inserter(places),
                      [&](const Eigen::Vector3d& point) { return voxelNear(lumen, point).has_value(); });
+    }
+}
+
+/// Where what is asked for is looked for, as far as great vessels tell.
+std::vector<Eigen::Vector3d> foundPlaces(const VoxelMask& lumen, const VesselTracingOptions& options,
+                                         const std::vector<GreatVessel>& greatVessels)
+{
+    std::vector<Eigen::Vector3d> places;
+    const std::size_t count =
+        options.pieces == TracedPieces::All ? greatVessels.size() : std::min<std::size_t>(1, greatVessels.size());
+    for (std::size_t n = 0; options.seedsInPatient.empty() && n < count; ++n) {
+        addPlacesIn(lumen, greatVessels[n], places);
     }
     return places;
 }
@@ -50,10 +60,8 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, c
         return seeds.error();
     }
     options.seedsInPatient = seeds.value().inPatient;
-    const std::vector<Eigen::Vector3d> found = options.seedsInPatient.empty() && !greatVessels.empty()
-                                                   ? placesIn(whole, greatVessels.front())
-                                                   : std::vector<Eigen::Vector3d>();
-    auto leftOut = keepChosenPieces(whole, found.empty() ? options.seedsInPatient : found);
+    const std::vector<Eigen::Vector3d> found = foundPlaces(whole, options, greatVessels);
+    auto leftOut = keepChosenPieces(whole, found.empty() ? options.seedsInPatient : found, options.pieces, progress);
     if (!leftOut) {
         return leftOut.error();
     }
@@ -62,9 +70,7 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, c
     }
     ChosenLumen chosen;
     chosen.warnings = seeds.value().warnings;
-    if (leftOut.value()) {
-        chosen.warnings.push_back(*leftOut.value());
-    }
+    chosen.leftOut = std::move(leftOut).value();
     chosen.box = grown(boxOf(whole), 1, whole.geometry);
     progress.advance(chosenShare);
     chosen.lumen = croppedMask(whole, chosen.box);
@@ -79,11 +85,6 @@ Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, c
 VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low)
 {
     return [&fill, low](int i, int j, int k) { return fill(i + low.x(), j + low.y(), k + low.z()); };
-}
-
-Stopped stoppedTracing()
-{
-    return {says::tracingStopped()};
 }
 
 }   // namespace angiopose::core

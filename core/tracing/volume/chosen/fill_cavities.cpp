@@ -13,7 +13,7 @@ constexpr int mostOfTheNeighbours = 17;   ///< of 26; beside a flat wall 9 are s
 
 /// One pass over the rows, `step` = 1 upwards or -1 downwards: what lies beside, behind or below something outside is
 /// outside.
-bool sweep(VoxelMask& mask, int step)
+bool sweep(VoxelMask& mask, int step, TracingProgress* progress)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
     const auto first = [step](int count) { return step > 0 ? 0 : count - 1; };
@@ -22,6 +22,9 @@ bool sweep(VoxelMask& mask, int step)
     const auto strideZ = strideY * size.y();
     bool changed = false;
     for (int k = first(size.z()); isWithin(k, size.z()); k += step) {
+        if (progress != nullptr && !progress->advance(0.0)) {
+            return false;
+        }
         for (int j = first(size.y()); isWithin(j, size.y()); j += step) {
             std::uint8_t* row = &mask.at(0, j, k);
             const bool isRimRow = !isWithin(j - step, size.y()) || !isWithin(k - step, size.z());
@@ -42,7 +45,7 @@ bool sweep(VoxelMask& mask, int step)
 
 }   // namespace
 
-void fillCavities(VoxelMask& mask)
+void fillCavities(VoxelMask& mask, TracingProgress* progress)
 {
     if (mask.voxels.empty()) {
         return;
@@ -51,8 +54,8 @@ void fillCavities(VoxelMask& mask)
         voxel = voxel != 0 ? inside : enclosed;
     }
     for (bool changed = true; changed;) {
-        changed = sweep(mask, 1);
-        changed = sweep(mask, -1) || changed;
+        changed = sweep(mask, 1, progress);
+        changed = sweep(mask, -1, progress) || changed;
     }
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel == outside ? std::uint8_t{0} : voxel == inside ? inside : filled;

@@ -220,7 +220,11 @@ std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOp
     Splitter splitter(mask, options, fill, progress);
     std::vector<Eigen::Vector3d> starts;
     if (options.seedsInPatient.empty() && !greatVessels.empty()) {
-        starts = splitter.middlesOf(greatVessels.front());
+        const std::size_t count = options.pieces == TracedPieces::All ? greatVessels.size() : 1;
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::vector<Eigen::Vector3d> its = splitter.middlesOf(greatVessels[n]);
+            starts.insert(starts.end(), its.begin(), its.end());
+        }
         starts = starts.empty() ? std::vector{greatVessels.front().middleInPatient()} : starts;
         splitter.split(starts);
     }

@@ -1,10 +1,10 @@
 #include "core/tracing/volume/voxels/chosen_pieces.h"
 
 #include "core/messages/says.h"
-#include "core/tracing/volume/voxels/voxel_pieces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -13,7 +13,6 @@ namespace {
 
 constexpr double seedReachMm = 3.0;
 constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which begins two voxels inside its wall
-constexpr double worthMentioning = 0.05;   ///< of the voxels that are kept
 
 /// Of those of at least `leastValue`.
 std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
@@ -78,18 +77,31 @@ std::size_t largestPiece(const VoxelMask& mask, const std::vector<VoxelPiece>& p
     return best;
 }
 
-/// Sets the chosen pieces to 1, all else to 0; how many voxels were kept.
-std::size_t keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, const std::set<std::size_t>& chosen)
+/// Sets the chosen pieces to 1, all else to 0.
+void keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, const std::set<std::size_t>& chosen)
 {
     std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0});
-    std::size_t kept = 0;
     for (const std::size_t p : chosen) {
-        kept += pieces[p].size();
         for (const std::uint32_t voxel : pieces[p]) {
             mask.voxels[voxel] = 1;
         }
     }
-    return kept;
+}
+
+Result<std::set<std::size_t>> chosenOf(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
+                                       const std::vector<Eigen::Vector3d>& seedsInPatient, TracedPieces withoutSeeds)
+{
+    if (!seedsInPatient.empty()) {
+        return piecesWithSeeds(mask, pieces, seedsInPatient);
+    }
+    if (withoutSeeds != TracedPieces::All) {
+        return std::set<std::size_t>{largestPiece(mask, pieces)};
+    }
+    std::set<std::size_t> all;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        all.insert(all.end(), p);
+    }
+    return all;
 }
 
 }   // namespace
@@ -124,30 +136,55 @@ Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen
     return seeds;
 }
 
-Result<std::optional<Message>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient)
+Result<std::vector<TracedPiece>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient,
+                                                  TracedPieces withoutSeeds, TracingProgress& progress)
 {
-    const std::vector<VoxelPiece> pieces = piecesOf(mask);
+    const std::vector<VoxelPiece> pieces = piecesOf(mask, 1, &progress);
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
     if (pieces.empty()) {
         return Error(says::noVesselInVolume());
     }
-    std::set<std::size_t> chosen{largestPiece(mask, pieces)};
-    if (!seedsInPatient.empty()) {
-        auto found = piecesWithSeeds(mask, pieces, seedsInPatient);
-        if (!found) {
-            return found.error();
-        }
-        chosen = std::move(found).value();
+    auto chosen = chosenOf(mask, pieces, seedsInPatient, withoutSeeds);
+    if (!chosen) {
+        return chosen.error();
     }
-    const std::size_t kept = keepOnly(mask, pieces, chosen);
-    std::size_t leftOut = 0;
+    keepOnly(mask, pieces, chosen.value());
+    std::vector<TracedPiece> leftOut;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-        const bool isWorthIt = static_cast<double>(pieces[p].size()) > worthMentioning * static_cast<double>(kept);
-        leftOut += !chosen.contains(p) && isWorthIt ? 1 : 0;
+        if (!chosen.value().contains(p)) {
+            leftOut.push_back(pieceOf(pieces[p], mask.geometry));
+        }
     }
-    if (leftOut == 0) {
-        return std::optional<Message>();
+    return leftOut;
+}
+
+TracedPiece pieceOf(const VoxelPiece& voxels, const VolumeGeometry& grid)
+{
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t voxel : voxels) {
+        middle += grid.voxelAt(voxel).cast<double>() / static_cast<double>(voxels.size());
     }
-    return std::optional(leftOut == 1 ? says::onePieceLeftOut() : says::piecesLeftOut(leftOut));
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    double nearestSquared = std::numeric_limits<double>::max();
+    for (const std::uint32_t voxel : voxels) {
+        const Eigen::Vector3d at = grid.voxelAt(voxel).cast<double>();
+        const double squared = grid.spacingMm.cwiseProduct(at - middle).squaredNorm();
+        if (squared < nearestSquared) {
+            nearestSquared = squared;
+            place = at;
+        }
+    }
+    TracedPiece piece;
+    piece.voxels = voxels.size();
+    piece.placeInPatient = grid.patientFromVoxel() * place;
+    return piece;
+}
+
+Stopped stoppedTracing()
+{
+    return {says::tracingStopped()};
 }
 
 }   // namespace angiopose::core

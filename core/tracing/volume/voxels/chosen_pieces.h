@@ -2,6 +2,10 @@
 
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
+#include "core/tracing/volume/voxels/traced_piece.h"
+#include "core/tracing/volume/voxels/tracing_options.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
+#include "core/tracing/volume/voxels/voxel_pieces.h"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -27,10 +31,16 @@ struct SeedsInLumen {
 /// that has neither.
 Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
-/// Leaves of a mask what is asked for: the pieces that hold the seeds (LPS mm, within 3 mm), or without seeds the
-/// largest: that with the most voxels above 1 (cores of vessels), of equal ones that with the most voxels. Returns a
-/// warning about what was left out, where it was worth it; fails, naming it, for a seed that lies in no
-/// piece, and for an empty mask.
-Result<std::optional<Message>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
+/// Leaves of a mask what is asked for: the pieces that hold the seeds (LPS mm, within 3 mm), or without seeds all or
+/// the largest: that with the most voxels above 1 (cores of vessels), of equal ones that with the most voxels. Returns
+/// the others, the largest first. Fails, naming it, for a seed that lies in no piece, for an empty mask, and when
+/// stopped.
+Result<std::vector<TracedPiece>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient,
+                                                  TracedPieces withoutSeeds, TracingProgress& progress);
+
+/// Its size, and the place in it that is nearest to its middle.
+TracedPiece pieceOf(const VoxelPiece& voxels, const VolumeGeometry& grid);
+
+Stopped stoppedTracing();
 
 }   // namespace angiopose::core

@@ -5,13 +5,20 @@
 namespace angiopose::core {
 namespace {
 
+constexpr std::size_t listenEvery = 0x3FFF;   ///< voxels, less one
+
+bool isStopWished(TracingProgress* progress, std::size_t done)
+{
+    return progress != nullptr && (done & listenEvery) == 0 && !progress->advance(0.0);
+}
+
 /// Takes the piece around `seed` out of `left`.
-VoxelPiece takePiece(VoxelMask& left, std::size_t seed)
+VoxelPiece takePiece(VoxelMask& left, std::size_t seed, TracingProgress* progress)
 {
     const VolumeGeometry& grid = left.geometry;
     VoxelPiece piece{static_cast<std::uint32_t>(seed)};
     left.voxels[seed] = 0;
-    for (std::size_t n = 0; n < piece.size(); ++n) {
+    for (std::size_t n = 0; n < piece.size() && !isStopWished(progress, n); ++n) {
         const Eigen::Vector3i at = grid.voxelAt(piece[n]);
         const Eigen::Array3i low = (at.array() - 1).max(0);
         const Eigen::Array3i high = (at.array() + 1).min(grid.size.array() - 1);
@@ -33,13 +40,13 @@ VoxelPiece takePiece(VoxelMask& left, std::size_t seed)
 
 }   // namespace
 
-std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels)
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels, TracingProgress* progress)
 {
     VoxelMask left = mask;
     std::vector<VoxelPiece> pieces;
-    for (std::size_t p = 0; p < left.voxels.size(); ++p) {
+    for (std::size_t p = 0; p < left.voxels.size() && !isStopWished(progress, p); ++p) {
         if (left.voxels[p] != 0) {
-            VoxelPiece piece = takePiece(left, p);
+            VoxelPiece piece = takePiece(left, p, progress);
             if (piece.size() >= leastVoxels) {
                 piece.shrink_to_fit();
                 pieces.push_back(std::move(piece));

@@ -2,6 +2,7 @@
 
 #include "core/imaging/volume.h"
 #include "core/tracing/volume/voxels/axis_order.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
 
 #include <cstdint>
 #include <vector>
@@ -12,7 +13,9 @@ namespace angiopose::core {
 using VoxelPiece = std::vector<std::uint32_t>;
 
 /// The 26-connected pieces of at least `leastVoxels`, the largest first (of equal ones, that with the lowest voxel).
-std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels = 1);
+/// Incomplete when `progress`, where given, says stop.
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels = 1,
+                                 TracingProgress* progress = nullptr);
 
 /// The smallest box that holds everything set.
 VoxelBox boxOf(const VoxelMask& mask);

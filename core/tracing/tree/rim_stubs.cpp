@@ -1,0 +1,74 @@
+#include "core/tracing/tree/rim_stubs.h"
+
+#include "core/support/quantile.h"
+#include "core/vessel/polyline.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double rimVoxels = 2.0;
+constexpr double leastInRadii = 1.5;
+
+/// A face of the grid is near, and the lumen reaches it there.
+bool isCutOff(const Eigen::Vector3d& endMm, const VoxelMask& lumen)
+{
+    const VolumeGeometry& grid = lumen.geometry;
+    const Eigen::Array3d at = endMm.cwiseQuotient(grid.spacingMm).array();
+    const Eigen::Array3d last = grid.size.cast<double>().array() - 1.0;
+    const Eigen::Vector3i voxel = at.round().max(0.0).min(last).cast<int>();
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double face : {0.0, last[axis]}) {
+            Eigen::Vector3i onFace = voxel;
+            onFace[axis] = static_cast<int>(face);
+            if (std::abs(at[axis] - face) <= rimVoxels && lumen.at(onFace.x(), onFace.y(), onFace.z()) != 0) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Beyond the wall of the nearest place of `parent`.
+bool isOutside(const Eigen::Vector3d& pointMm, const VesselCurve& parent)
+{
+    double nearestSquared = std::numeric_limits<double>::max();
+    double radiusMm = 0.0;
+    for (std::size_t n = 0; n < parent.pointsMm.size(); ++n) {
+        const double squared = (parent.pointsMm[n] - pointMm).squaredNorm();
+        if (squared < nearestSquared) {
+            nearestSquared = squared;
+            radiusMm = parent.radiusMm[n];
+        }
+    }
+    return nearestSquared > radiusMm * radiusMm;
+}
+
+}   // namespace
+
+bool isRimStub(const VesselCurve& curve, const VesselCurve& parent, const VoxelMask& lumen, double leastMm)
+{
+    if (!isCutOff(curve.pointsMm.back(), lumen)) {
+        return false;
+    }
+    double outsideMm = 0.0;
+    std::vector<double> radii;
+    for (std::size_t n = 1; n < curve.pointsMm.size(); ++n) {
+        if (isOutside(curve.pointsMm[n], parent)) {
+            outsideMm += (curve.pointsMm[n] - curve.pointsMm[n - 1]).norm();
+            radii.push_back(curve.radiusMm[n]);
+        }
+    }
+    return radii.empty() || outsideMm < std::max(leastMm, leastInRadii * medianOf(std::move(radii)));
+}
+
+bool isRimCrumb(const VesselCurve& curve, const VoxelMask& lumen, double leastMm)
+{
+    return polylineLength<3>(curve.pointsMm) < leastMm && isCutOff(curve.pointsMm.front(), lumen) &&
+           isCutOff(curve.pointsMm.back(), lumen);
+}
+
+}   // namespace angiopose::core

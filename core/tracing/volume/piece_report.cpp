@@ -1,0 +1,137 @@
+#include "core/tracing/volume/piece_report.h"
+
+#include "core/messages/says.h"
+#include "core/tracing/volume/voxels/chosen_pieces.h"
+#include "core/tracing/volume/voxels/voxel_pieces.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double worthMentioning = 0.02;   ///< of all voxels, together
+constexpr std::size_t mostNamed = 6;   ///< pieces in one sentence
+
+/// Length of the branches by piece: every step belongs to the piece that it ends in.
+std::vector<double> lengthsIn(const VoxelMask& lumen, const std::vector<VoxelPiece>& pieces, const VesselTree& tree)
+{
+    std::vector<double> lengths(pieces.size(), 0.0);
+    const Eigen::Affine3d voxelFromPatient = lumen.geometry.patientFromVoxel().inverse();
+    std::size_t last = 0;   // the next point is mostly in the same piece
+    const auto pieceWith = [&](std::uint32_t voxel) {
+        for (std::size_t n = 0; n < pieces.size(); ++n) {
+            const std::size_t p = (last + n) % pieces.size();
+            if (pieces[p].front() <= voxel && voxel <= pieces[p].back() &&
+                std::binary_search(pieces[p].begin(), pieces[p].end(), voxel)) {
+                return p;
+            }
+        }
+        return pieces.size();
+    };
+    for (const VesselBranch& branch : tree.branches) {
+        for (std::size_t n = 1; n < branch.pointsInPatient.size(); ++n) {
+            const Eigen::Vector3i at = (voxelFromPatient * branch.pointsInPatient[n]).array().round().cast<int>();
+            const std::size_t piece =
+                lumen.geometry.contains(at)
+                    ? pieceWith(static_cast<std::uint32_t>(lumen.geometry.index(at.x(), at.y(), at.z())))
+                    : pieces.size();
+            if (piece < pieces.size()) {
+                lengths[piece] += (branch.pointsInPatient[n] - branch.pointsInPatient[n - 1]).norm();
+                last = piece;
+            }
+        }
+    }
+    return lengths;
+}
+
+Quantity shareOf(double share)
+{
+    return Quantity{100.0 * share, share < 0.01 ? 1 : 0, "%"};
+}
+
+enum class Told { LengthAndShare, Share };
+
+/// "31 mm, 12 %, at (1.0, 2.0, 3.0)" of the first ones, and what the others come to.
+Messages namedPieces(const std::vector<TracedPiece>& pieces, Told told)
+{
+    Messages named;
+    double rest = 0.0;
+    for (std::size_t n = 0; n < pieces.size(); ++n) {
+        const Message place = placeInMessage(pieces[n].placeInPatient);
+        if (n + 1 > mostNamed && pieces.size() > mostNamed + 1) {
+            rest += pieces[n].share;
+        } else if (told == Told::LengthAndShare) {
+            named.push_back(says::pieceOfLength(inMm(pieces[n].lengthMm, 0), shareOf(pieces[n].share), place));
+        } else {
+            named.push_back(says::pieceOfShare(shareOf(pieces[n].share), place));
+        }
+    }
+    if (pieces.size() > mostNamed + 1) {
+        named.push_back(says::otherPieces(pieces.size() - mostNamed, shareOf(rest)));
+    }
+    return named;
+}
+
+double shareOfAll(const std::vector<TracedPiece>& pieces)
+{
+    double share = 0.0;
+    for (const TracedPiece& piece : pieces) {
+        share += piece.share;
+    }
+    return share;
+}
+
+}   // namespace
+
+std::vector<TracedPiece> reportedPieces(const VoxelMask& lumen, const VesselTree& tree,
+                                        std::vector<TracedPiece> leftOut, TracingProgress& progress)
+{
+    const std::vector<VoxelPiece> pieces = piecesOf(lumen, 1, &progress);
+    if (progress.isStopped() || pieces.empty()) {
+        return {};
+    }
+    const std::vector<double> lengths = lengthsIn(lumen, pieces, tree);
+    std::vector<TracedPiece> all = std::move(leftOut);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        all.push_back(pieceOf(pieces[p], lumen.geometry));
+        all.back().lengthMm = lengths[p];
+        all.back().isAskedFor = true;
+    }
+    double voxels = 0.0;
+    for (const TracedPiece& piece : all) {
+        voxels += static_cast<double>(piece.voxels);
+    }
+    for (TracedPiece& piece : all) {
+        piece.share = static_cast<double>(piece.voxels) / voxels;
+    }
+    std::ranges::stable_sort(all, std::greater(), &TracedPiece::voxels);
+    return all;
+}
+
+Messages pieceWarnings(const std::vector<TracedPiece>& pieces, bool isBySeeds)
+{
+    std::vector<TracedPiece> traced, unasked, tooShort;
+    for (const TracedPiece& piece : pieces) {
+        (piece.isTraced() ? traced : piece.isAskedFor ? tooShort : unasked).push_back(piece);
+    }
+    Messages told;
+    if (traced.size() > 1 && !isBySeeds) {
+        told.push_back(says::vesselsInPieces(traced.size(), namedPieces(traced, Told::LengthAndShare)));
+    }
+    if (shareOfAll(unasked) > worthMentioning) {
+        const Messages named = namedPieces(unasked, Told::Share);
+        told.push_back(unasked.size() == 1 ? says::onePieceLeftOut(named)
+                                           : says::piecesLeftOut(unasked.size(), shareOf(shareOfAll(unasked)), named));
+    }
+    if (shareOfAll(tooShort) > worthMentioning) {
+        const Messages named = namedPieces(tooShort, Told::Share);
+        told.push_back(tooShort.size() == 1
+                           ? says::onePieceTooShort(named)
+                           : says::piecesTooShort(tooShort.size(), shareOf(shareOfAll(tooShort)), named));
+    }
+    return told;
+}
+
+}   // namespace angiopose::core
