@@ -96,12 +96,12 @@ void bindOptionsOfTracing(py::module_& module)
 {
     using Options = VesselTracingOptions;
     py::enum_<TracedPieces>(module, "TracedPieces", "Which pieces are traced where there is no seed.")
-        .value("USUAL", TracedPieces::Usual)
-        .value("ALL", TracedPieces::All)
-        .value("LARGEST", TracedPieces::Largest);
+        .value("Usual", TracedPieces::Usual)
+        .value("All", TracedPieces::All)
+        .value("Largest", TracedPieces::Largest);
     py::enum_<VesselLoops>(module, "VesselLoops", "What becomes of vessels that run in a circle.")
-        .value("OPENED", VesselLoops::Opened)
-        .value("KEPT", VesselLoops::Kept);
+        .value("Opened", VesselLoops::Opened)
+        .value("Kept", VesselLoops::Kept);
     py::class_<VesselTracingOptions>(module, "VesselTracingOptions",
                                      "One set of defaults for every scan; places LPS mm.")
         .def(py::init([](std::optional<double> threshold, const Places& seedsInPatient, const Places& avoidInPatient,
@@ -129,7 +129,7 @@ void bindOptionsOfTracing(py::module_& module)
              "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
              "vessel. rootInPatient: (3,); None: the thickest end. tubesOnly: thin vessels alone, from the seeds.\n"
              "threads: 0: all; the result is the same for any.\n"
-             "pieces: which are traced without seeds; USUAL: all of a mask, of a scan that of the great vessel.")
+             "pieces: which are traced without seeds; Usual: all of a mask, of a scan that of the great vessel.")
         .def_readwrite("threshold", &Options::threshold, "HU where the lumen begins; None: found from the blood")
         .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
                       assignPlaces<&Options::seedsInPatient>("seedsInPatient"),

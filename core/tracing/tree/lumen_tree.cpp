@@ -6,6 +6,7 @@
 #include "core/tracing/tree/drop_dim_parts.h"
 #include "core/tracing/tree/prune_spurs.h"
 #include "core/tracing/tree/rim_stubs.h"
+#include "core/tracing/tree/tree_of_paths.h"
 #include "core/tracing/tree/vessel_curve.h"
 #include "core/tracing/tree/vessel_graph.h"
 #include "core/tracing/volume/voxels/beyond_rim.h"
@@ -144,18 +145,6 @@ std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, con
     return branches;
 }
 
-VesselBranch branchOf(const VesselCurve& curve, int id, int generation, const VolumeGeometry& grid)
-{
-    VesselBranch branch;
-    branch.id = id;
-    branch.generation = generation;
-    branch.radiusMm = curve.radiusMm;
-    for (const Eigen::Vector3d& point : curve.pointsMm) {
-        branch.pointsInPatient.emplace_back(grid.originInPatient + grid.direction * point);
-    }
-    return branch;
-}
-
 }   // namespace
 
 LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
@@ -165,25 +154,14 @@ LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselT
     const VolumeGeometry& grid = lumen.geometry;
     const VesselGraph graph = prunedGraph(lumen, fill, options, progress, result);
     const std::vector<BranchPath> paths = pathsIn(graph, options, grid);
-    const CurveSettings settings{grid.spacingMm.minCoeff(), options.pointSpacingMm, Eigen::Vector3d::Zero(),
-                                 grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix()),
-                                 &progress};
-    std::vector<VesselCurve> curves;
-    for (const BranchPath& path : paths) {
-        const auto curveOf = [&curves](int index) {
-            const bool isFinished = index >= 0 && index < static_cast<int>(curves.size());
-            return isFinished ? &curves[static_cast<std::size_t>(index)] : nullptr;
-        };
-        const CurveNeighbours beside{curveOf(path.parent), curveOf(path.endsOn),
-                                     path.endsOn == static_cast<int>(curves.size())};
-        curves.push_back(vesselCurve(path, beside, fill, settings));
-        if (!progress.advance(static_cast<double>(curves.size()) / static_cast<double>(paths.size()))) {
-            return {};
-        }
+    const std::vector<VesselCurve> curves = curvesOfPaths(
+        paths, [&fill](const BranchPath&) { return fill; }, grid, options.pointSpacingMm, progress);
+    if (curves.size() < paths.size()) {
+        return {};
     }
     for (const std::size_t n : branchesAmong(paths, curves, lumen, options.minBranchLengthMm)) {
         const int id = static_cast<int>(result.tree.branches.size()) + 1;
-        result.tree.branches.push_back(branchOf(curves[n], id, paths[n].generation, grid));
+        result.tree.branches.push_back(branchOfCurve(curves[n], id, paths[n].generation, grid));
     }
     return result;
 }

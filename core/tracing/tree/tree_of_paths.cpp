@@ -1,9 +1,28 @@
 #include "core/tracing/tree/tree_of_paths.h"
 
-#include "core/tracing/tree/vessel_curve.h"
-
 namespace angiopose::core {
-namespace {
+
+std::vector<VesselCurve> curvesOfPaths(const std::vector<BranchPath>& paths, const FillOfPath& fillOf,
+                                       const VolumeGeometry& grid, double pointSpacingMm, TracingProgress& progress)
+{
+    const CurveSettings settings{grid.spacingMm.minCoeff(), pointSpacingMm, Eigen::Vector3d::Zero(),
+                                 grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix()),
+                                 &progress};
+    std::vector<VesselCurve> curves;
+    for (const BranchPath& path : paths) {
+        const auto curveOf = [&curves](int index) {
+            const bool isFinished = index >= 0 && index < static_cast<int>(curves.size());
+            return isFinished ? &curves[static_cast<std::size_t>(index)] : nullptr;
+        };
+        const CurveNeighbours beside{curveOf(path.parent), curveOf(path.endsOn),
+                                     path.endsOn == static_cast<int>(curves.size())};
+        curves.push_back(vesselCurve(path, beside, fillOf(path), settings));
+        if (!progress.advance(static_cast<double>(curves.size()) / static_cast<double>(paths.size()))) {
+            return {};
+        }
+    }
+    return curves;
+}
 
 VesselBranch branchOfCurve(const VesselCurve& curve, int id, int generation, const VolumeGeometry& grid)
 {
@@ -17,22 +36,13 @@ VesselBranch branchOfCurve(const VesselCurve& curve, int id, int generation, con
     return branch;
 }
 
-}   // namespace
-
 VesselTree treeOfPaths(const std::vector<BranchPath>& paths, const FillOfPath& fillOf, const VolumeGeometry& grid,
                        double pointSpacingMm, TracingProgress& progress)
 {
-    const CurveSettings settings{grid.spacingMm.minCoeff(), pointSpacingMm, Eigen::Vector3d::Zero(),
-                                 grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
     VesselTree tree;
-    std::vector<VesselCurve> curves;
-    for (const BranchPath& path : paths) {
-        const VesselCurve* parent = path.parent >= 0 ? &curves[static_cast<std::size_t>(path.parent)] : nullptr;
-        curves.push_back(vesselCurve(path, parent, fillOf(path), settings));
-        tree.branches.push_back(branchOfCurve(curves.back(), static_cast<int>(curves.size()), path.generation, grid));
-        if (!progress.advance(static_cast<double>(curves.size()) / static_cast<double>(paths.size()))) {
-            return {};
-        }
+    for (const VesselCurve& curve : curvesOfPaths(paths, fillOf, grid, pointSpacingMm, progress)) {
+        const int generation = paths[tree.branches.size()].generation;
+        tree.branches.push_back(branchOfCurve(curve, static_cast<int>(tree.branches.size()) + 1, generation, grid));
     }
     return tree;
 }
