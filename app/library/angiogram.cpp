@@ -34,14 +34,14 @@ Polarity toPublic(core::Polarity polarity)
 
 core::TraceOptions toCore(const TraceOptions& options)
 {
-    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity] = options;
-    return {minRadius, maxRadius, minBranch, minComponent, sensitivity};
+    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork] = options;
+    return {minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork};
 }
 
 TraceOptions toPublic(const core::TraceOptions& options)
 {
-    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity] = options;
-    return {minRadius, maxRadius, minBranch, minComponent, sensitivity};
+    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork] = options;
+    return {minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork};
 }
 
 namespace {

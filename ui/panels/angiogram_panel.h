@@ -51,6 +51,7 @@ private:
     NumberField* tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
                             const NumberFormat& format, double core::TraceOptions::*value);
     NumberField* lengthRow(QGridLayout& grid, int row);
+    void buildNetworkBox();
 
     RunState state_;
     core::TraceOptions tracing_;
@@ -69,6 +70,7 @@ private:
     NumberField* sensitivity_ = nullptr;
     NumberField* length_ = nullptr;
     NumberField* widest_ = nullptr;
+    QCheckBox* usesNetwork_ = nullptr;
     QPushButton* defaults_;
 };
 

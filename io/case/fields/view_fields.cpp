@@ -109,7 +109,8 @@ StoredField<View> traceField()
                     storedValue("maxVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::maxVesselRadiusPx),
                     storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
                     storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
-                    storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)});
+                    storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity),
+                    storedValue("usesNetwork", flagSchema(), &TraceOptions::usesNetwork)});
     field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
         read(value, view, reading);
         if (view.traceOptions.maxVesselRadiusPx < view.traceOptions.minVesselRadiusPx) {

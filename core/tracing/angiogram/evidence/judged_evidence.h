@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+#include "core/tracing/angiogram/evidence/vessel_network.h"
+#include "core/vessel/centerline2d.h"
+
+#include <vector>
+
+namespace angiopose::core {
+
+/// The evidence of ridges as the network judges it: raised where it sees vessels, lowered where it sees none. 0 outside
+/// the field, as before.
+ImageF judgedEvidence(ImageF evidence, const ImageF& vesselProbability, const Mask2d& field);
+
+/// Where a vessel is more likely than not, inside the field.
+Mask2d likelyVessels(const ImageF& vesselProbability, const Mask2d& field);
+
+/// Ids of curves that mostly run where the network sees devices rather than vessels; `factor` is px of its answer per
+/// px of the curves.
+std::vector<int> deviceCurves(const Centerline2d& centerline, const FrameClasses& classes, double factor);
+
+}   // namespace angiopose::core
