@@ -2,11 +2,13 @@
 // thoracic CTA, changed as other devices, exports and viewers would have left them, with one set of defaults.
 
 #include "core/support/format_number.h"
+#include "core/tracing/angiogram/evidence/vessel_network.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
+#include "tests/benchmark/fold_networks.h"
 #include "tests/benchmark/thoracic_course.h"
 #include "tests/benchmark/thoracic_scan.h"
 #include "tests/support/altered_frame.h"
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -30,6 +33,8 @@ const char* const usage =
     "  Without --frames or --scan both are printed.\n"
     "  --only <text>   changes whose name contains it\n"
     "  --images <n>    of the 40 angiograms (40)\n"
+    "  --folds <folder>  frames traced with networks that never saw the image (folds.txt names them)\n"
+    "  --ridges-alone    frames traced without the program's network\n"
     "  --seeds <n>     places in the aorta (8)\n";
 
 constexpr int imageCount = 40;
@@ -70,12 +75,17 @@ struct FrameScores {
     }
 };
 
-FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::FrameChange& change)
+/// What judges an image beside the ridge filter, if anything; images count from 1.
+using NetworkChoice = std::function<const core::VesselNetwork*(int image)>;
+
+FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::FrameChange& change,
+                     const NetworkChoice& networkFor)
 {
     FrameScores scores;
     for (const test::DrawnFrame& original : frames) {
         const test::DrawnFrame drawn = change.apply(original);
-        const auto trace = core::traceAngiogram(drawn.frame, drawn.polarity);
+        const int image = static_cast<int>(scores.dices.size()) + 1;
+        const auto trace = core::traceAngiogram(drawn.frame, drawn.polarity, {}, networkFor(image));
         const test::CenterlineDice dice =
             trace ? test::centerlineDice(trace.value().centerline, test::whitePixels(drawn.truth))
                   : test::CenterlineDice{};
@@ -86,7 +96,7 @@ FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::Fr
     return scores;
 }
 
-void printFrames(int count, const std::string& only)
+void printFrames(int count, const std::string& only, const NetworkChoice& networkFor)
 {
     const std::vector<test::DrawnFrame> frames = annotatedFrames(count);
     if (frames.empty()) {
@@ -95,12 +105,14 @@ void printFrames(int count, const std::string& only)
     core::ResultTable table;
     table.columns = {"angiograms", "mean clDice", "lowest", "of image", "largest loss", "curve in mask", "mask found"};
     std::vector<double> unchanged;
+    std::vector<double> means;
     for (const test::FrameChange& change : test::frameChanges()) {
         if (!unchanged.empty() && change.name.find(only) == std::string::npos) {
             continue;
         }
-        const FrameScores scores = scoresOf(frames, change);
+        const FrameScores scores = scoresOf(frames, change, networkFor);
         unchanged = unchanged.empty() ? scores.dices : unchanged;
+        means.push_back(scores.mean());
         double loss = 0.0;
         for (std::size_t i = 0; i < frames.size(); ++i) {
             loss = std::max(loss, unchanged[i] - scores.dices[i]);
@@ -110,7 +122,9 @@ void printFrames(int count, const std::string& only)
                                fixedText(scores.sensitivity, 3)},
                               false});
     }
-    std::printf("%s\n", io::toPlainText(table).c_str());
+    std::printf("%s\nmean of the %zu means %.3f, lowest mean %.3f\n\n", io::toPlainText(table).c_str(), means.size(),
+                std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size()),
+                *std::min_element(means.begin(), means.end()));
 }
 
 core::ResultTable scanTable()
@@ -175,7 +189,14 @@ int main(int count, char** values)
     const bool isAll = !arguments.isSet("frames") && !arguments.isSet("scan");
     const std::string only = arguments.text("only", "");
     if (isAll || arguments.isSet("frames")) {
-        printFrames(static_cast<int>(arguments.number("images", imageCount)), only);
+        const auto folds = arguments.isSet("folds") ? benchmarks::FoldNetworks::read(arguments.text("folds", ""))
+                                                    : std::optional(benchmarks::FoldNetworks{});
+        if (!folds) {
+            return 1;
+        }
+        const auto* usual = arguments.isSet("ridges-alone") ? nullptr : core::trainedNetwork();
+        printFrames(static_cast<int>(arguments.number("images", imageCount)), only,
+                    [&](int image) { return arguments.isSet("folds") ? folds->unbiasedFor(image) : usual; });
     }
     if (isAll || arguments.isSet("scan")) {
         printScan(static_cast<int>(arguments.number("seeds", 8)), only);

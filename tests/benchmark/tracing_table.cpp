@@ -3,10 +3,12 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/support/format_number.h"
+#include "core/tracing/angiogram/evidence/vessel_network.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
+#include "tests/benchmark/fold_networks.h"
 #include "tests/support/centerline_dice.h"
 #include "tests/support/drawn_vessels.h"
 #include "tests/support/test_data.h"
@@ -17,7 +19,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <numeric>
+#include <functional>
 #include <vector>
 
 using namespace angiopose;
@@ -30,12 +32,15 @@ constexpr int imageCount = 40;
 
 const char* const usage =
     "tracing_table [folder with N.png and N_gt.png]\n"
+    "  --folds <folder>  with networks that never saw the image (folds.txt names them)\n"
     "  --simulated <n>   instead, n simulated runs\n"
     "  --size <px>       sides of their frames (512)\n"
-    "  --seed <n>        of the first of them (1)\n";
+    "  --seed <n>        of the first of them (1)\n"
+    "  --ridges-alone    without the program's network\n";
 
 struct Row {
     test::CenterlineDice agreement;
+    double maskDice = 0.0;
     double timeMs = 0.0;
 };
 
@@ -57,30 +62,38 @@ core::ImageF picture(const std::filesystem::path& path)
     return read.value().frames.front();
 }
 
-bool traceOne(const std::filesystem::path& folder, int number, Row& row)
+double maskDice(const core::Mask2d& mask, const core::Mask2d& truth)
 {
-    const core::ImageF frame = picture(folder / (std::to_string(number) + ".png"));
-    const core::ImageF truth = picture(folder / (std::to_string(number) + "_gt.png"));
-    if (frame.isEmpty() || truth.isEmpty()) {
-        return false;
+    double both = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        both += mask.pixels[i] != 0 && truth.pixels[i] != 0 ? 2.0 : 0.0;
+        sum += (mask.pixels[i] != 0 ? 1.0 : 0.0) + (truth.pixels[i] != 0 ? 1.0 : 0.0);
     }
-    const double start = processorMs();
-    const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
-    row.timeMs = processorMs() - start;
-    if (trace) {
-        row.agreement = test::centerlineDice(trace.value().centerline, test::whitePixels(truth));
-    }
-    return true;
+    return sum > 0.0 ? both / sum : 0.0;
 }
 
-void printTime(const core::ImageF& frame)
+Row traced(const core::ImageF& frame, const core::Mask2d& truth, const core::VesselNetwork* network)
+{
+    Row row;
+    const double start = processorMs();
+    const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark, {}, network);
+    row.timeMs = processorMs() - start;
+    if (trace) {
+        row.agreement = test::centerlineDice(trace.value().centerline, truth);
+        row.maskDice = maskDice(trace.value().vesselMask, truth);
+    }
+    return row;
+}
+
+void printTime(const core::ImageF& frame, const core::VesselNetwork* network)
 {
     std::vector<double> times;
     std::vector<double> wallTimes;
     for (int run = 0; run < 7; ++run) {
         const double start = processorMs();
         const auto begin = std::chrono::steady_clock::now();
-        const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
+        const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark, {}, network);
         wallTimes.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
         times.push_back(processorMs() - start);
@@ -118,7 +131,7 @@ void addTo(test::TracingScore& sum, const test::TracingScore& score, int count)
     sum.curveBiasPx += score.curveBiasPx / count;
 }
 
-int printSimulated(int count, int size, int firstSeed)
+int printSimulated(int count, int size, int firstSeed, const core::TraceOptions& options)
 {
     core::ResultTable table;
     table.columns = {"seed",          "visible px",       "found %", "traced px",  "false %",
@@ -131,7 +144,7 @@ int printSimulated(int count, int size, int firstSeed)
         const core::SimulatedCase simulated = core::simulateCase(static_cast<std::uint64_t>(seed), {}, dsa);
         const auto trace = core::traceAngiogram(
             simulated.angiogram.frames[static_cast<std::size_t>(simulated.angiogram.suggestedFrame)],
-            simulated.angiogram.polarity);
+            simulated.angiogram.polarity, options);
         const test::TracingScore score = test::scoreTracing(simulated, trace ? trace.value() : core::AngiogramTrace{});
         addRow(table, std::to_string(seed), score);
         addTo(sum, score, count);
@@ -145,27 +158,69 @@ int printSimulated(int count, int size, int firstSeed)
     return 0;
 }
 
-int printAnnotated(const std::filesystem::path& folder)
+void printRow(int number, const Row& row)
 {
-    std::vector<double> dices;
-    std::printf("image   clDice   curve in mask   mask's skeleton found    ms\n");
+    std::printf("%5d   %6.3f   %13.3f   %21.3f   %9.3f   %3.0f\n", number, row.agreement.dice(),
+                row.agreement.precision, row.agreement.sensitivity, row.maskDice, row.timeMs);
+}
+
+void printSummary(const std::vector<Row>& rows)
+{
+    double sum = 0.0;
+    double masks = 0.0;
+    double lowest = 1.0;
+    for (const Row& row : rows) {
+        sum += row.agreement.dice() / static_cast<double>(rows.size());
+        masks += row.maskDice / static_cast<double>(rows.size());
+        lowest = std::min(lowest, row.agreement.dice());
+    }
+    std::printf(" mean   %6.3f   %13s   %21s   %9.3f\n  min   %6.3f\n\n", sum, "", "", masks, lowest);
+}
+
+using NetworkChoice = std::function<const core::VesselNetwork*(int image)>;
+
+bool printTable(const std::filesystem::path& folder, const std::string& title, const NetworkChoice& networkFor)
+{
+    std::printf("%s\nimage   clDice   curve in mask   mask's skeleton found   mask Dice    ms\n", title.c_str());
+    std::vector<Row> rows;
     for (int number = 1; number <= imageCount; ++number) {
-        Row row;
-        if (!traceOne(folder, number, row)) {
+        const core::ImageF frame = picture(folder / (std::to_string(number) + ".png"));
+        const core::ImageF truth = picture(folder / (std::to_string(number) + "_gt.png"));
+        if (frame.isEmpty() || truth.isEmpty()) {
+            return false;
+        }
+        rows.push_back(traced(frame, test::whitePixels(truth), networkFor(number)));
+        printRow(number, rows.back());
+    }
+    printSummary(rows);
+    return true;
+}
+
+int printAnnotated(const std::filesystem::path& folder, const benchmarks::Arguments& arguments)
+{
+    if (!printTable(folder, "Ridges alone", [](int) { return nullptr; })) {
+        return 1;
+    }
+    if (arguments.isSet("folds")) {
+        const auto folds = benchmarks::FoldNetworks::read(arguments.text("folds", ""));
+        if (!folds || !printTable(folder, "With a network that never saw the image",
+                                  [&](int image) { return folds->unbiasedFor(image); })) {
             return 1;
         }
-        dices.push_back(row.agreement.dice());
-        std::printf("%5d   %6.3f   %13.3f   %21.3f   %3.0f\n", number, dices.back(), row.agreement.precision,
-                    row.agreement.sensitivity, row.timeMs);
+    } else if (core::trainedNetwork() != nullptr &&
+               !printTable(folder, "With the program's network, which was trained on these images",
+                           [](int) { return core::trainedNetwork(); })) {
+        return 1;
     }
-    const double mean = std::accumulate(dices.begin(), dices.end(), 0.0) / imageCount;
-    std::printf(" mean   %6.3f\n  min   %6.3f\n\nMedian time of seven traces, on two threads:\n", mean,
-                *std::min_element(dices.begin(), dices.end()));
+    std::printf("Median time of seven traces, on two threads, without and with the network:\n");
     const core::ImageF frame = test::drawnFrame(
         512, 512, {test::line({60, 80}, {430, 400}), test::line({80, 400}, {400, 90}), test::circle({250, 250}, 150)},
         4.0, {.noise = 6.0});
-    printTime(frame);
-    printTime(core::enlarged(frame, 2, 1024, 1024));
+    for (const core::VesselNetwork* network :
+         {static_cast<const core::VesselNetwork*>(nullptr), core::trainedNetwork()}) {
+        printTime(frame, network);
+        printTime(core::enlarged(frame, 2, 1024, 1024), network);
+    }
     return 0;
 }
 
@@ -175,10 +230,11 @@ int main(int count, char** values)
 {
     const benchmarks::Arguments arguments(count, values, usage);
     if (arguments.isSet("simulated")) {
-        return printSimulated(static_cast<int>(arguments.number("simulated", 40)),
-                              static_cast<int>(arguments.number("size", 512)),
-                              static_cast<int>(arguments.number("seed", 1)));
+        return printSimulated(
+            static_cast<int>(arguments.number("simulated", 40)), static_cast<int>(arguments.number("size", 512)),
+            static_cast<int>(arguments.number("seed", 1)), {.usesNetwork = !arguments.isSet("ridges-alone")});
     }
     return printAnnotated(arguments.positional().empty() ? test::dataFile("coronary-angiograms-with-masks/training")
-                                                         : std::filesystem::path(arguments.positional().front()));
+                                                         : std::filesystem::path(arguments.positional().front()),
+                          arguments);
 }
