@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double dearest = 40.0;   // a millimetre of tissue, over one in the middle of a vessel
-constexpr double tooBright = 1.4;   // bone, chalk and metal: beyond blood's height over tissue by this
+constexpr double farAboveBlood = 1.4;   // bone, chalk and metal: beyond blood's height over tissue by this
 constexpr double dimming = 3.0;   // of the likeness, beyond it
 constexpr double shareWithoutTube = 0.15;   // of what speaks for a vessel, as bright as one but no tube
 
@@ -15,7 +15,7 @@ constexpr double shareWithoutTube = 0.15;   // of what speaks for a vessel, as b
 double likeness(double value, const VesselLook& look)
 {
     const double fill = (value - look.tissue) / (look.blood - look.tissue);
-    return fill <= tooBright ? std::clamp(fill, 0.0, 1.0) : std::exp(-dimming * (fill - tooBright));
+    return fill <= farAboveBlood ? std::clamp(fill, 0.0, 1.0) : std::exp(-dimming * (fill - farAboveBlood));
 }
 
 }   // namespace
