@@ -253,8 +253,9 @@ def pretrain(args):
 
 
 def tune(args):
-    torch.manual_seed(10 + args.fold)
-    rng = np.random.default_rng(10 + args.fold)
+    seed = 10 + args.fold + (0 if args.start == "pretrained" else 100)
+    torch.manual_seed(seed)
+    rng = np.random.default_rng(seed)
     unseen = FOLDS.get(args.fold, [])
     real = read_real(args.real, [n for n in range(1, REAL_COUNT + 1) if n not in unseen])
     held = read_real(args.real, unseen)
@@ -267,7 +268,7 @@ def tune(args):
         return (*batch_of(samples), REAL_IN_BATCH)
 
     # What the held frames show during training is printed, and chooses nothing.
-    train(model, draw, args.steps, 2e-3, f"fold{args.fold}", args.work,
+    train(model, draw, args.steps, args.rate, args.name.format(fold=args.fold), args.work,
           (lambda m: dice_of(m, held)) if held else None)
 
 
@@ -292,7 +293,7 @@ class Exported(nn.Module):
 
 def export(args):
     model = VesselNetwork()
-    model.load_state_dict(torch.load(f"{args.work}/fold{args.fold}.pt"))
+    model.load_state_dict(torch.load(f"{args.work}/{args.name.format(fold=args.fold)}.pt"))
     model = fused(model)
     for weights in model.parameters():  # 16 bits are enough, and pack to half the size
         weights.data = weights.data.half().float()
@@ -309,6 +310,9 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--steps", type=int, default=2000)
     parser.add_argument("--until", type=int)
+    parser.add_argument("--start", default="pretrained", help="weights that tuning goes on from")
+    parser.add_argument("--name", default="fold{fold}", help="and their name in the end")
+    parser.add_argument("--rate", type=float, default=2e-3)
     parser.add_argument("--fold", type=int, default=0)
     parser.add_argument("--threads", type=int, default=1)
     args = parser.parse_args()

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <vector>
 
 namespace angiopose::benchmarks {
 namespace {
@@ -41,6 +40,15 @@ std::optional<FoldNetworks> FoldNetworks::read(const std::filesystem::path& fold
         return std::nullopt;
     }
     return folds;
+}
+
+std::vector<int> FoldNetworks::images() const
+{
+    std::vector<int> images;
+    for (const auto& [image, name] : networkOfImage_) {
+        images.push_back(image);
+    }
+    return images;
 }
 
 const core::VesselNetwork* FoldNetworks::unbiasedFor(int image) const

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace angiopose::benchmarks {
 
@@ -15,6 +16,9 @@ public:
     /// From a folder whose folds.txt names in each line a network's file and the images that it never saw. Nothing, and
     /// a line on stderr, where that cannot be read.
     static std::optional<FoldNetworks> read(const std::filesystem::path& folder);
+
+    /// Those that some network may judge, ascending.
+    std::vector<int> images() const;
 
     /// The one that never saw the image; null if there is none.
     const core::VesselNetwork* unbiasedFor(int image) const;

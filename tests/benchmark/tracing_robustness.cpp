@@ -34,7 +34,7 @@ const char* const usage =
     "  --only <text>   changes whose name contains it\n"
     "  --images <n>    of the 40 angiograms (40)\n"
     "  --folds <folder>  frames traced with networks that never saw the image (folds.txt names them)\n"
-    "  --ridges-alone    frames traced without the program's network\n"
+    "  --network         frames traced with the program's network\n"
     "  --seeds <n>     places in the aorta (8)\n";
 
 constexpr int imageCount = 40;
@@ -49,10 +49,10 @@ std::optional<core::ImageF> picture(const std::string& name)
     return read.value().frames.front();
 }
 
-std::vector<test::DrawnFrame> annotatedFrames(int count)
+std::vector<test::DrawnFrame> annotatedFrames(const std::vector<int>& images)
 {
     std::vector<test::DrawnFrame> frames;
-    for (int number = 1; number <= count; ++number) {
+    for (const int number : images) {
         auto frame = picture(std::to_string(number) + ".png");
         auto truth = picture(std::to_string(number) + "_gt.png");
         if (frame && truth) {
@@ -75,8 +75,8 @@ struct FrameScores {
     }
 };
 
-/// What judges an image beside the ridge filter, if anything; images count from 1.
-using NetworkChoice = std::function<const core::VesselNetwork*(int image)>;
+/// What judges a frame beside the ridge filter, if anything.
+using NetworkChoice = std::function<const core::VesselNetwork*(std::size_t frame)>;
 
 FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::FrameChange& change,
                      const NetworkChoice& networkFor)
@@ -84,8 +84,7 @@ FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::Fr
     FrameScores scores;
     for (const test::DrawnFrame& original : frames) {
         const test::DrawnFrame drawn = change.apply(original);
-        const int image = static_cast<int>(scores.dices.size()) + 1;
-        const auto trace = core::traceAngiogram(drawn.frame, drawn.polarity, {}, networkFor(image));
+        const auto trace = core::traceAngiogram(drawn.frame, drawn.polarity, {}, networkFor(scores.dices.size()));
         const test::CenterlineDice dice =
             trace ? test::centerlineDice(trace.value().centerline, test::whitePixels(drawn.truth))
                   : test::CenterlineDice{};
@@ -96,9 +95,9 @@ FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::Fr
     return scores;
 }
 
-void printFrames(int count, const std::string& only, const NetworkChoice& networkFor)
+void printFrames(const std::vector<int>& images, const std::string& only, const NetworkChoice& networkFor)
 {
-    const std::vector<test::DrawnFrame> frames = annotatedFrames(count);
+    const std::vector<test::DrawnFrame> frames = annotatedFrames(images);
     if (frames.empty()) {
         return;
     }
@@ -118,8 +117,8 @@ void printFrames(int count, const std::string& only, const NetworkChoice& networ
             loss = std::max(loss, unchanged[i] - scores.dices[i]);
         }
         table.rows.push_back({{change.name, fixedText(scores.mean(), 3), fixedText(scores.dices[scores.worst()], 3),
-                               std::to_string(scores.worst() + 1), fixedText(loss, 3), fixedText(scores.precision, 3),
-                               fixedText(scores.sensitivity, 3)},
+                               std::to_string(images[scores.worst()]), fixedText(loss, 3),
+                               fixedText(scores.precision, 3), fixedText(scores.sensitivity, 3)},
                               false});
     }
     std::printf("%s\nmean of the %zu means %.3f, lowest mean %.3f\n\n", io::toPlainText(table).c_str(), means.size(),
@@ -189,14 +188,19 @@ int main(int count, char** values)
     const bool isAll = !arguments.isSet("frames") && !arguments.isSet("scan");
     const std::string only = arguments.text("only", "");
     if (isAll || arguments.isSet("frames")) {
-        const auto folds = arguments.isSet("folds") ? benchmarks::FoldNetworks::read(arguments.text("folds", ""))
-                                                    : std::optional(benchmarks::FoldNetworks{});
-        if (!folds) {
-            return 1;
+        std::vector<int> images(static_cast<std::size_t>(arguments.number("images", imageCount)));
+        std::iota(images.begin(), images.end(), 1);
+        std::optional<benchmarks::FoldNetworks> folds;
+        if (arguments.isSet("folds")) {
+            folds = benchmarks::FoldNetworks::read(arguments.text("folds", ""));
+            if (!folds) {
+                return 1;
+            }
+            images = folds->images();
+            printFrames(images, only, [](std::size_t) { return nullptr; });
         }
-        const auto* usual = arguments.isSet("ridges-alone") ? nullptr : core::trainedNetwork();
-        printFrames(static_cast<int>(arguments.number("images", imageCount)), only,
-                    [&](int image) { return arguments.isSet("folds") ? folds->unbiasedFor(image) : usual; });
+        const auto* usual = arguments.isSet("network") ? core::trainedNetwork() : nullptr;
+        printFrames(images, only, [&](std::size_t frame) { return folds ? folds->unbiasedFor(images[frame]) : usual; });
     }
     if (isAll || arguments.isSet("scan")) {
         printScan(static_cast<int>(arguments.number("seeds", 8)), only);

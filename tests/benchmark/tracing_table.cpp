@@ -20,6 +20,8 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <numeric>
+#include <optional>
 #include <vector>
 
 using namespace angiopose;
@@ -36,7 +38,7 @@ const char* const usage =
     "  --simulated <n>   instead, n simulated runs\n"
     "  --size <px>       sides of their frames (512)\n"
     "  --seed <n>        of the first of them (1)\n"
-    "  --ridges-alone    without the program's network\n";
+    "  --network         with the program's network\n";
 
 struct Row {
     test::CenterlineDice agreement;
@@ -179,11 +181,12 @@ void printSummary(const std::vector<Row>& rows)
 
 using NetworkChoice = std::function<const core::VesselNetwork*(int image)>;
 
-bool printTable(const std::filesystem::path& folder, const std::string& title, const NetworkChoice& networkFor)
+bool printTable(const std::filesystem::path& folder, const std::vector<int>& images, const std::string& title,
+                const NetworkChoice& networkFor)
 {
     std::printf("%s\nimage   clDice   curve in mask   mask's skeleton found   mask Dice    ms\n", title.c_str());
     std::vector<Row> rows;
-    for (int number = 1; number <= imageCount; ++number) {
+    for (const int number : images) {
         const core::ImageF frame = picture(folder / (std::to_string(number) + ".png"));
         const core::ImageF truth = picture(folder / (std::to_string(number) + "_gt.png"));
         if (frame.isEmpty() || truth.isEmpty()) {
@@ -198,18 +201,21 @@ bool printTable(const std::filesystem::path& folder, const std::string& title, c
 
 int printAnnotated(const std::filesystem::path& folder, const benchmarks::Arguments& arguments)
 {
-    if (!printTable(folder, "Ridges alone", [](int) { return nullptr; })) {
-        return 1;
-    }
+    std::vector<int> images(imageCount);
+    std::iota(images.begin(), images.end(), 1);
+    std::optional<benchmarks::FoldNetworks> folds;
     if (arguments.isSet("folds")) {
-        const auto folds = benchmarks::FoldNetworks::read(arguments.text("folds", ""));
-        if (!folds || !printTable(folder, "With a network that never saw the image",
-                                  [&](int image) { return folds->unbiasedFor(image); })) {
+        folds = benchmarks::FoldNetworks::read(arguments.text("folds", ""));
+        if (!folds) {
             return 1;
         }
-    } else if (core::trainedNetwork() != nullptr &&
-               !printTable(folder, "With the program's network, which was trained on these images",
-                           [](int) { return core::trainedNetwork(); })) {
+        images = folds->images();
+    }
+    if (!printTable(folder, images, "Ridges alone", [](int) { return nullptr; })) {
+        return 1;
+    }
+    if (folds && !printTable(folder, images, "With a network that never saw the image",
+                             [&](int image) { return folds->unbiasedFor(image); })) {
         return 1;
     }
     std::printf("Median time of seven traces, on two threads, without and with the network:\n");
@@ -232,7 +238,7 @@ int main(int count, char** values)
     if (arguments.isSet("simulated")) {
         return printSimulated(
             static_cast<int>(arguments.number("simulated", 40)), static_cast<int>(arguments.number("size", 512)),
-            static_cast<int>(arguments.number("seed", 1)), {.usesNetwork = !arguments.isSet("ridges-alone")});
+            static_cast<int>(arguments.number("seed", 1)), {.usesNetwork = arguments.isSet("network")});
     }
     return printAnnotated(arguments.positional().empty() ? test::dataFile("coronary-angiograms-with-masks/training")
                                                          : std::filesystem::path(arguments.positional().front()),

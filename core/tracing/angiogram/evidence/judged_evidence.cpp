@@ -10,9 +10,9 @@ namespace {
 
 constexpr float leastCertain = 0.01F;   // no answer of the network is surer than this
 constexpr float oddsPower = 0.3F;
-constexpr float usualFactor = 0.74F;
+constexpr float usualFactor = 0.55F;
 constexpr float leastRidge = 0.3F;   // where the network sees a vessel that hardly is a ridge
-constexpr float half = 0.5F;
+constexpr float sureOfVessel = 0.7F;   // it draws vessels too wide at a half
 constexpr double mostlyDevice = 0.5;
 
 }   // namespace
@@ -33,7 +33,7 @@ Mask2d likelyVessels(const ImageF& vesselProbability, const Mask2d& field)
 {
     Mask2d mask(field.width, field.height);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
-        mask.pixels[i] = field.pixels[i] != 0 && vesselProbability.pixels[i] > half ? 255 : 0;
+        mask.pixels[i] = field.pixels[i] != 0 && vesselProbability.pixels[i] > sureOfVessel ? 255 : 0;
     }
     return mask;
 }

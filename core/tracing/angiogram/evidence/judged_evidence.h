@@ -12,7 +12,7 @@ namespace angiopose::core {
 /// the field, as before.
 ImageF judgedEvidence(ImageF evidence, const ImageF& vesselProbability, const Mask2d& field);
 
-/// Where a vessel is more likely than not, inside the field.
+/// Where the network is rather sure of a vessel, inside the field.
 Mask2d likelyVessels(const ImageF& vesselProbability, const Mask2d& field);
 
 /// Ids of curves that mostly run where the network sees devices rather than vessels; `factor` is px of its answer per

@@ -110,12 +110,12 @@ TEST_F(TrainedNetwork, ReadsFramesOfAnySize)
     }
 }
 
-TEST_F(TrainedNetwork, IsLeftOutWhereTheOptionsSaySo)
+TEST_F(TrainedNetwork, IsAskedOnlyWhereTheOptionsSaySo)
 {
     const ImageF frame = frameWithVessel();
-    const auto alone = core::traceAngiogram(frame, Polarity::VesselsDark, {.usesNetwork = false});
+    const auto alone = core::traceAngiogram(frame, Polarity::VesselsDark);
     const auto without = core::traceAngiogram(frame, Polarity::VesselsDark, {}, nullptr);
-    const auto with = core::traceAngiogram(frame, Polarity::VesselsDark);
+    const auto with = core::traceAngiogram(frame, Polarity::VesselsDark, {.usesNetwork = true});
     ASSERT_TRUE(alone && without && with);
     ASSERT_EQ(alone.value().centerline.curves.size(), without.value().centerline.curves.size());
     EXPECT_EQ(alone.value().centerline.curves[0].pointsPx, without.value().centerline.curves[0].pointsPx);
