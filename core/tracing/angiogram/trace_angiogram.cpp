@@ -153,10 +153,10 @@ struct SeenVessels {
 SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, const VesselNetwork* network)
 {
     SeenVessels seen;
-    if (network != nullptr) {
-        seen.classes = network->classesOf(vesselsDark);
-    }
     seen.fieldMask = tracedField(vesselsDark, options);
+    if (network != nullptr) {
+        seen.classes = network->classesOf(withGreyOutside(vesselsDark, seen.fieldMask));
+    }
     seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
     const Clutter clutter(seen.opacity, seen.fieldMask,
                           ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));

@@ -1,5 +1,6 @@
 #include "core/tracing/angiogram/evidence/judged_evidence.h"
 
+#include "core/imaging/grey_statistics.h"
 #include "core/imaging/image_filters.h"
 
 #include <algorithm>
@@ -16,6 +17,21 @@ constexpr float sureOfVessel = 0.7F;   // it draws vessels too wide at a half
 constexpr double mostlyDevice = 0.5;
 
 }   // namespace
+
+ImageF withGreyOutside(ImageF frame, const Mask2d& field)
+{
+    std::vector<float> inside;
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        if (field.pixels[i] != 0) {
+            inside.push_back(frame.pixels[i]);
+        }
+    }
+    const float middle = inside.empty() ? 0.0F : ranked(std::move(inside), 0.5);
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        frame.pixels[i] = field.pixels[i] != 0 ? frame.pixels[i] : middle;
+    }
+    return frame;
+}
 
 ImageF judgedEvidence(ImageF evidence, const ImageF& vesselProbability, const Mask2d& field)
 {

@@ -8,6 +8,10 @@
 
 namespace angiopose::core {
 
+/// The frame with the middle grey of its field outside of it: a black surround of any size must not change what the
+/// network makes of contrasts inside.
+ImageF withGreyOutside(ImageF frame, const Mask2d& field);
+
 /// The evidence of ridges as the network judges it: raised where it sees vessels, lowered where it sees none. 0 outside
 /// the field, as before.
 ImageF judgedEvidence(ImageF evidence, const ImageF& vesselProbability, const Mask2d& field);

@@ -9,6 +9,16 @@ namespace {
 using core::ImageF;
 using core::Mask2d;
 
+TEST(GreyOutside, IsTheMiddleOfTheField)
+{
+    ImageF frame(5, 1);
+    frame.pixels = {0.0F, 10.0F, 20.0F, 90.0F, 0.0F};
+    Mask2d field(5, 1, 255);
+    field.pixels.front() = 0;
+    field.pixels.back() = 0;
+    EXPECT_EQ(core::withGreyOutside(frame, field).pixels, (std::vector<float>{20.0F, 10.0F, 20.0F, 90.0F, 20.0F}));
+}
+
 TEST(JudgedEvidence, FollowsTheNetwork)
 {
     ImageF probability(3, 1);
