@@ -106,7 +106,6 @@ struct TraceAngiogramArguments {
     std::string outputPath;
     std::string maskPath;
     double sensitivity = 1.0;
-    bool usesNetwork = false;   ///< the trained network beside the ridge filter
     bool subtract = false;   ///< as the file says, or as is best
     std::vector<int> maskFrames;   ///< to subtract; empty: the file's, or those before the contrast
     std::vector<double> maskShiftPx;   ///< right, down; empty: the file's, or found

@@ -33,7 +33,6 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
     command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
         ->check(CLI::Range(0.2, 5.0));
-    command->add_flag("--network", arguments->usesNetwork, "Weigh the trained network beside the ridge filter");
     command->add_flag("--subtract", arguments->subtract, "Subtract the frames before the contrast first");
     command->add_option("--mask-frames", arguments->maskFrames, "Frames to average and subtract, from 0")
         ->delimiter(',');

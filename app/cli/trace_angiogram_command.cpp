@@ -61,7 +61,6 @@ core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, co
 {
     core::TraceOptions options;
     options.sensitivity = arguments.sensitivity;
-    options.usesNetwork = arguments.usesNetwork;
     const int frame = arguments.frame.value_or(angiogram.suggestedFrame);
     if (!arguments.composite && (frame < 0 || frame >= angiogram.frameCount())) {
         return core::Error(says::frameBeyondRun(frame, angiogram.frameCount() - 1).about(arguments.imagePath));

@@ -34,14 +34,14 @@ Polarity toPublic(core::Polarity polarity)
 
 core::TraceOptions toCore(const TraceOptions& options)
 {
-    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork] = options;
-    return {minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork};
+    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity] = options;
+    return {minRadius, maxRadius, minBranch, minComponent, sensitivity};
 }
 
 TraceOptions toPublic(const core::TraceOptions& options)
 {
-    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork] = options;
-    return {minRadius, maxRadius, minBranch, minComponent, sensitivity, usesNetwork};
+    const auto& [minRadius, maxRadius, minBranch, minComponent, sensitivity] = options;
+    return {minRadius, maxRadius, minBranch, minComponent, sensitivity};
 }
 
 namespace {

@@ -57,22 +57,20 @@ void bindTrace(py::module_& module)
     py::class_<TraceOptions>(module, "TraceOptions",
                              "Lengths in px of a frame of 512 x 512; in larger frames they grow along.")
         .def(py::init([](double minVesselRadiusPx, double maxVesselRadiusPx, int minBranchLengthPx,
-                         int minComponentLengthPx, double sensitivity, bool usesNetwork) {
-                 return TraceOptions{minVesselRadiusPx,    maxVesselRadiusPx, minBranchLengthPx,
-                                     minComponentLengthPx, sensitivity,       usesNetwork};
+                         int minComponentLengthPx, double sensitivity) {
+                 return TraceOptions{minVesselRadiusPx, maxVesselRadiusPx, minBranchLengthPx, minComponentLengthPx,
+                                     sensitivity};
              }),
              py::kw_only(), py::arg("minVesselRadiusPx") = usual.minVesselRadiusPx,
              py::arg("maxVesselRadiusPx") = usual.maxVesselRadiusPx,
              py::arg("minBranchLengthPx") = usual.minBranchLengthPx,
-             py::arg("minComponentLengthPx") = usual.minComponentLengthPx, py::arg("sensitivity") = usual.sensitivity,
-             py::arg("usesNetwork") = usual.usesNetwork)
+             py::arg("minComponentLengthPx") = usual.minComponentLengthPx, py::arg("sensitivity") = usual.sensitivity)
         .def("__copy__", [](const TraceOptions& options) { return options; })
         .def_readwrite("minVesselRadiusPx", &TraceOptions::minVesselRadiusPx, "thinnest vessel looked for")
         .def_readwrite("maxVesselRadiusPx", &TraceOptions::maxVesselRadiusPx, "widest vessel looked for")
         .def_readwrite("minBranchLengthPx", &TraceOptions::minBranchLengthPx, "shorter spurs are removed")
         .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter pieces are removed")
-        .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: fainter vessels too")
-        .def_readwrite("usesNetwork", &TraceOptions::usesNetwork, "the trained network judges beside the ridge filter");
+        .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: fainter vessels too");
     bindFixed<TraceOptions>(module, "_FixedTraceOptions");
 
     py::class_<AngiogramTrace>(module, "AngiogramTrace", "What tracing found in one frame. Arrays are read-only views.")

@@ -6653,22 +6653,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Radius des weitesten gesuchten Gefäßes</translation>
     </message>
     <message>
-        <source>Trained network</source>
-        <translation>Trainiertes Netz</translation>
-    </message>
-    <message>
-        <source>A network trained on angiograms judges beside the ridge filter what is vessel, catheter or background</source>
-        <translation>Ein an Angiogrammen trainiertes Netz beurteilt neben dem Linienfilter, was Gefäß, Katheter oder Hintergrund ist</translation>
-    </message>
-    <message>
-        <source>Trace with the network</source>
-        <translation>Mit dem Netz nachzeichnen</translation>
-    </message>
-    <message>
-        <source>Trace without the network</source>
-        <translation>Ohne das Netz nachzeichnen</translation>
-    </message>
-    <message>
         <source>Default tracing</source>
         <translation>Vorgabe der Erkennung</translation>
     </message>

@@ -6653,22 +6653,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所寻最粗血管的半径</translation>
     </message>
     <message>
-        <source>Trained network</source>
-        <translation>训练好的网络</translation>
-    </message>
-    <message>
-        <source>A network trained on angiograms judges beside the ridge filter what is vessel, catheter or background</source>
-        <translation>由造影图像训练的网络与脊线滤波一同判断何为血管、导管或背景</translation>
-    </message>
-    <message>
-        <source>Trace with the network</source>
-        <translation>使用网络提取</translation>
-    </message>
-    <message>
-        <source>Trace without the network</source>
-        <translation>不使用网络提取</translation>
-    </message>
-    <message>
         <source>Default tracing</source>
         <translation>默认提取</translation>
     </message>

@@ -2,13 +2,11 @@
 // thoracic CTA, changed as other devices, exports and viewers would have left them, with one set of defaults.
 
 #include "core/support/format_number.h"
-#include "core/tracing/angiogram/evidence/vessel_network.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/fold_networks.h"
 #include "tests/benchmark/thoracic_course.h"
 #include "tests/benchmark/thoracic_scan.h"
 #include "tests/support/altered_frame.h"
@@ -18,7 +16,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <numeric>
 #include <optional>
 
@@ -33,8 +30,6 @@ const char* const usage =
     "  Without --frames or --scan both are printed.\n"
     "  --only <text>   changes whose name contains it\n"
     "  --images <n>    of the 40 angiograms (40)\n"
-    "  --folds <folder>  frames traced with networks that never saw the image (folds.txt names them)\n"
-    "  --network         frames traced with the program's network\n"
     "  --seeds <n>     places in the aorta (8)\n";
 
 constexpr int imageCount = 40;
@@ -49,10 +44,10 @@ std::optional<core::ImageF> picture(const std::string& name)
     return read.value().frames.front();
 }
 
-std::vector<test::DrawnFrame> annotatedFrames(const std::vector<int>& images)
+std::vector<test::DrawnFrame> annotatedFrames(int count)
 {
     std::vector<test::DrawnFrame> frames;
-    for (const int number : images) {
+    for (int number = 1; number <= count; ++number) {
         auto frame = picture(std::to_string(number) + ".png");
         auto truth = picture(std::to_string(number) + "_gt.png");
         if (frame && truth) {
@@ -75,16 +70,12 @@ struct FrameScores {
     }
 };
 
-/// What judges a frame beside the ridge filter, if anything.
-using NetworkChoice = std::function<const core::VesselNetwork*(std::size_t frame)>;
-
-FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::FrameChange& change,
-                     const NetworkChoice& networkFor)
+FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::FrameChange& change)
 {
     FrameScores scores;
     for (const test::DrawnFrame& original : frames) {
         const test::DrawnFrame drawn = change.apply(original);
-        const auto trace = core::traceAngiogram(drawn.frame, drawn.polarity, {}, networkFor(scores.dices.size()));
+        const auto trace = core::traceAngiogram(drawn.frame, drawn.polarity);
         const test::CenterlineDice dice =
             trace ? test::centerlineDice(trace.value().centerline, test::whitePixels(drawn.truth))
                   : test::CenterlineDice{};
@@ -95,35 +86,31 @@ FrameScores scoresOf(const std::vector<test::DrawnFrame>& frames, const test::Fr
     return scores;
 }
 
-void printFrames(const std::vector<int>& images, const std::string& only, const NetworkChoice& networkFor)
+void printFrames(int count, const std::string& only)
 {
-    const std::vector<test::DrawnFrame> frames = annotatedFrames(images);
+    const std::vector<test::DrawnFrame> frames = annotatedFrames(count);
     if (frames.empty()) {
         return;
     }
     core::ResultTable table;
     table.columns = {"angiograms", "mean clDice", "lowest", "of image", "largest loss", "curve in mask", "mask found"};
     std::vector<double> unchanged;
-    std::vector<double> means;
     for (const test::FrameChange& change : test::frameChanges()) {
         if (!unchanged.empty() && change.name.find(only) == std::string::npos) {
             continue;
         }
-        const FrameScores scores = scoresOf(frames, change, networkFor);
+        const FrameScores scores = scoresOf(frames, change);
         unchanged = unchanged.empty() ? scores.dices : unchanged;
-        means.push_back(scores.mean());
         double loss = 0.0;
         for (std::size_t i = 0; i < frames.size(); ++i) {
             loss = std::max(loss, unchanged[i] - scores.dices[i]);
         }
         table.rows.push_back({{change.name, fixedText(scores.mean(), 3), fixedText(scores.dices[scores.worst()], 3),
-                               std::to_string(images[scores.worst()]), fixedText(loss, 3),
-                               fixedText(scores.precision, 3), fixedText(scores.sensitivity, 3)},
+                               std::to_string(scores.worst() + 1), fixedText(loss, 3), fixedText(scores.precision, 3),
+                               fixedText(scores.sensitivity, 3)},
                               false});
     }
-    std::printf("%s\nmean of the %zu means %.3f, lowest mean %.3f\n\n", io::toPlainText(table).c_str(), means.size(),
-                std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size()),
-                *std::min_element(means.begin(), means.end()));
+    std::printf("%s\n", io::toPlainText(table).c_str());
 }
 
 core::ResultTable scanTable()
@@ -188,19 +175,7 @@ int main(int count, char** values)
     const bool isAll = !arguments.isSet("frames") && !arguments.isSet("scan");
     const std::string only = arguments.text("only", "");
     if (isAll || arguments.isSet("frames")) {
-        std::vector<int> images(static_cast<std::size_t>(arguments.number("images", imageCount)));
-        std::iota(images.begin(), images.end(), 1);
-        std::optional<benchmarks::FoldNetworks> folds;
-        if (arguments.isSet("folds")) {
-            folds = benchmarks::FoldNetworks::read(arguments.text("folds", ""));
-            if (!folds) {
-                return 1;
-            }
-            images = folds->images();
-            printFrames(images, only, [](std::size_t) { return nullptr; });
-        }
-        const auto* usual = arguments.isSet("network") ? core::trainedNetwork() : nullptr;
-        printFrames(images, only, [&](std::size_t frame) { return folds ? folds->unbiasedFor(images[frame]) : usual; });
+        printFrames(static_cast<int>(arguments.number("images", imageCount)), only);
     }
     if (isAll || arguments.isSet("scan")) {
         printScan(static_cast<int>(arguments.number("seeds", 8)), only);

@@ -3,12 +3,10 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/support/format_number.h"
-#include "core/tracing/angiogram/evidence/vessel_network.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/angiogram_file.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/fold_networks.h"
 #include "tests/support/centerline_dice.h"
 #include "tests/support/drawn_vessels.h"
 #include "tests/support/test_data.h"
@@ -19,9 +17,7 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <functional>
 #include <numeric>
-#include <optional>
 #include <vector>
 
 using namespace angiopose;
@@ -34,15 +30,12 @@ constexpr int imageCount = 40;
 
 const char* const usage =
     "tracing_table [folder with N.png and N_gt.png]\n"
-    "  --folds <folder>  with networks that never saw the image (folds.txt names them)\n"
     "  --simulated <n>   instead, n simulated runs\n"
     "  --size <px>       sides of their frames (512)\n"
-    "  --seed <n>        of the first of them (1)\n"
-    "  --network         with the program's network\n";
+    "  --seed <n>        of the first of them (1)\n";
 
 struct Row {
     test::CenterlineDice agreement;
-    double maskDice = 0.0;
     double timeMs = 0.0;
 };
 
@@ -64,38 +57,30 @@ core::ImageF picture(const std::filesystem::path& path)
     return read.value().frames.front();
 }
 
-double maskDice(const core::Mask2d& mask, const core::Mask2d& truth)
+bool traceOne(const std::filesystem::path& folder, int number, Row& row)
 {
-    double both = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
-        both += mask.pixels[i] != 0 && truth.pixels[i] != 0 ? 2.0 : 0.0;
-        sum += (mask.pixels[i] != 0 ? 1.0 : 0.0) + (truth.pixels[i] != 0 ? 1.0 : 0.0);
+    const core::ImageF frame = picture(folder / (std::to_string(number) + ".png"));
+    const core::ImageF truth = picture(folder / (std::to_string(number) + "_gt.png"));
+    if (frame.isEmpty() || truth.isEmpty()) {
+        return false;
     }
-    return sum > 0.0 ? both / sum : 0.0;
-}
-
-Row traced(const core::ImageF& frame, const core::Mask2d& truth, const core::VesselNetwork* network)
-{
-    Row row;
     const double start = processorMs();
-    const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark, {}, network);
+    const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
     row.timeMs = processorMs() - start;
     if (trace) {
-        row.agreement = test::centerlineDice(trace.value().centerline, truth);
-        row.maskDice = maskDice(trace.value().vesselMask, truth);
+        row.agreement = test::centerlineDice(trace.value().centerline, test::whitePixels(truth));
     }
-    return row;
+    return true;
 }
 
-void printTime(const core::ImageF& frame, const core::VesselNetwork* network)
+void printTime(const core::ImageF& frame)
 {
     std::vector<double> times;
     std::vector<double> wallTimes;
     for (int run = 0; run < 7; ++run) {
         const double start = processorMs();
         const auto begin = std::chrono::steady_clock::now();
-        const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark, {}, network);
+        const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
         wallTimes.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
         times.push_back(processorMs() - start);
@@ -133,7 +118,7 @@ void addTo(test::TracingScore& sum, const test::TracingScore& score, int count)
     sum.curveBiasPx += score.curveBiasPx / count;
 }
 
-int printSimulated(int count, int size, int firstSeed, const core::TraceOptions& options)
+int printSimulated(int count, int size, int firstSeed)
 {
     core::ResultTable table;
     table.columns = {"seed",          "visible px",       "found %", "traced px",  "false %",
@@ -146,7 +131,7 @@ int printSimulated(int count, int size, int firstSeed, const core::TraceOptions&
         const core::SimulatedCase simulated = core::simulateCase(static_cast<std::uint64_t>(seed), {}, dsa);
         const auto trace = core::traceAngiogram(
             simulated.angiogram.frames[static_cast<std::size_t>(simulated.angiogram.suggestedFrame)],
-            simulated.angiogram.polarity, options);
+            simulated.angiogram.polarity);
         const test::TracingScore score = test::scoreTracing(simulated, trace ? trace.value() : core::AngiogramTrace{});
         addRow(table, std::to_string(seed), score);
         addTo(sum, score, count);
@@ -160,73 +145,27 @@ int printSimulated(int count, int size, int firstSeed, const core::TraceOptions&
     return 0;
 }
 
-void printRow(int number, const Row& row)
+int printAnnotated(const std::filesystem::path& folder)
 {
-    std::printf("%5d   %6.3f   %13.3f   %21.3f   %9.3f   %3.0f\n", number, row.agreement.dice(),
-                row.agreement.precision, row.agreement.sensitivity, row.maskDice, row.timeMs);
-}
-
-void printSummary(const std::vector<Row>& rows)
-{
-    double sum = 0.0;
-    double masks = 0.0;
-    double lowest = 1.0;
-    for (const Row& row : rows) {
-        sum += row.agreement.dice() / static_cast<double>(rows.size());
-        masks += row.maskDice / static_cast<double>(rows.size());
-        lowest = std::min(lowest, row.agreement.dice());
-    }
-    std::printf(" mean   %6.3f   %13s   %21s   %9.3f\n  min   %6.3f\n\n", sum, "", "", masks, lowest);
-}
-
-using NetworkChoice = std::function<const core::VesselNetwork*(int image)>;
-
-bool printTable(const std::filesystem::path& folder, const std::vector<int>& images, const std::string& title,
-                const NetworkChoice& networkFor)
-{
-    std::printf("%s\nimage   clDice   curve in mask   mask's skeleton found   mask Dice    ms\n", title.c_str());
-    std::vector<Row> rows;
-    for (const int number : images) {
-        const core::ImageF frame = picture(folder / (std::to_string(number) + ".png"));
-        const core::ImageF truth = picture(folder / (std::to_string(number) + "_gt.png"));
-        if (frame.isEmpty() || truth.isEmpty()) {
-            return false;
-        }
-        rows.push_back(traced(frame, test::whitePixels(truth), networkFor(number)));
-        printRow(number, rows.back());
-    }
-    printSummary(rows);
-    return true;
-}
-
-int printAnnotated(const std::filesystem::path& folder, const benchmarks::Arguments& arguments)
-{
-    std::vector<int> images(imageCount);
-    std::iota(images.begin(), images.end(), 1);
-    std::optional<benchmarks::FoldNetworks> folds;
-    if (arguments.isSet("folds")) {
-        folds = benchmarks::FoldNetworks::read(arguments.text("folds", ""));
-        if (!folds) {
+    std::vector<double> dices;
+    std::printf("image   clDice   curve in mask   mask's skeleton found    ms\n");
+    for (int number = 1; number <= imageCount; ++number) {
+        Row row;
+        if (!traceOne(folder, number, row)) {
             return 1;
         }
-        images = folds->images();
+        dices.push_back(row.agreement.dice());
+        std::printf("%5d   %6.3f   %13.3f   %21.3f   %3.0f\n", number, dices.back(), row.agreement.precision,
+                    row.agreement.sensitivity, row.timeMs);
     }
-    if (!printTable(folder, images, "Ridges alone", [](int) { return nullptr; })) {
-        return 1;
-    }
-    if (folds && !printTable(folder, images, "With a network that never saw the image",
-                             [&](int image) { return folds->unbiasedFor(image); })) {
-        return 1;
-    }
-    std::printf("Median time of seven traces, on two threads, without and with the network:\n");
+    const double mean = std::accumulate(dices.begin(), dices.end(), 0.0) / imageCount;
+    std::printf(" mean   %6.3f\n  min   %6.3f\n\nMedian time of seven traces, on two threads:\n", mean,
+                *std::min_element(dices.begin(), dices.end()));
     const core::ImageF frame = test::drawnFrame(
         512, 512, {test::line({60, 80}, {430, 400}), test::line({80, 400}, {400, 90}), test::circle({250, 250}, 150)},
         4.0, {.noise = 6.0});
-    for (const core::VesselNetwork* network :
-         {static_cast<const core::VesselNetwork*>(nullptr), core::trainedNetwork()}) {
-        printTime(frame, network);
-        printTime(core::enlarged(frame, 2, 1024, 1024), network);
-    }
+    printTime(frame);
+    printTime(core::enlarged(frame, 2, 1024, 1024));
     return 0;
 }
 
@@ -236,11 +175,10 @@ int main(int count, char** values)
 {
     const benchmarks::Arguments arguments(count, values, usage);
     if (arguments.isSet("simulated")) {
-        return printSimulated(
-            static_cast<int>(arguments.number("simulated", 40)), static_cast<int>(arguments.number("size", 512)),
-            static_cast<int>(arguments.number("seed", 1)), {.usesNetwork = arguments.isSet("network")});
+        return printSimulated(static_cast<int>(arguments.number("simulated", 40)),
+                              static_cast<int>(arguments.number("size", 512)),
+                              static_cast<int>(arguments.number("seed", 1)));
     }
     return printAnnotated(arguments.positional().empty() ? test::dataFile("coronary-angiograms-with-masks/training")
-                                                         : std::filesystem::path(arguments.positional().front()),
-                          arguments);
+                                                         : std::filesystem::path(arguments.positional().front()));
 }

@@ -255,21 +255,6 @@ NumberField* AngiogramPanel::lengthRow(QGridLayout& grid, int row)
     return field;
 }
 
-void AngiogramPanel::buildNetworkBox()
-{
-    usesNetwork_ = withText(new QCheckBox, [] { return tr("Trained network"); });
-    withTip(usesNetwork_, [] {
-        return tr(
-            "A network trained on angiograms judges beside the ridge filter what is vessel, catheter or background");
-    });
-    connect(usesNetwork_, &QCheckBox::clicked, this, [this](bool on) {
-        core::TraceOptions wanted = tracing_;
-        wanted.usesNetwork = on;
-        emit tracingEdited(wanted,
-                           [on] { return on ? tr("Trace with the network") : tr("Trace without the network"); });
-    });
-}
-
 void AngiogramPanel::buildTracing()
 {
     auto* grid = new QGridLayout;
@@ -284,7 +269,6 @@ void AngiogramPanel::buildTracing()
     widest_ = tracingRow(
         *grid, 2, [] { return tr("widest radius"); }, [] { return tr("Radius of the widest vessel looked for"); },
         {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
-    buildNetworkBox();
     connect(defaults_, &QPushButton::clicked, this,
             [this] { emit tracingEdited(core::TraceOptions{}, [] { return tr("Default tracing"); }); });
     QPushButton* byHand = quietButton(
@@ -296,7 +280,6 @@ void AngiogramPanel::buildTracing()
     heading->addWidget(defaults_);
     contentLayout()->addLayout(heading);
     contentLayout()->addLayout(grid);
-    contentLayout()->addWidget(usesNetwork_);
     contentLayout()->addWidget(byHand);
 }
 
@@ -330,7 +313,6 @@ void AngiogramPanel::showTracing(const core::TraceOptions& options)
     sensitivity_->showValue(options.sensitivity);
     length_->showValue(options.minComponentLengthPx);
     widest_->showValue(options.maxVesselRadiusPx);
-    usesNetwork_->setChecked(options.usesNetwork);
     defaults_->setEnabled(!(options == core::TraceOptions{}));
 }
 

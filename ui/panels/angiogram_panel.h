@@ -51,7 +51,6 @@ private:
     NumberField* tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
                             const NumberFormat& format, double core::TraceOptions::*value);
     NumberField* lengthRow(QGridLayout& grid, int row);
-    void buildNetworkBox();
 
     RunState state_;
     core::TraceOptions tracing_;
@@ -70,7 +69,6 @@ private:
     NumberField* sensitivity_ = nullptr;
     NumberField* length_ = nullptr;
     NumberField* widest_ = nullptr;
-    QCheckBox* usesNetwork_ = nullptr;
     QPushButton* defaults_;
 };
 

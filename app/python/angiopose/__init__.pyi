@@ -145,14 +145,13 @@ class Angiogram:
     def frame(self, frame: int) -> NDArray[np.float32]: ...
 
 class TraceOptions:
-    def __init__(self, *, minVesselRadiusPx: float = 1.5, maxVesselRadiusPx: float = 8.0, minBranchLengthPx: int = 10, minComponentLengthPx: int = 30, sensitivity: float = 1.0, usesNetwork: bool = False) -> None: ...
+    def __init__(self, *, minVesselRadiusPx: float = 1.5, maxVesselRadiusPx: float = 8.0, minBranchLengthPx: int = 10, minComponentLengthPx: int = 30, sensitivity: float = 1.0) -> None: ...
     def __copy__(self) -> TraceOptions: ...
     minVesselRadiusPx: float
     maxVesselRadiusPx: float
     minBranchLengthPx: int
     minComponentLengthPx: int
     sensitivity: float
-    usesNetwork: bool
 
 class AngiogramTrace:
     @property

@@ -11,8 +11,6 @@
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/curves/vessel_branches.h"
-#include "core/tracing/angiogram/evidence/judged_evidence.h"
-#include "core/tracing/angiogram/evidence/vessel_network.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "core/tracing/angiogram/frame/drawn_mask.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
@@ -70,7 +68,7 @@ std::optional<Message> problemWith(const ImageF& frame)
 
 std::optional<Message> problemWith(const TraceOptions& options)
 {
-    const auto& [thinnest, widest, branchLength, componentLength, sensitivity, usesNetwork] = options;
+    const auto& [thinnest, widest, branchLength, componentLength, sensitivity] = options;
     if (!(thinnest > 0.0 && thinnest <= widest && std::isfinite(widest))) {
         return says::traceRadiiUnusable(Quantity{thinnest, Quantity::asNeeded, "px"},
                                         Quantity{widest, Quantity::asNeeded, "px"});
@@ -146,17 +144,13 @@ struct SeenVessels {
     Mask2d vesselMask;
     ImageF vesselness;
     ImageF opacity;
-    std::optional<FrameClasses> classes;
     std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the mask
 };
 
-SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, const VesselNetwork* network)
+SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
 {
     SeenVessels seen;
     seen.fieldMask = tracedField(vesselsDark, options);
-    if (network != nullptr) {
-        seen.classes = network->classesOf(withGreyOutside(vesselsDark, seen.fieldMask));
-    }
     seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
     const Clutter clutter(seen.opacity, seen.fieldMask,
                           ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));
@@ -165,10 +159,7 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, 
     ImageF clear;
     atOnce([&] { clear = withoutStars(ridges, seen.opacity); }, [&] { clutterLevel = clutter.level(ridges); });
     const double unit = clearRidge(clear, clutterLevel, options.sensitivity);
-    ImageF evidence = vesselEvidence(clear, seen.fieldMask, unit);
-    if (seen.classes) {
-        evidence = judgedEvidence(std::move(evidence), seen.classes->vessel, seen.fieldMask);
-    }
+    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, unit);
     const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
     const Mask2d vessels = withHolesFilled(vesselPixels(evidence), smallestLoopPx);
     const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
@@ -177,16 +168,6 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, 
     seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.opacity, seen.fieldMask, options),
                                crossingInRadii * options.maxVesselRadiusPx);
     return seen;
-}
-
-void addDevices(AngiogramTrace& trace, const FrameClasses& classes, double factor)
-{
-    for (const int id : deviceCurves(trace.centerline, classes, factor)) {
-        if (std::ranges::find(trace.suspectCurves, id) == trace.suspectCurves.end()) {
-            trace.suspectCurves.push_back(id);
-        }
-    }
-    std::ranges::sort(trace.suspectCurves);
 }
 
 /// What was drawn is taken as it is drawn, as label images are.
@@ -210,12 +191,6 @@ Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
 {
-    return traceAngiogram(frame, polarity, options, options.usesNetwork ? trainedNetwork() : nullptr);
-}
-
-Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options,
-                                      const VesselNetwork* network)
-{
     if (const auto problem = problemWith(options)) {
         return Error(*problem);
     }
@@ -230,7 +205,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
     const WorkingSize size = workingSizeOf(frame);
-    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options, network);
+    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options);
     AngiogramTrace trace;
     trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
     trace.vesselMask = fromWorkingSize(seen.vesselMask, size, frame.width, frame.height);
@@ -247,11 +222,6 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
         return Error(says::frameWithoutVessels());
     }
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
-    if (seen.classes) {
-        trace.vesselMask =
-            likelyVessels(fromWorkingSize(seen.classes->vessel, size, frame.width, frame.height), trace.fieldMask);
-        addDevices(trace, *seen.classes, size.factor());
-    }
     return trace;
 }
 

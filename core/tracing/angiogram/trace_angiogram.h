@@ -11,8 +11,6 @@
 
 namespace angiopose::core {
 
-class VesselNetwork;
-
 /// What tracing found in one frame, with what it saw on the way.
 struct AngiogramTrace {
     Centerline2d centerline;
@@ -26,10 +24,6 @@ struct AngiogramTrace {
 /// §8). A mask of two levels (see `drawnMask`) is taken as it is drawn. Fails when the options are of no vessel
 /// (radii the wrong way round, …), or the frame is empty, flat, not finite, or shows nothing vessel-like.
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
-
-/// The same with this network beside the ridge filter, or without any, whatever the options say.
-Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options,
-                                      const VesselNetwork* network);
 
 /// The same for one frame of a run, with less noise where the run stands still (see `steadyFrame`).
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});

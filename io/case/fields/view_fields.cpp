@@ -109,8 +109,7 @@ StoredField<View> traceField()
                     storedValue("maxVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::maxVesselRadiusPx),
                     storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
                     storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
-                    storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity),
-                    storedValue("usesNetwork", flagSchema(), &TraceOptions::usesNetwork)});
+                    storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)});
     field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
         read(value, view, reading);
         if (view.traceOptions.maxVesselRadiusPx < view.traceOptions.minVesselRadiusPx) {

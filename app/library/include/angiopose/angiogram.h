@@ -70,7 +70,6 @@ struct TraceOptions {
     int minBranchLengthPx = 10;   ///< shorter spurs are removed
     int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
     double sensitivity = 1.0;   ///< above 1: fainter vessels too
-    bool usesNetwork = false;   ///< the trained network judges beside the ridge filter
 };
 
 /// What tracing found in one frame.

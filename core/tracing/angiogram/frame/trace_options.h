@@ -10,7 +10,6 @@ struct TraceOptions {
     int minBranchLengthPx = 10;   ///< shorter spurs are removed
     int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
     double sensitivity = 1.0;   ///< above 1: fainter vessels too; scales the threshold by 1/sensitivity
-    bool usesNetwork = false;   ///< the trained network judges beside the ridge filter, where the program has one
 
     bool operator==(const TraceOptions&) const = default;
 };
