@@ -2,34 +2,19 @@
 
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
-#include "core/tracing/volume/voxels/traced_piece.h"
+#include "core/tracing/volume/voxels/traced_vessels.h"
 #include "core/tracing/volume/voxels/tracing_options.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
-#include "core/vessel/vessel_tree.h"
 
-#include <Eigen/Core>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace angiopose::core {
 
-/// A vessel tree with what was seen on the way to it.
-struct TracedVessels {
-    VesselTree tree;   ///< piece by piece, in each root first, then by generation; ids 1, 2, …; radii, patient LPS
-    VoxelMask lumen;   ///< the voxels that were traced, in the geometry of the input
-    double threshold = 0.0;   ///< the value at which the lumen begins; 0.5 for masks
-    std::optional<Eigen::Vector3d>
-        foundStart;   ///< without seeds: a place in the great vessel that was begun at, LPS mm
-    std::vector<TracedPiece> pieces;   ///< of what could be traced, the largest first
-    Messages warnings;   ///< pieces that were left out, loops that were opened, …
-};
-
 /// Contrast-filled vessels of a CT angiogram: threshold or seeded growth, bone and table left out, thinning, a tree of
 /// smooth centrelines with radii. Without seeds the tree is that of the vessel most like an aorta (see `Trunk::worth`),
 /// else of the largest piece; a warning says which. Fails on an empty or flat volume, seeds outside the lumen, when
-/// nothing is like a vessel (the axes of that piece hold no blood); with `tubesOnly` see `traceTubes`; ends as stopped when the observer says so, then
-/// nothing is kept. Needs at most twice the volume's own memory besides it.
+/// nothing is like a vessel (the axes of that piece hold no blood); with `tubesOnly` see `traceTubes`; ends as
+/// stopped when the observer says so, then nothing is kept. Needs at most twice the volume's own memory besides it.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                    const TracingObserver& observe = {});
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "core/tracing/volume/trace_vessels.h"
+#include "core/support/result.h"
+#include "core/tracing/volume/voxels/traced_vessels.h"
+#include "core/tracing/volume/voxels/tracing_options.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
 
 namespace angiopose::core {
 
