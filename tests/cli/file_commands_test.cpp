@@ -145,6 +145,50 @@ TEST(Cli, TracesEveryPieceOfAMaskAndNamesTheSeeds)
     EXPECT_EQ(trace({"--loops", "kept"}).exitCode, 0);
 }
 
+/// One side of the fork, then the other joined to it; a place in the air beside the patient is refused.
+TEST(Cli, TracesSingleVesselsBetweenPlacesIntoATree)
+{
+    const TemporaryFolder folder;
+    const std::string scan = folder.file("scan.nrrd");
+    ASSERT_TRUE(io::writeVolume(test::forkScan(), scan));
+    const auto first =
+        runCli({"trace-vessel", scan, "--between", "0,0,4,-18,0,76", "--output", folder.file("one.vtp")});
+    ASSERT_EQ(first.exitCode, 0) << first.messages;
+    EXPECT_NE(first.output.find("1 branch"), std::string::npos) << first.output;
+    const auto second = runCli({"trace-vessel", scan, "--between", "0,0,20,18,4.5,76", "--into", folder.file("one.vtp"),
+                                "--output", folder.file("two.vtp")});
+    ASSERT_EQ(second.exitCode, 0) << second.messages;
+    const auto tree = io::readVesselTree(folder.file("two.vtp"));
+    ASSERT_TRUE(tree) << tree.error().message;
+    ASSERT_EQ(tree.value().branches.size(), 2U);
+    EXPECT_EQ(test::endsOf(tree.value()), 3);
+    for (const core::VesselBranch& branch : tree.value().branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_LT(test::distanceToFork(point), 2.0);
+        }
+    }
+    const auto outside = runCli({"trace-vessel", scan, "--between", "0,0,4,900,0,0", "--output", folder.file("x.vtp")});
+    EXPECT_EQ(outside.exitCode, 3);
+    EXPECT_NE(outside.messages.find("outside the scan"), std::string::npos) << outside.messages;
+    EXPECT_EQ(runCli({"trace-vessel", scan, "--between", "1,2,3", "--output", folder.file("x.vtp")}).exitCode, 2);
+}
+
+TEST(Cli, TracesThinVesselsFromSeeds)
+{
+    const TemporaryFolder folder;
+    const std::string scan = folder.file("scan.nrrd");
+    ASSERT_TRUE(io::writeVolume(test::forkScan(), scan));
+    const auto traced =
+        runCli({"trace-vessel", scan, "--tubes", "--seed", "0,0,20", "--output", folder.file("tree.vtp")});
+    ASSERT_EQ(traced.exitCode, 0) << traced.messages;
+    const auto tree = io::readVesselTree(folder.file("tree.vtp"));
+    ASSERT_TRUE(tree) << tree.error().message;
+    EXPECT_GE(tree.value().branches.size(), 2U);
+    const auto unseeded = runCli({"trace-vessel", scan, "--tubes", "--output", folder.file("x.vtp")});
+    EXPECT_EQ(unseeded.exitCode, 3);
+    EXPECT_NE(unseeded.messages.find("none is placed"), std::string::npos) << unseeded.messages;
+}
+
 /// What libraries print is no message of the program.
 void expectOnlyOwnMessages(const std::string& messages, const std::string& path)
 {
