@@ -136,7 +136,7 @@ TEST(Cli, TracesEveryPieceOfAMaskAndNamesTheSeeds)
     const std::string ready = all.output.substr(seed, all.output.find('\n', seed) - seed);
     const auto one = trace({ready});
     ASSERT_EQ(one.exitCode, 0) << ready << one.messages;
-    EXPECT_NE(one.output.find(": 1 branch, 2"), std::string::npos) << one.output;
+    EXPECT_NE(one.output.find(": 1 branch, 3"), std::string::npos) << one.output;
     EXPECT_NE(one.output.find("left out"), std::string::npos) << one.output;
     EXPECT_NE(trace({"--pieces", "largest"}).output.find(": 1 branch, 4"), std::string::npos);
     EXPECT_EQ(trace({"--pieces", "seeded", ready}).output, one.output);
