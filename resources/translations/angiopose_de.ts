@@ -9934,7 +9934,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <name>angiopose::ui::TracingPanel</name>
     <message>
         <source>Thin vessels only, from the seeds</source>
-        <translation>Nur dünne Gefäße, von den Startpunkten aus</translation>
+        <translation>Nur dünne Gefäße ab Startpunkt</translation>
     </message>
     <message>
         <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
