@@ -151,6 +151,9 @@ int runTraceVessel(const TraceVesselArguments& arguments)
     if (!arguments.labels.empty() && kind.value() == core::VesselInputKind::Volume) {
         kind = core::VesselInputKind::Segmentation;
     }
+    if (arguments.tracing.tubesOnly && kind.value() != core::VesselInputKind::Volume) {
+        return failInput(core::Error(says::traceTubesOfMask().about(arguments.inputPath)));
+    }
     const auto labels = labelsAskedFor(arguments);
     if (!labels) {
         return failInput(labels.error());

@@ -3092,6 +3092,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>lässt sich nicht verfolgen. Eine andere Oberfläche wählen.</translation>
     </message>
     <message>
+        <source>thin vessels are told by the values of a scan, and this has none. Leave --tubes out.</source>
+        <comment>trace.tubes-of-mask</comment>
+        <translation>dünne Gefäße zeigen sich an den Werten eines Scans, und hier sind keine. Lassen Sie --tubes weg.</translation>
+    </message>
+    <message>
         <source>it cannot be traced. Choose a scan.</source>
         <comment>trace.no-scan</comment>
         <translation>lässt sich nicht verfolgen. CT-Daten wählen.</translation>

@@ -3092,6 +3092,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法追踪。请选择其他表面。</translation>
     </message>
     <message>
+        <source>thin vessels are told by the values of a scan, and this has none. Leave --tubes out.</source>
+        <comment>trace.tubes-of-mask</comment>
+        <translation>细血管由扫描的数值判断，而此文件没有数值。请去掉 --tubes。</translation>
+    </message>
+    <message>
         <source>it cannot be traced. Choose a scan.</source>
         <comment>trace.no-scan</comment>
         <translation>无法追踪。请选择扫描。</translation>

@@ -184,6 +184,11 @@ TEST(Cli, TracesThinVesselsFromSeeds)
     const auto tree = io::readVesselTree(folder.file("tree.vtp"));
     ASSERT_TRUE(tree) << tree.error().message;
     EXPECT_GE(tree.value().branches.size(), 2U);
+    ASSERT_TRUE(io::writeLabels(test::forkLabels(), folder.file("mask.seg.nrrd")));
+    const auto ofMask = runCli({"trace-vessel", folder.file("mask.seg.nrrd"), "--labels", "2", "--tubes", "--seed",
+                                "0,0,20", "--output", folder.file("x.vtp")});
+    EXPECT_EQ(ofMask.exitCode, 3);
+    EXPECT_NE(ofMask.messages.find("Leave --tubes out"), std::string::npos) << ofMask.messages;
     const auto unseeded = runCli({"trace-vessel", scan, "--tubes", "--output", folder.file("x.vtp")});
     EXPECT_EQ(unseeded.exitCode, 3);
     EXPECT_NE(unseeded.messages.find("none is placed"), std::string::npos) << unseeded.messages;
