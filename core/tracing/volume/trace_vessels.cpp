@@ -201,6 +201,19 @@ TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const s
     return vessels;
 }
 
+/// Where the lumen begins, and what a scan's values and its other great vessels give to think.
+void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great,
+                const BloodLevel& level)
+{
+    vessels.threshold = level.threshold;
+    if (const double besideMm = besideLumenMm(lumen.lumen, great); besideMm >= leastBesideMm) {
+        vessels.warnings.push_back(besideWarning(besideMm));
+    }
+    if (!level.isHu) {
+        vessels.warnings.push_back(unitWarning());
+    }
+}
+
 /// A mask in patient axis order, taken as it is.
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
@@ -289,13 +302,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
         return traced.error();
     }
     TracedVessels vessels = std::move(traced).value();
-    vessels.threshold = level.value().threshold;
-    if (const double besideMm = besideLumenMm(lumen.lumen, great); besideMm >= leastBesideMm) {
-        vessels.warnings.push_back(besideWarning(besideMm));
-    }
-    if (!level.value().isHu) {
-        vessels.warnings.push_back(unitWarning());
-    }
+    tellOfScan(vessels, lumen, great, level.value());
     if (!options.seedsInPatient.empty()) {
         return vessels;
     }
