@@ -36,6 +36,7 @@ const char* const usage =
 
 struct Row {
     test::CenterlineDice agreement;
+    double maskDice = 0.0;
     double timeMs = 0.0;
 };
 
@@ -57,6 +58,17 @@ core::ImageF picture(const std::filesystem::path& path)
     return read.value().frames.front();
 }
 
+double maskDice(const core::Mask2d& mask, const core::Mask2d& truth)
+{
+    double both = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        both += mask.pixels[i] != 0 && truth.pixels[i] != 0 ? 2.0 : 0.0;
+        sum += (mask.pixels[i] != 0 ? 1.0 : 0.0) + (truth.pixels[i] != 0 ? 1.0 : 0.0);
+    }
+    return sum > 0.0 ? both / sum : 0.0;
+}
+
 bool traceOne(const std::filesystem::path& folder, int number, Row& row)
 {
     const core::ImageF frame = picture(folder / (std::to_string(number) + ".png"));
@@ -69,6 +81,7 @@ bool traceOne(const std::filesystem::path& folder, int number, Row& row)
     row.timeMs = processorMs() - start;
     if (trace) {
         row.agreement = test::centerlineDice(trace.value().centerline, test::whitePixels(truth));
+        row.maskDice = maskDice(trace.value().vesselMask, test::whitePixels(truth));
     }
     return true;
 }
@@ -102,7 +115,9 @@ void addRow(core::ResultTable& table, const std::string& name, const test::Traci
     table.rows.push_back(
         {{name, fixedText(score.visiblePx, 0), percent(score.foundPx, score.visiblePx), fixedText(score.tracedPx, 0),
           percent(score.falsePx, score.tracedPx), percent(score.falseUnsuspectedPx, score.tracedPx),
-          percent(score.suspectVesselPx, score.tracedPx), fixedText(score.biasPx, 3), fixedText(score.curveBiasPx, 3)},
+          percent(score.suspectVesselPx, score.tracedPx), fixedText(score.biasPx, 3), fixedText(score.curveBiasPx, 3),
+          fixedText(score.radiusRatio, 3), fixedText(score.catheterPx, 0),
+          percent(score.flaggedCatheterPx, score.catheterPx)},
          false});
 }
 
@@ -116,13 +131,17 @@ void addTo(test::TracingScore& sum, const test::TracingScore& score, int count)
     sum.suspectVesselPx += score.suspectVesselPx;
     sum.biasPx += score.biasPx / count;
     sum.curveBiasPx += score.curveBiasPx / count;
+    sum.radiusRatio += score.radiusRatio / count;
+    sum.catheterPx += score.catheterPx;
+    sum.flaggedCatheterPx += score.flaggedCatheterPx;
 }
 
 int printSimulated(int count, int size, int firstSeed)
 {
     core::ResultTable table;
-    table.columns = {"seed",          "visible px",       "found %", "traced px",  "false %",
-                     "not suspect %", "vessel suspect %", "bias px", "sideways px"};
+    table.columns = {"seed",        "visible px",    "found %",          "traced px",
+                     "false %",     "not suspect %", "vessel suspect %", "bias px",
+                     "sideways px", "radius x",      "catheter px",      "flagged %"};
     test::TracingScore sum;
     core::DsaOptions dsa;
     dsa.width = size;
@@ -140,7 +159,7 @@ int printSimulated(int count, int size, int firstSeed)
     std::printf(
         "%d simulated runs of %d x %d px, fullest frame, one set of defaults\n"
         "visible: wider than 2 px, outside other vessels, own contrast at least 2 x noise; found within 2 px;\n"
-        "false: beside every filled vessel and the catheter; bias and sideways: mean over the runs\n\n%s",
+        "false: beside every filled vessel and the catheter; bias, sideways and radius: mean over the runs\n\n%s",
         count, size, size, io::toPlainText(table).c_str());
     return 0;
 }
@@ -148,19 +167,21 @@ int printSimulated(int count, int size, int firstSeed)
 int printAnnotated(const std::filesystem::path& folder)
 {
     std::vector<double> dices;
-    std::printf("image   clDice   curve in mask   mask's skeleton found    ms\n");
+    double maskDices = 0.0;
+    std::printf("image   clDice   curve in mask   mask's skeleton found   mask Dice    ms\n");
     for (int number = 1; number <= imageCount; ++number) {
         Row row;
         if (!traceOne(folder, number, row)) {
             return 1;
         }
         dices.push_back(row.agreement.dice());
-        std::printf("%5d   %6.3f   %13.3f   %21.3f   %3.0f\n", number, dices.back(), row.agreement.precision,
-                    row.agreement.sensitivity, row.timeMs);
+        std::printf("%5d   %6.3f   %13.3f   %21.3f   %9.3f   %3.0f\n", number, dices.back(), row.agreement.precision,
+                    row.agreement.sensitivity, row.maskDice, row.timeMs);
+        maskDices += row.maskDice / imageCount;
     }
     const double mean = std::accumulate(dices.begin(), dices.end(), 0.0) / imageCount;
-    std::printf(" mean   %6.3f\n  min   %6.3f\n\nMedian time of seven traces, on two threads:\n", mean,
-                *std::min_element(dices.begin(), dices.end()));
+    std::printf(" mean   %6.3f   %49.3f\n  min   %6.3f\n\nMedian time of seven traces, on two threads:\n", mean,
+                maskDices, *std::min_element(dices.begin(), dices.end()));
     const core::ImageF frame = test::drawnFrame(
         512, 512, {test::line({60, 80}, {430, 400}), test::line({80, 400}, {400, 90}), test::circle({250, 250}, 150)},
         4.0, {.noise = 6.0});

@@ -3,6 +3,7 @@
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/imaging/wide_blur.h"
+#include "core/support/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +111,7 @@ void scoreVessels(const core::SimulatedCase& simulated, const Centerline2d& trac
     const Mask2d inside = exposedInside(frame);
     const Centerline2d truth = core::resampled(simulated.trueTarget, 1.0);
     Eigen::Vector2d offsets = Eigen::Vector2d::Zero();
+    std::vector<double> radiusRatios;
     double sidewaysSum = 0.0;
     int curveCount = 0;
     for (const Curve2d& curve : truth.curves) {
@@ -131,6 +133,7 @@ void scoreVessels(const core::SimulatedCase& simulated, const Centerline2d& trac
             if (near.distancePx <= tolerancePx) {
                 found += 1.0;
                 offsets += near.offset;
+                radiusRatios.push_back(near.radiusPx / curve.radiusPx[i]);
                 sideways += near.offset.dot(Eigen::Vector2d(-tangents[i].y(), tangents[i].x()));
             }
         }
@@ -140,6 +143,7 @@ void scoreVessels(const core::SimulatedCase& simulated, const Centerline2d& trac
             ++curveCount;
         }
     }
+    score.radiusRatio = radiusRatios.empty() ? 0.0 : core::quantile(radiusRatios, 0.5);
     score.biasPx = score.foundPx > 0.0 ? (offsets / score.foundPx).norm() : 0.0;
     score.curveBiasPx = curveCount > 0 ? sidewaysSum / curveCount : 0.0;
 }
@@ -159,7 +163,10 @@ TracingScore scoreTracing(const core::SimulatedCase& simulated, const core::Angi
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             const Near near = nearestOnCurves(vessels, point);
             const bool isVessel = near.distancePx <= tolerancePx || insideLumenOf(vessels, nullptr, point);
-            const bool isFalse = !isVessel && nearestOnCurves(catheter, point).distancePx > tolerancePx;
+            const bool isCatheter = !isVessel && nearestOnCurves(catheter, point).distancePx <= tolerancePx;
+            const bool isFalse = !isVessel && !isCatheter;
+            score.catheterPx += isCatheter ? 1.0 : 0.0;
+            score.flaggedCatheterPx += isCatheter && isSuspect ? 1.0 : 0.0;
             score.tracedPx += 1.0;
             score.falsePx += isFalse ? 1.0 : 0.0;
             score.falseUnsuspectedPx += isFalse && !isSuspect ? 1.0 : 0.0;

@@ -21,6 +21,9 @@ struct TracingScore {
     double suspectVesselPx = 0.0;   ///< not false, but on curves marked as suspect (catheters not counted)
     double biasPx = 0.0;   ///< mean offset of found vessels, length of the vector
     double curveBiasPx = 0.0;   ///< mean over vessels of their mean offset sideways, without sign
+    double radiusRatio = 0.0;   ///< found over true, median of the found vessels; 0 where none was found
+    double catheterPx = 0.0;   ///< traced along a catheter, away from vessels
+    double flaggedCatheterPx = 0.0;   ///< of that, on curves marked as suspect
 
     double recall() const { return visiblePx > 0.0 ? foundPx / visiblePx : 1.0; }
     double falseShare() const { return tracedPx > 0.0 ? falsePx / tracedPx : 0.0; }
