@@ -12,6 +12,10 @@ namespace {
 
 constexpr double extremeShare = 0.02;   // of the range: as good as the extreme value, after lossy compression
 constexpr double hardEdge = 0.3;   // of the range, from a shape to what surrounds it
+constexpr double hardEdgeOfInk = 0.12;   // where the shape is of one exact value, which X-rays are not
+constexpr int inkLevels = 256;
+constexpr int leastInkPx = 40;
+constexpr std::size_t mostInks = 3;
 constexpr double leastHardShare = 0.8;   // of a shape's border
 constexpr int leastPixelsOfLetter = 4;
 constexpr int leastHeightPx = 5;
@@ -38,11 +42,18 @@ double hardShare(const ImageF& frame, const Mask2d& drawn, const std::vector<std
     return all > 0 ? static_cast<double>(hard) / all : 0.0;
 }
 
-std::vector<Glyph> glyphsOf(const ImageF& frame, float value, float range)
+/// What may be drawn with: pixels within `tolerance` of one value, with edges of at least `step`.
+struct Ink {
+    float value = 0.0F;
+    float tolerance = 0.0F;
+    double step = 0.0;
+};
+
+std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink)
 {
     Mask2d drawn(frame.width, frame.height);
     for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
-        drawn.pixels[i] = std::abs(frame.pixels[i] - value) <= extremeShare * range ? 255 : 0;
+        drawn.pixels[i] = std::abs(frame.pixels[i] - ink.value) <= ink.tolerance ? 255 : 0;
     }
     const double greatest = greatestHeightShare * std::max(frame.width, frame.height);
     std::vector<Glyph> glyphs;
@@ -50,11 +61,54 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, float value, float range)
         const Glyph glyph = boundsOf(pixels, frame.width);
         const bool isSmall = glyph.height() <= greatest && glyph.width() <= 2.0 * greatest;
         if (pixels.size() >= leastPixelsOfLetter && isSmall && glyph.height() >= leastHeightPx &&
-            hardShare(frame, drawn, pixels, value, hardEdge * range) >= leastHardShare) {
+            hardShare(frame, drawn, pixels, ink.value, ink.step) >= leastHardShare) {
             glyphs.push_back(glyph);
         }
     }
     return glyphs;
+}
+
+/// How many pixels of each value go on with exactly that value and end at a hard edge on the other side.
+std::vector<int> inkCounts(const ImageF& frame, float least, float range)
+{
+    std::vector<int> counts(inkLevels + 1);
+    const auto step = static_cast<float>(hardEdgeOfInk) * range;
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 2; x + 2 < frame.width; ++x) {
+            const float value = frame.at(x, y);
+            const bool endsLeft = frame.at(x + 1, y) == value && std::abs(frame.at(x - 2, y) - value) >= step;
+            const bool endsRight = frame.at(x - 1, y) == value && std::abs(frame.at(x + 2, y) - value) >= step;
+            if (endsLeft || endsRight) {
+                ++counts[static_cast<std::size_t>((value - least) / range * inkLevels)];
+            }
+        }
+    }
+    return counts;
+}
+
+/// The least and the greatest value, and those that flat shapes with hard edges have most often.
+std::vector<Ink> inksOf(const ImageF& frame)
+{
+    const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
+    const float range = *greatest - *least;
+    if (range <= 0.0F) {
+        return {};
+    }
+    const auto extremeTolerance = static_cast<float>(extremeShare) * range;
+    std::vector<Ink> inks{{*least, extremeTolerance, hardEdge * range},
+                          {*greatest, extremeTolerance, hardEdge * range}};
+    std::vector<int> counts = inkCounts(frame, *least, range);
+    for (std::size_t k = 0; k < mostInks; ++k) {
+        const auto most = std::ranges::max_element(counts);
+        if (*most < leastInkPx) {
+            break;
+        }
+        const float level = range / inkLevels;
+        inks.push_back(
+            {*least + (static_cast<float>(most - counts.begin()) + 0.5F) * level, level, hardEdgeOfInk * range});
+        *most = 0;
+    }
+    return inks;
 }
 
 void blank(Mask2d& text, const std::vector<Glyph>& row)
@@ -80,11 +134,8 @@ Mask2d burnedInText(const ImageF& frame)
     if (frame.isEmpty()) {
         return text;
     }
-    const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
-    const float range = *greatest - *least;
-    for (const float value : {*least, *greatest}) {
-        for (const std::vector<Glyph>& row :
-             textRows(range > 0.0F ? glyphsOf(frame, value, range) : std::vector<Glyph>{})) {
+    for (const Ink& ink : inksOf(frame)) {
+        for (const std::vector<Glyph>& row : textRows(glyphsOf(frame, ink))) {
             blank(text, row);
         }
     }

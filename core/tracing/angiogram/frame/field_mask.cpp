@@ -15,6 +15,7 @@ namespace {
 constexpr double sharpEdgePerPx = 0.07;
 constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
+constexpr double leastShareOfEdge = 0.6;
 constexpr std::size_t smallestDrawnShare = 200;   // one part in so many of the frame
 
 /// Dark parts that reach the image edge and are wider than any vessel.
@@ -102,13 +103,66 @@ Mask2d drawnBorder(const ImageF& image, std::size_t smallestPartPx)
     return drawn;
 }
 
+ImageF negated(ImageF image)
+{
+    for (float& value : image.pixels) {
+        value = -value;
+    }
+    return image;
+}
+
+/// The image with its marked part in the middle grey of the rest, so that nothing stands out against it.
+ImageF greyedOut(ImageF image, const Mask2d& marked)
+{
+    std::vector<float> rest;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        if (marked.pixels[i] == 0) {
+            rest.push_back(image.pixels[i]);
+        }
+    }
+    const float middle = rest.empty() ? 0.0F : ranked(std::move(rest), 0.5);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = marked.pixels[i] != 0 ? middle : image.pixels[i];
+    }
+    return image;
+}
+
+/// Whether most of the image's edge is marked, as by a page around the picture; lungs and air are bright at one side.
+bool surrounds(const Mask2d& marked)
+{
+    int count = 0;
+    const int all = 2 * (marked.width + marked.height);
+    for (int x = 0; x < marked.width; ++x) {
+        count += (marked.at(x, 0) != 0 ? 1 : 0) + (marked.at(x, marked.height - 1) != 0 ? 1 : 0);
+    }
+    for (int y = 0; y < marked.height; ++y) {
+        count += (marked.at(0, y) != 0 ? 1 : 0) + (marked.at(marked.width - 1, y) != 0 ? 1 : 0);
+    }
+    return count > leastShareOfEdge * all;
+}
+
+/// What is not exposed, dark or light: pages and inverted displays have light surrounds.
+Mask2d surround(const ImageF& image, int openingPx)
+{
+    const Mask2d light = unexposedBorder(negated(image), openingPx);
+    if (!surrounds(light)) {
+        return unexposedBorder(image, openingPx);
+    }
+    Mask2d both = dilated(light, edgeReachPx);
+    const Mask2d dark = unexposedBorder(greyedOut(image, both), openingPx);
+    for (std::size_t i = 0; i < both.pixels.size(); ++i) {
+        both.pixels[i] = light.pixels[i] | dark.pixels[i];
+    }
+    return both;
+}
+
 }   // namespace
 
 Mask2d findField(const ImageF& vesselsDark, double widestVesselPx)
 {
     const int openingPx = std::max(1, static_cast<int>(std::ceil(0.25 * widestVesselPx)) + 1);
     const ImageF coarse = halved(vesselsDark);
-    const Mask2d unexposed = unexposedBorder(coarse, openingPx);
+    const Mask2d unexposed = surround(coarse, openingPx);
     const Mask2d drawn = drawnBorder(coarse, coarse.pixels.size() / smallestDrawnShare);
     Mask2d outside(coarse.width, coarse.height);
     for (std::size_t i = 0; i < outside.pixels.size(); ++i) {

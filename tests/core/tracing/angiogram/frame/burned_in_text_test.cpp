@@ -35,6 +35,20 @@ TEST(BurnedInText, IsFoundAndTheVesselsAreNot)
     }
 }
 
+TEST(BurnedInText, IsFoundWhereOtherThingsAreAsBrightOrDark)
+{
+    for (const float ink : {180.0F, 60.0F}) {
+        ImageF frame = angiogram();
+        frame.at(5, 5) = 255.0F;
+        frame.at(9, 9) = 0.0F;
+        test::writeLetters(frame, {170, 20}, 7, ink);
+        const Mask2d text = core::burnedInText(frame);
+        EXPECT_NE(text.at(172, 22), 0) << ink;
+        EXPECT_NE(text.at(256, 33), 0) << ink;
+        EXPECT_LT(std::count(text.pixels.begin(), text.pixels.end(), 255), 120 * 40);
+    }
+}
+
 TEST(BurnedInText, NothingIsFoundInAPlainAngiogram)
 {
     const Mask2d text = core::burnedInText(angiogram());

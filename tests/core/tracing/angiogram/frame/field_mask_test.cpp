@@ -1,0 +1,68 @@
+#include "core/tracing/angiogram/frame/field_mask.h"
+
+#include "tests/support/drawn_vessels.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+using namespace angiopose;
+
+namespace {
+
+using core::ImageF;
+using core::Mask2d;
+
+constexpr int side = 300;
+
+/// A round picture on a page of one grey with noise; its left half is as dark as a shutter would be.
+ImageF roundPictureOn(float page)
+{
+    ImageF frame(side, side);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const bool isInside = std::hypot(x - 150.0, y - 150.0) < 130.0;
+            frame.at(x, y) = isInside ? 60.0F + 0.35F * static_cast<float>(x) : page;
+        }
+    }
+    test::addNoise(frame, 2.0, 3);
+    return frame;
+}
+
+double shareInField(const Mask2d& field, double nearest, double farthest)
+{
+    int inside = 0;
+    int all = 0;
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const double distance = std::hypot(x - 150.0, y - 150.0);
+            if (distance >= nearest && distance <= farthest) {
+                inside += field.at(x, y) != 0 ? 1 : 0;
+                ++all;
+            }
+        }
+    }
+    return static_cast<double>(inside) / all;
+}
+
+TEST(FieldMask, LeavesOutDarkAndLightSurrounds)
+{
+    for (const float page : {5.0F, 240.0F}) {
+        const Mask2d field = core::findField(roundPictureOn(page), 16.0);
+        EXPECT_GT(shareInField(field, 0.0, 118.0), 0.99) << page;
+        EXPECT_LT(shareInField(field, 131.0, 400.0), 0.01) << page;
+    }
+}
+
+TEST(FieldMask, KeepsWhatIsBrightAtOneSide)
+{
+    ImageF frame(side, side, 90.0F);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 220; x < side; ++x) {
+            frame.at(x, y) = 230.0F;
+        }
+    }
+    test::addNoise(frame, 2.0, 3);
+    EXPECT_GT(shareInField(core::findField(frame, 16.0), 0.0, 400.0), 0.99);
+}
+
+}   // namespace
