@@ -26,6 +26,7 @@ void StepController::show()
 {
     StepFacts facts;
     facts.targetProblem = ui::messageText(on_.target.problem());
+    facts.targetWarning = on_.target.trace() ? ui::messagesText(on_.target.trace()->warnings) : QString();
     facts.isTracing = on_.target.isTracing();
     facts.isRunning = on_.registration.isRunning();
     facts.poseEdited = on_.pose.isMovedFromStart();

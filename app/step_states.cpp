@@ -55,6 +55,9 @@ StepState angiogram(const core::Case& current, const StepFacts& facts)
                                                    : StepWords::tr("given centreline"),
                 {}};
     }
+    if (!facts.targetWarning.isEmpty()) {
+        return {StepMark::Look, StepWords::tr("no contrast?"), facts.targetWarning};
+    }
     return {StepMark::Done, StepWords::tr("frame %1").arg(current.shown().frame), {}};
 }
 

@@ -8,6 +8,7 @@ namespace angiopose::app {
 /// What the steps need to know beside the case.
 struct StepFacts {
     QString targetProblem;   ///< why the frame could not be traced; empty when fine
+    QString targetWarning;   ///< that what was traced may be no vessels; empty when fine
     bool isTracing = false;
     bool isRunning = false;
     bool poseEdited = false;   ///< the pose differs from the start pose

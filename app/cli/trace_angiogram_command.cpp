@@ -101,6 +101,7 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
         return failInput(traced.error());
     }
     const core::AngiogramTrace& trace = traced.value().trace;
+    printWarnings(trace.warnings);
     if (const auto status = writeTrace(trace, arguments); !status) {
         return failInput(status.error());
     }

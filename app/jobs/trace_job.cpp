@@ -14,8 +14,9 @@ core::Result<SharedTrace> trace(const TraceRequest& request)
         return traced.error();
     }
     core::AngiogramTrace found = std::move(traced).value();
-    return freedElsewhere(SharedTrace(std::make_shared<TracedFrame>(
-        TracedFrame{std::move(found.centerline), std::move(found.suspectCurves), std::move(found.fieldMask)})));
+    return freedElsewhere(SharedTrace(
+        std::make_shared<TracedFrame>(TracedFrame{std::move(found.centerline), std::move(found.suspectCurves),
+                                                  std::move(found.warnings), std::move(found.fieldMask)})));
 }
 
 }   // namespace

@@ -28,6 +28,7 @@ using SharedCenterline = std::shared_ptr<const core::Centerline2d>;
 struct TracedFrame {
     core::Centerline2d centerline;
     std::vector<int> suspectIds;
+    core::Messages warnings;
     core::Mask2d fieldMask;   ///< 0 where nothing is traced
 };
 using SharedTrace = std::shared_ptr<const TracedFrame>;

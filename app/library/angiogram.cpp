@@ -48,8 +48,12 @@ namespace {
 
 AngiogramTrace publicTrace(core::AngiogramTrace trace)
 {
-    return {toPublic(trace.centerline), std::move(trace.suspectCurves), toPublic(std::move(trace.vesselness)),
-            toPublic(std::move(trace.vesselMask)), toPublic(std::move(trace.fieldMask))};
+    return {toPublic(trace.centerline),
+            std::move(trace.suspectCurves),
+            toPublic(std::move(trace.vesselness)),
+            toPublic(std::move(trace.vesselMask)),
+            toPublic(std::move(trace.fieldMask)),
+            toPublic(trace.warnings)};
 }
 
 core::Angiogram runOf(const std::vector<Image>& frames, Polarity polarity, const CArm& cArm)

@@ -88,7 +88,9 @@ void bindTrace(py::module_& module)
         .def_property_readonly(
             "fieldMask",
             [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().fieldMask, self); },
-            "(height, width) uint8, not 0: the image is exposed there");
+            "(height, width) uint8, not 0: the image is exposed there")
+        .def_property_readonly("warnings", asTuple<&AngiogramTrace::warnings>(),
+                               "that no contrast medium comes in this run");
 }
 
 }   // namespace

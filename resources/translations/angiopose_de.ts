@@ -1685,6 +1685,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>keine Gefäße erkannt</translation>
     </message>
     <message>
+        <source>no contrast?</source>
+        <translation>kein Kontrast?</translation>
+    </message>
+    <message>
         <source>tracing …</source>
         <translation>Erkennung …</translation>
     </message>
@@ -4080,6 +4084,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>This is a page of text, as dose reports are, and no angiogram. Choose the run it belongs to, or another frame.</source>
         <comment>frame.report-page</comment>
         <translation>Das ist eine Textseite, wie Dosisberichte es sind, und kein Angiogramm. Wählen Sie die Serie, zu der sie gehört, oder ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>What was traced here is in the first frame of the run already: no contrast medium comes between them. If the run holds none, these are catheters, wires and edges of bones, and no vessels.</source>
+        <comment>frame.nothing-new</comment>
+        <translation>Was hier erkannt wurde, zeigt schon das erste Bild der Serie: dazwischen kommt kein Kontrastmittel. Enthält die Serie keines, so sind es Katheter, Drähte und Knochenkanten und keine Gefäße.</translation>
     </message>
     <message>
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>

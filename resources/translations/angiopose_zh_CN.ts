@@ -1685,6 +1685,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未提取血管</translation>
     </message>
     <message>
+        <source>no contrast?</source>
+        <translation>无对比剂？</translation>
+    </message>
+    <message>
         <source>tracing …</source>
         <translation>提取中……</translation>
     </message>
@@ -4080,6 +4084,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>This is a page of text, as dose reports are, and no angiogram. Choose the run it belongs to, or another frame.</source>
         <comment>frame.report-page</comment>
         <translation>这是一页文字（如剂量报告），不是血管造影。请选择其所属的序列或其他帧。</translation>
+    </message>
+    <message>
+        <source>What was traced here is in the first frame of the run already: no contrast medium comes between them. If the run holds none, these are catheters, wires and edges of bones, and no vessels.</source>
+        <comment>frame.nothing-new</comment>
+        <translation>此处提取的内容在序列第一帧中已经存在：两帧之间没有对比剂到达。若该序列不含对比剂，则这些是导管、导丝和骨缘，而不是血管。</translation>
     </message>
     <message>
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>

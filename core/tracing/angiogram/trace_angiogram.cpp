@@ -7,7 +7,9 @@
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/bridge_gaps.h"
 #include "core/tracing/angiogram/curves/curve_refinement.h"
+#include "core/tracing/angiogram/curves/devices_apart.h"
 #include "core/tracing/angiogram/curves/lines_across.h"
+#include "core/tracing/angiogram/curves/painted_vessels.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/curves/vessel_branches.h"
@@ -22,10 +24,12 @@
 #include "core/tracing/angiogram/ridges/part_neighbours.h"
 #include "core/tracing/angiogram/ridges/vessel_threshold.h"
 #include "core/tracing/angiogram/ridges/vesselness.h"
+#include "core/tracing/angiogram/run/seen_before.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 
 namespace angiopose::core {
 namespace {
@@ -141,10 +145,9 @@ std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> pat
 /// What is found in a frame of usual size.
 struct SeenVessels {
     Mask2d fieldMask;
-    Mask2d vesselMask;
     ImageF vesselness;
     ImageF opacity;
-    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the mask
+    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the vessel pixels
 };
 
 SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
@@ -163,11 +166,24 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
     const Mask2d vessels = withHolesFilled(vesselPixels(evidence), smallestLoopPx);
     const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
-    atOnce([&] { seen.vesselMask = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
+    Mask2d whole;
+    atOnce([&] { whole = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
            [&] { seen.vesselness = normalised(std::move(clear)); });
-    seen.paths = orderedCurves(vesselBranches(seen.vesselMask, evidence, seen.opacity, seen.fieldMask, options),
+    seen.paths = orderedCurves(vesselBranches(whole, evidence, seen.opacity, seen.fieldMask, options),
                                crossingInRadii * options.maxVesselRadiusPx);
     return seen;
+}
+
+void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
+{
+    const SeenBefore seen =
+        seenBefore(trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
+    if (seen.isEverything) {
+        trace.warnings.push_back(says::frameWithNothingNew());
+    }
+    std::vector<int> suspects;
+    std::ranges::set_union(trace.suspectCurves, seen.curveIds, std::back_inserter(suspects));
+    trace.suspectCurves = std::move(suspects);
 }
 
 /// What was drawn is taken as it is drawn, as label images are.
@@ -208,7 +224,6 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     auto seen = seenVessels(toWorkingSize(vesselsDark, size), options);
     AngiogramTrace trace;
     trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
-    trace.vesselMask = fromWorkingSize(seen.vesselMask, size, frame.width, frame.height);
     trace.vesselness = fromWorkingSize(seen.vesselness, size, frame.width, frame.height);
     const double maxRadiusPx = options.maxVesselRadiusPx / size.factor();
     const ImageF opacity = size.halvings == 0
@@ -217,10 +232,12 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     for (auto& path : seen.paths) {
         path = fromWorkingSize(std::move(path), size);
     }
-    trace.centerline.curves = centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
+    trace.centerline.curves =
+        withDevicesApart(centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx), trace.fieldMask);
     if (trace.centerline.curves.empty()) {
         return Error(says::frameWithoutVessels());
     }
+    trace.vesselMask = paintedVessels(trace.centerline, frame.width, frame.height);
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
     return trace;
 }
@@ -230,7 +247,13 @@ Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOp
     if (frame < 0 || frame >= run.frameCount()) {
         return Error(says::frameMissing(frame, run.frameCount() - 1));
     }
-    return traceAngiogram(steadyFrame(run.frames, frame), run.polarity, options);
+    auto traced = traceAngiogram(steadyFrame(run.frames, frame), run.polarity, options);
+    if (!traced || frame == 0) {
+        return traced;
+    }
+    AngiogramTrace trace = std::move(traced).value();
+    addWordOfFirstFrame(trace, run, frame);
+    return trace;
 }
 
 Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)

@@ -2,6 +2,7 @@
 
 #include "core/imaging/angiogram.h"
 #include "core/imaging/image2d.h"
+#include "core/support/message.h"
 #include "core/support/result.h"
 #include "core/tracing/angiogram/frame/trace_options.h"
 #include "core/vessel/centerline2d.h"
@@ -16,8 +17,9 @@ struct AngiogramTrace {
     Centerline2d centerline;
     std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, wires or edges of bones
     ImageF vesselness;   ///< 0…1
-    Mask2d vesselMask;
+    Mask2d vesselMask;   ///< between the walls of the curves: where the edges have half of their height
     Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border, without burned-in text
+    Messages warnings;   ///< that no contrast medium comes in this run
 };
 
 /// Vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed curves with width (ALGORITHMS
@@ -25,7 +27,8 @@ struct AngiogramTrace {
 /// (radii the wrong way round, …), or the frame is empty, flat, not finite, or shows nothing vessel-like.
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
 
-/// The same for one frame of a run, with less noise where the run stands still (see `steadyFrame`).
+/// The same for one frame of a run, with less noise where the run stands still (see `steadyFrame`). Curves that the
+/// first frame shows already are suspects too, and where it shows nearly all of them a warning says so (`seenBefore`).
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
 
 /// Curves of a drawn mask (e.g. a PNG): thinning and ordering only.

@@ -77,8 +77,9 @@ struct AngiogramTrace {
     Centerline2d centerline;
     std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, wires or edges of bones
     Image vesselness;   ///< 0…1
-    Mask vesselMask;
+    Mask vesselMask;   ///< between the walls of the curves
     Mask fieldMask;   ///< where the image is exposed
+    std::vector<Message> warnings;   ///< that no contrast medium comes in this run
 };
 
 /// The vessels of one picture.

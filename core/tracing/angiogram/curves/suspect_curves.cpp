@@ -10,9 +10,13 @@ namespace angiopose::core {
 namespace {
 
 constexpr double leastShareOfSuspect = 0.15;
-constexpr double evenBendPx = 0.5;   // rms from the best arc, of short curves
-constexpr double evenBendPerLength = 0.004;   // and of long ones
-constexpr double evenWidth = 0.2;   // spread, and change from one half to the other, relative to the width
+constexpr double evenBendPx = 0.7;   // rms from the best arc, of short curves
+constexpr double evenBendPerLength = 0.006;   // and of long ones
+constexpr double leastLoopPx = 20.0;
+constexpr double mostShareOfLoop = 0.6;
+constexpr double loopGap = 0.15;   // from end to end, relative to the length
+constexpr double evenWidth = 0.3;   // spread, relative to the width: walls of hollow ones are seen unevenly
+constexpr double evenTaper = 0.2;   // change from one half to the other
 
 bool bendsEvenly(const Curve2d& curve)
 {
@@ -25,18 +29,37 @@ bool keepsItsWidth(const std::vector<double>& radii)
     const std::vector<double> spread = quantiles(radii, {0.16, 0.5, 0.84});
     const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     const double change = quantile({radii.begin(), middle}, 0.5) - quantile({middle, radii.end()}, 0.5);
-    return 0.5 * (spread[2] - spread[0]) <= evenWidth * spread[1] && std::abs(change) <= evenWidth * spread[1];
+    return 0.5 * (spread[2] - spread[0]) <= evenWidth * spread[1] && std::abs(change) <= evenTaper * spread[1];
+}
+
+/// A loop of wire closes; vessels alone do not.
+bool isClosedLoop(const Curve2d& curve, int imageSidePx)
+{
+    const double length = curve.lengthPx();
+    return length >= leastLoopPx && length <= mostShareOfLoop * imageSidePx &&
+           (curve.pointsPx.front() - curve.pointsPx.back()).norm() <= loopGap * length;
+}
+
+bool hasWidths(const Curve2d& curve)
+{
+    return curve.radiusPx.size() == curve.pointsPx.size();
 }
 
 }   // namespace
+
+bool runsLikeDevice(const Curve2d& curve)
+{
+    return curve.pointsPx.size() > 3 && bendsEvenly(curve) && (!hasWidths(curve) || keepsItsWidth(curve.radiusPx));
+}
 
 std::vector<int> suspectCurves(const Centerline2d& centerline, int imageSidePx)
 {
     std::vector<int> suspects;
     for (const Curve2d& curve : centerline.curves) {
         const bool isLong = curve.pointsPx.size() > 3 && curve.lengthPx() >= leastShareOfSuspect * imageSidePx;
-        const bool hasWidth = curve.radiusPx.size() == curve.pointsPx.size();
-        if (isLong && bendsEvenly(curve) && (!hasWidth || keepsItsWidth(curve.radiusPx))) {
+        const bool isLoop = hasWidths(curve) && curve.pointsPx.size() > 3 && isClosedLoop(curve, imageSidePx) &&
+                            keepsItsWidth(curve.radiusPx);
+        if (isLoop || (isLong && runsLikeDevice(curve))) {
             suspects.push_back(curve.id);
         }
     }

@@ -48,6 +48,23 @@ TEST(SuspectCurves, ShortOnesAreNotJudged)
     EXPECT_TRUE(core::suspectCurves({{Curve2d{1, {{3.0, 4.0}}, {1.0}}, Curve2d{}}}, 4).empty());
 }
 
+/// Once round, but for a gap between its ends.
+Curve2d loopOf(int id, double radius, double gapRad)
+{
+    Curve2d curve{id, {}, {}};
+    for (double angle = 0.0; angle < 6.28 - gapRad; angle += 0.02) {
+        curve.pointsPx.emplace_back(200.0 + radius * std::cos(angle), 200.0 + 0.6 * radius * std::sin(angle));
+        curve.radiusPx.push_back(1.5);
+    }
+    return curve;
+}
+
+TEST(SuspectCurves, LoopsOfWireAreClosed)
+{
+    EXPECT_EQ(core::suspectCurves({{loopOf(1, 16.0, 0.1), loopOf(2, 16.0, 2.5), loopOf(3, 120.0, 0.1)}}, side),
+              std::vector<int>{1});
+}
+
 TEST(SuspectCurves, WithoutWidthsTheCourseDecides)
 {
     Curve2d unknown = drawnCurve(4, arc, tapering);

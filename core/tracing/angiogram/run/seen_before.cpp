@@ -1,0 +1,109 @@
+#include "core/tracing/angiogram/run/seen_before.h"
+
+#include "core/imaging/image_filters.h"
+
+#include <algorithm>
+#include <array>
+
+namespace angiopose::core {
+namespace {
+
+constexpr int mostShiftPx = 4;   // catheters move with the heart
+constexpr int shiftCount = 2 * mostShiftPx + 1;
+constexpr int reachPoints = 7;   // averaged along the curve, against noise
+constexpr double besidePx = 2.5;   // from the walls to the ground that the depth is measured from
+constexpr double leastShareOfDepth = 0.5;
+constexpr double leastShareOfCurve = 0.6;
+constexpr double leastShareOfAll = 0.8;
+constexpr double mostShareOfDevices = 0.35;   // of what is traced; where more was there before, vessels were too
+
+using Depths = std::array<double, shiftCount>;   ///< of the dark line at each shift sideways
+
+/// How much darker (grey values) the frame is on the line than on both sides of it.
+double depthAt(const ImageF& frame, double sign, const Eigen::Vector2d& point, const Eigen::Vector2d& aside)
+{
+    const auto valueAt = [&](const Eigen::Vector2d& at) { return sign * sampled(frame, at.x(), at.y()); };
+    return std::min(valueAt(point + aside), valueAt(point - aside)) - valueAt(point);
+}
+
+std::vector<Depths> depthsAlong(const Curve2d& curve, const ImageF& frame, double sign)
+{
+    const std::vector<Eigen::Vector2d> tangents = tangentsOf(curve.pointsPx, 4);
+    std::vector<Depths> depths(curve.pointsPx.size());
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const Eigen::Vector2d normal(-tangents[i].y(), tangents[i].x());
+        for (int k = 0; k < shiftCount; ++k) {
+            depths[i][static_cast<std::size_t>(k)] = depthAt(
+                frame, sign, curve.pointsPx[i] + (k - mostShiftPx) * normal, (curve.radiusPx[i] + besidePx) * normal);
+        }
+    }
+    return depths;
+}
+
+/// Mean over the points around the i-th, at each shift.
+Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
+{
+    const std::size_t first = i >= reachPoints ? i - reachPoints : 0;
+    const std::size_t last = std::min(depths.size() - 1, i + reachPoints);
+    Depths mean{};
+    for (std::size_t j = first; j <= last; ++j) {
+        for (std::size_t k = 0; k < mean.size(); ++k) {
+            mean[k] += depths[j][k] / static_cast<double>(last - first + 1);
+        }
+    }
+    return mean;
+}
+
+double shareOfCurve(const Curve2d& curve, const ImageF& frame, const ImageF& before, double sign)
+{
+    if (curve.pointsPx.empty() || curve.radiusPx.size() != curve.pointsPx.size()) {
+        return 0.0;
+    }
+    const std::vector<Depths> now = depthsAlong(curve, frame, sign);
+    const std::vector<Depths> then = depthsAlong(curve, before, sign);
+    int seen = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const double depth = meanAround(now, i)[mostShiftPx];
+        seen += depth > 0.0 && std::ranges::max(meanAround(then, i)) >= leastShareOfDepth * depth ? 1 : 0;
+    }
+    return static_cast<double>(seen) / static_cast<double>(now.size());
+}
+
+}   // namespace
+
+std::vector<double> shareSeenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
+                                    Polarity polarity)
+{
+    const double sign = polarity == Polarity::VesselsDark ? 1.0 : -1.0;
+    std::vector<double> shares;
+    for (const Curve2d& curve : centerline.curves) {
+        shares.push_back(shareOfCurve(curve, frame, before, sign));
+    }
+    return shares;
+}
+
+SeenBefore seenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before, Polarity polarity)
+{
+    if (before.width != frame.width || before.height != frame.height) {
+        return {};
+    }
+    const std::vector<double> shares = shareSeenBefore(centerline, frame, before, polarity);
+    double length = 0.0;
+    double seenLength = 0.0;
+    SeenBefore result;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const Curve2d& curve = centerline.curves[k];
+        length += curve.lengthPx();
+        seenLength += shares[k] * curve.lengthPx();
+        if (shares[k] >= leastShareOfCurve) {
+            result.curveIds.push_back(curve.id);
+        }
+    }
+    result.isEverything = length > 0.0 && seenLength >= leastShareOfAll * length;
+    if (seenLength > mostShareOfDevices * length) {
+        result.curveIds.clear();
+    }
+    return result;
+}
+
+}   // namespace angiopose::core
