@@ -14,6 +14,7 @@
 #include "tests/benchmark/timing.h"
 #include "tests/support/tree_agreement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -26,24 +27,27 @@ namespace {
 using core::fixedText;
 
 const char* const usage =
-    "body_table [--seeds <n>] [--body <list>] [--save <folder>]\n"
+    "body_table [--seeds <n>] [--first <seed>] [--body <list>] [--asked <list>] [--save <folder>]\n"
     "  --seeds <n>      simulated bodies of each kind (3)\n"
+    "  --first <seed>   of the first (1); thresholds are chosen from 101 on\n"
+    "  --asked <list>   of defaults, seeds, thin (all)\n"
     "  --body <list>    of heart, liver, head, patient (all)\n"
     "  --save <folder>  writes the simulated scans there, to be looked at\n";
 
-constexpr int firstSeed = 1;
 constexpr double widestCoronaryMm = 3.5;
 constexpr std::size_t clickedAfterMm = 10;   // of a coronary artery, where one sees that it is one
 
 /// One way of asking for the vessels.
 struct Asking {
+    const char* option;
     const char* name;
     bool hasSeeds;
     bool tubesOnly;
 };
 
-constexpr Asking askings[]{
-    {"defaults", false, false}, {"from seeds", true, false}, {"thin vessels from seeds", true, true}};
+constexpr Asking askings[]{{"defaults", "defaults", false, false},
+                           {"seeds", "from seeds", true, false},
+                           {"thin", "thin vessels from seeds", true, true}};
 
 struct Scores {
     std::vector<double> overlap, found, falseShare, distanceMm, radiusError, walls;
@@ -93,9 +97,13 @@ void trace(const core::BodyScan& scan, const Asking& asking, Scores& scores)
     scores.radiusError.push_back(agreement.radiusError);
 }
 
-void addBody(core::ResultTable& table, const std::string& name, const std::vector<core::BodyScan>& scans)
+void addBody(core::ResultTable& table, const std::string& name, const std::vector<core::BodyScan>& scans,
+             const std::vector<std::string>& asked)
 {
     for (const Asking& asking : askings) {
+        if (std::ranges::find(asked, asking.option) == asked.end()) {
+            continue;
+        }
         Scores scores;
         for (const core::BodyScan& scan : scans) {
             trace(scan, asking, scores);
@@ -152,13 +160,15 @@ int main(int count, char** values)
 {
     const benchmarks::Arguments arguments(count, values, usage);
     const int seeds = static_cast<int>(arguments.number("seeds", 3));
+    const int firstSeed = static_cast<int>(arguments.number("first", 1));
+    const std::vector<std::string> asked = arguments.list("asked", "defaults,seeds,thin");
     const std::string folder = arguments.text("save", "");
     core::ResultTable table = tableOf();
     table.title = "Thin arteries beside what is as bright, medians";
     for (const std::string& body : arguments.list("body", "heart,liver,head,patient")) {
         if (body == "patient") {
-            addBody(table, "coronary trees of a patient, 400 HU", patientHearts(400.0));
-            addBody(table, "the same, 220 HU", patientHearts(220.0));
+            addBody(table, "coronary trees of a patient, 400 HU", patientHearts(400.0), asked);
+            addBody(table, "the same, 220 HU", patientHearts(220.0), asked);
             continue;
         }
         std::vector<core::BodyScan> scans;
@@ -173,7 +183,7 @@ int main(int count, char** values)
                 std::printf("%s", written ? "" : (written.error().message.text() + "\n").c_str());
             }
         }
-        addBody(table, "simulated " + body, scans);
+        addBody(table, "simulated " + body, scans, asked);
     }
     std::printf("%s\n", io::toPlainText(table).c_str());
     return 0;
