@@ -87,7 +87,12 @@ std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std
     if ((size.array() <= 0).any()) {
         return std::nullopt;
     }
-    const Eigen::Vector3i block = blockFor(volume.geometry, size, mostVoxels);
+    return meansOfBlocks(volume, range, blockFor(volume.geometry, size, mostVoxels), goesOn);
+}
+
+std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
+                                    const std::function<bool()>& goesOn)
+{
     Volume means(blockGeometry(volume.geometry, range, block));
     means.slope = volume.slope;
     means.intercept = volume.intercept;

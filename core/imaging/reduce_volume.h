@@ -23,4 +23,8 @@ VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::A
 std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std::size_t mostVoxels,
                               const std::function<bool()>& goesOn);
 
+/// The same over blocks of that many voxels; at the far rim they hold fewer.
+std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
+                                    const std::function<bool()>& goesOn);
+
 }   // namespace angiopose::core

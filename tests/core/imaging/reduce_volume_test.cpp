@@ -36,6 +36,16 @@ TEST(ReduceVolume, TakesTheMeanOfBlocksAndKeepsTheirPlace)
     EXPECT_NEAR(half->at(1, 2, 3), 2.5 + 450 + 3000, 0.5);
 }
 
+TEST(ReduceVolume, TakesTheMeanOfBlocksThatAreAskedFor)
+{
+    const Volume volume = numbered({7, 8, 4}, {1, 1, 2});
+    const auto blocks = meansOfBlocks(volume, {{1, 0, 0}, {7, 8, 3}}, {2, 4, 1}, always);
+    ASSERT_TRUE(blocks);
+    EXPECT_EQ(blocks->geometry.size, Eigen::Vector3i(3, 2, 3));
+    EXPECT_EQ(blocks->geometry.originInPatient, volume.geometry.originInPatient + Eigen::Vector3d(1.5, 1.5, 0.0));
+    EXPECT_NEAR(blocks->at(0, 0, 1), 0.5 * (volume.at(1, 1, 1) + volume.at(2, 2, 1)), 0.5);
+}
+
 TEST(ReduceVolume, LeavesFewEnoughVoxelsWhateverTheShape)
 {
     const Volume volume = numbered({37, 22, 9}, {0.7, 0.7, 3.0});

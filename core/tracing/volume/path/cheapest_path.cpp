@@ -1,5 +1,7 @@
 #include "core/tracing/volume/path/cheapest_path.h"
 
+#include "core/tracing/volume/path/search_cells.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,11 +15,7 @@ namespace {
 constexpr double leastMarginMm = 15.0;   // of the searched part, around both ends
 constexpr double mostMarginMm = 40.0;
 constexpr double marginPerWay = 0.35;
-constexpr std::size_t mostSearchedVoxels = 64'000'000;
-constexpr std::size_t mostSettled = 3'000'000;
 constexpr std::size_t settledPerReport = 4096;
-constexpr std::uint8_t notReached = 255;
-constexpr float unknown = -1.0F;
 
 /// A step to one of the 26 neighbours.
 struct NeighbourStep {
@@ -25,144 +23,173 @@ struct NeighbourStep {
     float lengthMm;
 };
 
-std::array<NeighbourStep, 27> neighbourSteps(const Eigen::Vector3d& spacingMm)
+std::array<NeighbourStep, 26> neighbourSteps(const Eigen::Vector3d& spacingMm)
 {
-    std::array<NeighbourStep, 27> steps;
-    for (int n = 0; n < 27; ++n) {
+    std::array<NeighbourStep, 26> steps;
+    for (int n = 0, step = 0; n < 27; ++n) {
         const Eigen::Vector3i way(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-        steps[static_cast<std::size_t>(n)] = {way,
-                                              static_cast<float>(way.cast<double>().cwiseProduct(spacingMm).norm())};
+        if (way != Eigen::Vector3i::Zero()) {
+            const double lengthMm = way.cast<double>().cwiseProduct(spacingMm).norm();
+            steps[static_cast<std::size_t>(step++)] = {way, static_cast<float>(lengthMm)};
+        }
     }
     return steps;
 }
 
-/// The searched part of a grid.
-struct SearchedPart {
-    Eigen::Vector3i first = Eigen::Vector3i::Zero();
-    VolumeGeometry grid;   ///< its size and spacing
-
-    SearchedPart(const VolumeGeometry& whole, const Eigen::Vector3i& from, const Eigen::Vector3i& to)
-    {
-        const double wayMm = (to - from).cast<double>().cwiseProduct(whole.spacingMm).norm();
-        const double marginMm = std::clamp(marginPerWay * wayMm, leastMarginMm, mostMarginMm);
-        const Eigen::Vector3i margin = (marginMm * whole.spacingMm.cwiseInverse()).array().ceil().cast<int>();
-        first = (from.cwiseMin(to) - margin).cwiseMax(0);
-        const Eigen::Vector3i last = (from.cwiseMax(to) + margin).cwiseMin((whole.size.array() - 1).matrix());
-        grid.size = last - first + Eigen::Vector3i::Ones();
-        grid.spacingMm = whole.spacingMm;
-    }
-    std::size_t index(const Eigen::Vector3i& voxel) const
-    {
-        const Eigen::Vector3i at = voxel - first;
-        return grid.index(at.x(), at.y(), at.z());
-    }
-    Eigen::Vector3i voxelAt(std::size_t index) const { return grid.voxelAt(index) + first; }
-    bool contains(const Eigen::Vector3i& voxel) const { return grid.contains(voxel - first); }
-};
-
 struct Waiting {
-    float cost;
+    float key;   ///< distance and half the straight way on, less half the straight way back
+    float distance;
     std::uint32_t voxel;
-    bool operator>(const Waiting& other) const { return cost > other.cost; }
+    bool operator>(const Waiting& other) const { return key > other.key; }
 };
 
-/// One search from a voxel over the part.
+using WaitingVoxels = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>;
+
+/// One search from both ends over a box of voxels, counted from its first.
 class PathSearch {
 public:
-    PathSearch(const SearchedPart& part, const VoxelCost& costOf)
-        : part_(part),
-          costOf_(costOf),
-          steps_(neighbourSteps(part.grid.spacingMm)),
-          distance_(part.grid.voxelCount(), std::numeric_limits<float>::infinity()),
-          costs_(part.grid.voxelCount(), unknown),
-          arrival_(part.grid.voxelCount(), notReached)
+    PathSearch(const VolumeGeometry& box, const Eigen::Vector3i& first, const VoxelCost& cost)
+        : box_(box), first_(first), cost_(cost), steps_(neighbourSteps(box.spacingMm)), cells_(box.size)
     {
     }
 
-    bool search(const Eigen::Vector3i& from, const Eigen::Vector3i& to, TracingProgress& progress)
+    CheapestPath between(const Eigen::Vector3i& from, const Eigen::Vector3i& to, std::size_t mostSettled,
+                         TracingProgress& progress)
     {
-        const auto goal = static_cast<std::uint32_t>(part_.index(to));
-        distance_[part_.index(from)] = 0.0F;
-        waiting_.push({0.0F, static_cast<std::uint32_t>(part_.index(from))});
-        for (std::size_t settled = 0; !waiting_.empty() && settled < mostSettled;) {
-            const Waiting next = waiting_.top();
-            waiting_.pop();
-            if (next.cost > distance_[next.voxel]) {
-                continue;   // came on a cheaper way since
-            }
-            if (next.voxel == goal) {
-                return true;
-            }
-            settle(next.voxel);
-            if (++settled % settledPerReport == 0 &&
+        ends_ = {from - first_, to - first_};
+        for (const std::size_t side : {0U, 1U}) {
+            reach(cells_.at(ends_[side]), ends_[side], 0.0F, side);
+        }
+        for (std::size_t settled = 0; !isFound() && settled < mostSettled;) {
+            // Where fewer wait less is seen until both meet.
+            settled += settleNext(waiting_[0].size() <= waiting_[1].size() ? 0 : 1) ? 1 : 0;
+            if (settled % settledPerReport == 0 &&
                 !progress.advance(static_cast<double>(settled) / static_cast<double>(mostSettled))) {
-                return false;
+                return {};
             }
         }
-        return false;
-    }
-
-    std::vector<Eigen::Vector3i> wayTo(const Eigen::Vector3i& to) const
-    {
-        std::vector<Eigen::Vector3i> way{to};
-        while (arrival_[part_.index(way.back())] != notReached) {
-            way.push_back(way.back() - steps_[arrival_[part_.index(way.back())]].way);
-        }
-        std::ranges::reverse(way);
-        return way;
+        return isFound() ? CheapestPath{wayOverMeeting()} : CheapestPath{{}, true};
     }
 
 private:
-    float costAt(const Eigen::Vector3i& voxel, std::size_t index)
+    /// No way over a voxel that still waits is cheaper; nor is there one once an end's are used up.
+    bool isFound() const
     {
-        if (costs_[index] == unknown) {
-            costs_[index] = static_cast<float>(costOf_(voxel));
-        }
-        return costs_[index];
+        return waiting_[0].empty() || waiting_[1].empty() || waiting_[0].top().key + waiting_[1].top().key >= shortest_;
     }
 
-    void settle(std::uint32_t index)
+    void reach(SearchCell& cell, const Eigen::Vector3i& voxel, float distance, std::size_t side)
     {
-        const Eigen::Vector3i voxel = part_.voxelAt(index);
-        const float here = costAt(voxel, index);
+        cell.distance[side] = distance;
+        if (distance + cell.distance[1 - side] < shortest_) {
+            shortest_ = distance + cell.distance[1 - side];
+            meeting_ = voxel;
+        }
+        const float onward = halfLeastCost(voxel, ends_[1 - side]) - halfLeastCost(voxel, ends_[side]);
+        waiting_[side].push(
+            {distance + onward, distance, static_cast<std::uint32_t>(box_.index(voxel.x(), voxel.y(), voxel.z()))});
+    }
+
+    float halfLeastCost(const Eigen::Vector3i& voxel, const Eigen::Vector3i& end) const
+    {
+        return static_cast<float>(0.5 * cost_.leastPerMm *
+                                  (voxel - end).cast<double>().cwiseProduct(box_.spacingMm).norm());
+    }
+
+    /// False for one that came on a cheaper way since.
+    bool settleNext(std::size_t side)
+    {
+        const Waiting next = waiting_[side].top();
+        waiting_[side].pop();
+        const Eigen::Vector3i voxel = box_.voxelAt(next.voxel);
+        SearchCell& here = cells_.at(voxel);
+        if (next.distance > here.distance[side]) {
+            return false;
+        }
+        const float perMm = costAt(here, voxel);
         for (std::size_t n = 0; n < steps_.size(); ++n) {
             const Eigen::Vector3i at = voxel + steps_[n].way;
-            if (!part_.contains(at) || steps_[n].lengthMm == 0.0F) {
+            if (!box_.contains(at)) {
                 continue;
             }
-            const std::size_t there = part_.index(at);
-            if (distance_[there] <= distance_[index]) {
-                continue;   // settled, or as near already
+            SearchCell& there = cells_.at(at);
+            if (there.distance[side] <= next.distance) {
+                continue;   // as near already
             }
-            const float cost = distance_[index] + 0.5F * (here + costAt(at, there)) * steps_[n].lengthMm;
-            if (cost < distance_[there]) {
-                distance_[there] = cost;
-                arrival_[there] = static_cast<std::uint8_t>(n);
-                waiting_.push({cost, static_cast<std::uint32_t>(there)});
+            const float distance = next.distance + 0.5F * (perMm + costAt(there, at)) * steps_[n].lengthMm;
+            if (distance < there.distance[side]) {
+                there.arrival[side] = static_cast<std::uint8_t>(n);
+                reach(there, at, distance, side);
             }
         }
+        return true;
     }
 
-    const SearchedPart& part_;
-    const VoxelCost& costOf_;
-    std::array<NeighbourStep, 27> steps_;
-    std::vector<float> distance_;
-    std::vector<float> costs_;
-    std::vector<std::uint8_t> arrival_;   ///< the step that led here
-    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
+    float costAt(SearchCell& cell, const Eigen::Vector3i& voxel) const
+    {
+        if (cell.perMm == SearchCell::unknown) {
+            cell.perMm = static_cast<float>(cost_.perMm(voxel + first_));
+        }
+        return cell.perMm;
+    }
+
+    std::vector<Eigen::Vector3i> wayOverMeeting()
+    {
+        if (!std::isfinite(shortest_)) {
+            return {};
+        }
+        std::vector<Eigen::Vector3i> way = wayBack(meeting_, 0);
+        std::ranges::reverse(way);
+        const std::vector<Eigen::Vector3i> onward = wayBack(meeting_, 1);
+        way.insert(way.end(), onward.begin() + 1, onward.end());
+        for (Eigen::Vector3i& voxel : way) {
+            voxel += first_;
+        }
+        return way;
+    }
+
+    std::vector<Eigen::Vector3i> wayBack(const Eigen::Vector3i& voxel, std::size_t side)
+    {
+        std::vector<Eigen::Vector3i> way{voxel};
+        while (cells_.at(way.back()).arrival[side] != SearchCell::notReached) {
+            way.push_back(way.back() - steps_[cells_.at(way.back()).arrival[side]].way);
+        }
+        return way;
+    }
+
+    VolumeGeometry box_;
+    Eigen::Vector3i first_;
+    const VoxelCost& cost_;
+    std::array<NeighbourStep, 26> steps_;
+    SearchCells cells_;
+    std::array<Eigen::Vector3i, 2> ends_;
+    std::array<WaitingVoxels, 2> waiting_;
+    float shortest_ = std::numeric_limits<float>::infinity();   ///< of the ways that are known
+    Eigen::Vector3i meeting_ = Eigen::Vector3i::Zero();   ///< a voxel on it
 };
 
 }   // namespace
 
-std::vector<Eigen::Vector3i> cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from,
-                                          const Eigen::Vector3i& to, const VoxelCost& costOf, TracingProgress& progress)
+VoxelRange searchedRange(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to)
 {
-    const SearchedPart part(grid, from, to);
-    if (part.grid.voxelCount() > mostSearchedVoxels) {
-        return {};
+    const double wayMm = (to - from).cast<double>().cwiseProduct(grid.spacingMm).norm();
+    const double marginMm = std::clamp(marginPerWay * wayMm, leastMarginMm, mostMarginMm);
+    const Eigen::Vector3i margin = (marginMm * grid.spacingMm.cwiseInverse()).array().ceil().cast<int>();
+    return {(from.cwiseMin(to) - margin).cwiseMax(0),
+            ((from.cwiseMax(to) + margin).array() + 1).matrix().cwiseMin(grid.size)};
+}
+
+CheapestPath cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to,
+                          const VoxelCost& cost, std::size_t mostSettled, TracingProgress& progress)
+{
+    const VoxelRange range = searchedRange(grid, from, to);
+    VolumeGeometry box;
+    box.size = range.high - range.low;
+    box.spacingMm = grid.spacingMm;
+    if (box.voxelCount() > std::numeric_limits<std::uint32_t>::max()) {
+        return {{}, true};
     }
-    PathSearch search(part, costOf);
-    return search.search(from, to, progress) ? search.wayTo(to) : std::vector<Eigen::Vector3i>();
+    return PathSearch(box, range.low, cost).between(from, to, mostSettled, progress);
 }
 
 }   // namespace angiopose::core

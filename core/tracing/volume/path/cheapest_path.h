@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/imaging/reduce_volume.h"
 #include "core/imaging/volume.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
 
@@ -9,14 +10,26 @@
 
 namespace angiopose::core {
 
-/// What a millimetre through a voxel costs, above 0. Asked once for each voxel that the search reaches.
-using VoxelCost = std::function<double(const Eigen::Vector3i& voxel)>;
+/// What a millimetre through a voxel costs, above 0; infinite: it is not entered. Asked once for each voxel that the
+/// search reaches.
+struct VoxelCost {
+    std::function<double(const Eigen::Vector3i& voxel)> perMm;
+    double leastPerMm = 0.0;   ///< no voxel costs less; the nearer the truth, the fewer are searched
+};
 
-/// The cheapest way over neighbouring voxels from one to another within the part of the grid around both (Dijkstra
-/// 1959); both ends included. Empty when stopped, when the part has more than 64
-/// million voxels, or when 3 million were searched in vain.
-std::vector<Eigen::Vector3i> cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from,
-                                          const Eigen::Vector3i& to, const VoxelCost& costOf,
-                                          TracingProgress& progress);
+/// What a search came to.
+struct CheapestPath {
+    std::vector<Eigen::Vector3i> voxels;   ///< both ends included; empty: none was found
+    bool isCutShort = false;   ///< as many were searched as it was allowed
+};
+
+/// The voxels between which a way is searched: the box around both ends, 15 to 40 mm wider.
+VoxelRange searchedRange(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to);
+
+/// The cheapest way over neighbouring voxels from one to another within `searchedRange`, sought from both ends and
+/// first where the straight way on is short (Dijkstra 1959; Ikeda et al. 1994). None when stopped, where all is closed,
+/// or when `mostSettled` voxels were searched in vain.
+CheapestPath cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to,
+                          const VoxelCost& cost, std::size_t mostSettled, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -4,6 +4,8 @@
 #include "core/support/quantile.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <unordered_map>
 
 namespace angiopose::core {
 namespace {
@@ -13,22 +15,51 @@ constexpr std::ptrdiff_t steadyReach = 7;   // places before and behind: stents,
 constexpr double bloodRank = 0.75;   // of these: thin stretches are dim by blurring
 constexpr double besideInShells = 1.5;   // how far from the axis what is around a vessel begins
 constexpr double clearlyDarker = 0.5;   // of the vessel's height: not another vessel beside it
+constexpr double withinBlood = 0.5;   // of the usual height over tissue: all around is blood
+constexpr double otherVessel = 0.4;   // what is less dark is blurred with another vessel
+constexpr double rankBeside = 0.75;   // of what is darker
+constexpr double mostFillBeside = 0.35;
 constexpr std::size_t leastAround = 6;   // of 26 places
 
-/// What is right beside the vessel, where enough is darker than it; else what is farther around.
-VesselLook lookBeside(const PathGround& ground, const Eigen::Vector3i& voxel)
+/// What is right beside the vessel, where enough is darker than it; else what is farther around. Beside lung or fat the
+/// rest must not look half like blood.
+VesselLook lookBeside(const PathGround& ground, const Eigen::Vector3i& voxel, VesselLook look)
 {
-    VesselLook look = ground.lookAt(voxel);
+    const double heightOfBlood = look.blood - look.tissue;
     std::vector<double> around;
+    std::vector<double> darker;
     for (const double value : ground.valuesAround(voxel, besideInShells * ground.tube(voxel, look.tissue).shellMm)) {
-        if (value < look.blood - clearlyDarker * (look.blood - look.tissue)) {
+        if (value < look.blood - otherVessel * heightOfBlood) {
             around.push_back(value);
         }
+        if (value < look.blood - clearlyDarker * heightOfBlood) {
+            darker.push_back(value);
+        }
+    }
+    if (darker.size() >= leastAround) {
+        look.tissue = medianOf(darker);
     }
     if (around.size() >= leastAround) {
-        look.tissue = medianOf(around);
+        const double brightBeside = quantile(around, rankBeside);
+        look.tissue = std::max(look.tissue, (brightBeside - mostFillBeside * look.blood) / (1.0 - mostFillBeside));
     }
     return look;
+}
+
+/// Where a vessel is so wide that there is nothing else around its axis, tissue is as on the rest of the way.
+void lookBeyondBlood(std::vector<VesselLook>& looks)
+{
+    std::vector<double> heights;
+    std::vector<double> tissues;
+    for (const VesselLook& look : looks) {
+        heights.push_back(look.blood - look.tissue);
+        tissues.push_back(look.tissue);
+    }
+    const double leastHeight = withinBlood * medianOf(heights);
+    const double tissue = medianOf(tissues);
+    for (VesselLook& look : looks) {
+        look.tissue = look.blood - look.tissue < leastHeight ? std::min(look.tissue, tissue) : look.tissue;
+    }
 }
 
 }   // namespace
@@ -37,34 +68,61 @@ LookAlongPath::LookAlongPath(const PathGround& ground, const std::vector<Eigen::
     : volume_(ground.volume())
 {
     const Eigen::Vector3d& spacing = volume_.geometry.spacingMm;
+    std::vector<Eigen::Vector3i> voxels;
     double walkedMm = lookEveryMm;
     for (std::size_t n = 0; n < pointsMm.size(); ++n) {
         walkedMm += n > 0 ? (pointsMm[n] - pointsMm[n - 1]).norm() : 0.0;
         if (walkedMm >= lookEveryMm) {
             placesMm_.push_back(pointsMm[n]);
-            looks_.push_back(lookBeside(ground, pointsMm[n].cwiseQuotient(spacing).array().round().cast<int>()));
+            voxels.emplace_back(pointsMm[n].cwiseQuotient(spacing).array().round().cast<int>());
+            looks_.push_back(ground.lookAt(voxels.back()));
             walkedMm = 0.0;
         }
+    }
+    lookBeyondBlood(looks_);
+    for (std::size_t n = 0; n < voxels.size(); ++n) {
+        looks_[n] = lookBeside(ground, voxels[n], looks_[n]);
     }
     steady();
 }
 
-const VesselLook& LookAlongPath::at(const Eigen::Vector3d& pointMm) const
+std::size_t LookAlongPath::nearest(const Eigen::Vector3d& pointMm) const
 {
     std::size_t nearest = 0;
     for (std::size_t n = 1; n < placesMm_.size(); ++n) {
         nearest = (placesMm_[n] - pointMm).squaredNorm() < (placesMm_[nearest] - pointMm).squaredNorm() ? n : nearest;
     }
-    return looks_[nearest];
+    return nearest;
 }
 
 double LookAlongPath::fill(const Eigen::Vector3d& pointMm) const
 {
+    return fill(pointMm, looks_[nearest(pointMm)]);
+}
+
+double LookAlongPath::fill(const Eigen::Vector3d& pointMm, const VesselLook& look) const
+{
     const VolumeGeometry& grid = volume_.geometry;
     const double value = interpolated(
         grid, pointMm, [&](const Eigen::Vector3i& at) { return volume_.value(grid.index(at.x(), at.y(), at.z())); });
-    const VesselLook& here = at(pointMm);
-    return (value - here.tissue) / (here.blood - here.tissue);
+    return (value - look.tissue) / (look.blood - look.tissue);
+}
+
+BloodFill LookAlongPath::quickFill() const
+{
+    return [look = *this,
+            known = std::unordered_map<std::uint64_t, std::size_t>()](const Eigen::Vector3d& pointMm) mutable {
+        const Eigen::Vector3d cell = pointMm.array().floor();
+        std::uint64_t key = 0;
+        for (const double at : cell) {
+            key = key << 21U | (static_cast<std::uint64_t>(static_cast<std::int64_t>(at)) & 0x1FFFFFU);
+        }
+        const auto [found, isNew] = known.try_emplace(key, 0);
+        if (isNew) {
+            found->second = look.nearest(cell + Eigen::Vector3d::Constant(0.5));
+        }
+        return look.fill(pointMm, look.looks_[found->second]);
+    };
 }
 
 /// Each look by those around it.

@@ -14,12 +14,15 @@ public:
     /// Points in mm along the grid's axes.
     LookAlongPath(const PathGround& ground, const std::vector<Eigen::Vector3d>& pointsMm);
 
-    const VesselLook& at(const Eigen::Vector3d& pointMm) const;   ///< of the nearest place on the path
-
     /// Share of blood near the path: 0 as around the vessel, 1 as in it.
     double fill(const Eigen::Vector3d& pointMm) const;
 
+    /// The same, which looks up once for all points within a millimetre what the vessel is like there. For one thread.
+    BloodFill quickFill() const;
+
 private:
+    std::size_t nearest(const Eigen::Vector3d& pointMm) const;
+    double fill(const Eigen::Vector3d& pointMm, const VesselLook& look) const;
     void steady();
 
     const Volume& volume_;

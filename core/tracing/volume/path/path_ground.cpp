@@ -14,6 +14,7 @@ constexpr double clearDrop = 0.4;   // of a voxel's height above tissue, to what
 // Along a straight tube about 9 of 13 directions leave it; in a wall 4, where it goes on flat 0.
 constexpr double leastShareOfTube = 0.35;
 constexpr double shareOfTube = 0.65;
+constexpr int directions = 13;
 constexpr double tissueReachMm = 6.0;
 constexpr double tissueRank = 0.3;   // of the values around: the vessel and its neighbours fill less than the rest
 
@@ -29,6 +30,13 @@ std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& s
     return steps;
 }
 
+/// 0…1, how much of a tube's middle a voxel is that is brighter than that many pairs of places.
+double shareOfPairs(int darker)
+{
+    const double share = static_cast<double>(darker) / directions;
+    return std::clamp((share - leastShareOfTube) / (shareOfTube - leastShareOfTube), 0.0, 1.0);
+}
+
 }   // namespace
 
 PathGround::PathGround(const Volume& volume, double widestRadiusMm) : volume_(volume)
@@ -37,10 +45,15 @@ PathGround::PathGround(const Volume& volume, double widestRadiusMm) : volume_(vo
         if (radiusMm > shellBeyondWall * widestRadiusMm) {
             break;
         }
-        const Shell shell{radiusMm, halfShell(radiusMm, volume.geometry.spacingMm)};
+        Shell shell{radiusMm, halfShell(radiusMm, volume.geometry.spacingMm), {}};
         const auto isNone = [](const Eigen::Vector3i& step) { return step == Eigen::Vector3i::Zero(); };
         if (std::ranges::none_of(shell.steps, isNone)) {
-            shells_.push_back(shell);
+            for (const Eigen::Vector3i& step : shell.steps) {
+                const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(step.z()) * volume.geometry.size.y() + step.y();
+                shell.offsets.push_back(rows * volume.geometry.size.x() + step.x());
+                shell.reach = shell.reach.cwiseMax(step.cwiseAbs());
+            }
+            shells_.push_back(std::move(shell));
         }
     }
 }
@@ -51,6 +64,27 @@ double PathGround::valueAt(const Eigen::Vector3i& voxel) const
     return volume_.value(volume_.geometry.index(inside.x(), inside.y(), inside.z()));
 }
 
+/// Pairs of which both places have at most that value; 0 once fewer than `atLeast` can be left.
+int PathGround::darkerPairs(const Shell& shell, const Eigen::Vector3i& voxel, double limit, int atLeast) const
+{
+    const VolumeGeometry& grid = volume_.geometry;
+    const bool isInside =
+        ((voxel - shell.reach).array() >= 0).all() && ((voxel + shell.reach).array() < grid.size.array()).all();
+    const auto at = static_cast<std::ptrdiff_t>(isInside ? grid.index(voxel.x(), voxel.y(), voxel.z()) : 0);
+    int darker = 0;
+    for (std::size_t n = 0; n < shell.steps.size(); ++n) {
+        const bool isDarker =
+            isInside ? volume_.value(static_cast<std::size_t>(at + shell.offsets[n])) <= limit &&
+                           volume_.value(static_cast<std::size_t>(at - shell.offsets[n])) <= limit
+                     : valueAt(voxel + shell.steps[n]) <= limit && valueAt(voxel - shell.steps[n]) <= limit;
+        darker += isDarker ? 1 : 0;
+        if (darker + directions - static_cast<int>(n) - 1 < atLeast) {
+            return 0;
+        }
+    }
+    return darker;
+}
+
 TubeLook PathGround::tube(const Eigen::Vector3i& voxel, double tissue) const
 {
     const double here = valueAt(voxel);
@@ -59,19 +93,33 @@ TubeLook PathGround::tube(const Eigen::Vector3i& voxel, double tissue) const
         return {};
     }
     TubeLook look;
-    std::ptrdiff_t most = 0;
+    int most = 0;
     for (const Shell& shell : shells_) {
-        const auto falls = [&](const Eigen::Vector3i& step) {
-            return valueAt(voxel + step) <= here - drop && valueAt(voxel - step) <= here - drop;
-        };
-        if (const std::ptrdiff_t count = std::ranges::count_if(shell.steps, falls); count > most) {
+        if (const int count = darkerPairs(shell, voxel, here - drop, most + 1); count > most) {
             most = count;
             look.shellMm = shell.radiusMm;
         }
     }
-    const double share = static_cast<double>(most) / 13.0;
-    look.share = std::clamp((share - leastShareOfTube) / (shareOfTube - leastShareOfTube), 0.0, 1.0);
+    look.share = shareOfPairs(most);
     return look;
+}
+
+double PathGround::tubeShare(const Eigen::Vector3i& voxel, double tissue) const
+{
+    const double here = valueAt(voxel);
+    const double drop = clearDrop * (here - tissue);
+    if (drop <= 0.0) {
+        return 0.0;
+    }
+    const int leastThatCounts = static_cast<int>(std::floor(leastShareOfTube * directions)) + 1;
+    int most = 0;
+    for (const Shell& shell : shells_) {
+        most = std::max(most, darkerPairs(shell, voxel, here - drop, std::max(most + 1, leastThatCounts)));
+        if (shareOfPairs(most) >= 1.0) {
+            break;
+        }
+    }
+    return shareOfPairs(most);
 }
 
 std::vector<double> PathGround::valuesAround(const Eigen::Vector3i& voxel, double distanceMm) const

@@ -38,6 +38,9 @@ public:
     /// How much a voxel is the middle of a tube; neither in a chamber nor in a wall.
     TubeLook tube(const Eigen::Vector3i& voxel, double tissue) const;
 
+    /// The share alone, which is found sooner.
+    double tubeShare(const Eigen::Vector3i& voxel, double tissue) const;
+
     /// Values in 26 directions at a distance.
     std::vector<double> valuesAround(const Eigen::Vector3i& voxel, double distanceMm) const;
 
@@ -48,7 +51,11 @@ private:
     struct Shell {
         double radiusMm = 0.0;
         std::vector<Eigen::Vector3i> steps;   ///< 13, and their opposites
+        std::vector<std::ptrdiff_t> offsets;   ///< the same among the voxels as stored
+        Eigen::Vector3i reach = Eigen::Vector3i::Zero();
     };
+    int darkerPairs(const Shell& shell, const Eigen::Vector3i& voxel, double limit, int atLeast) const;
+
     const Volume& volume_;
     std::vector<Shell> shells_;
 };

@@ -98,7 +98,7 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
     }
     const VolumeGeometry& grid = volume.geometry;
     const FillOfPath fillOf = [&ground](const BranchPath& path) {
-        return [look = LookAlongPath(ground, path.pointsMm)](const Eigen::Vector3d& at) { return look.fill(at); };
+        return LookAlongPath(ground, path.pointsMm).quickFill();
     };
     progress.enter("branches", 0.8, 1.0);
     TracedVessels traced;

@@ -3,10 +3,9 @@
 #include "core/messages/says.h"
 #include "core/tracing/tree/tree_of_paths.h"
 #include "core/tracing/volume/chosen/chosen_lumen.h"
-#include "core/tracing/volume/path/cheapest_path.h"
 #include "core/tracing/volume/path/look_along_path.h"
 #include "core/tracing/volume/path/path_end.h"
-#include "core/tracing/volume/path/voxel_cost.h"
+#include "core/tracing/volume/path/way_between.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,28 +17,6 @@ constexpr double outsideFill = 0.35;   // below: no vessel there
 constexpr double sayOutsideMm = 2.0;
 constexpr double assumedRadiusMm = 1.5;   // of which the first cross-sections are looked for
 constexpr double pointSpacingMm = 1.0;
-
-/// What vessels look like on the way from one end to the other: changing evenly.
-class LookOnTheWay {
-public:
-    LookOnTheWay(const Eigen::Vector3d& fromMm, const VesselLook& from, const Eigen::Vector3d& toMm,
-                 const VesselLook& to)
-        : fromMm_(fromMm), way_(toMm - fromMm), from_(from), to_(to)
-    {
-    }
-
-    VesselLook at(const Eigen::Vector3d& pointMm) const
-    {
-        const double share = std::clamp((pointMm - fromMm_).dot(way_) / std::max(way_.squaredNorm(), 1e-12), 0.0, 1.0);
-        return {from_.blood + share * (to_.blood - from_.blood), from_.tissue + share * (to_.tissue - from_.tissue)};
-    }
-
-private:
-    Eigen::Vector3d fromMm_;
-    Eigen::Vector3d way_;
-    VesselLook from_;
-    VesselLook to_;
-};
 
 std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, const VolumeGeometry& grid)
 {
@@ -57,9 +34,7 @@ VesselBranch centredBranch(const std::vector<Eigen::Vector3d>& placesMm, const V
     BranchPath way;
     way.pointsMm = placesMm;
     way.radiusMm.assign(placesMm.size(), std::max(assumedRadiusMm, grid.spacingMm.minCoeff()));
-    const auto fill = [&look](const BranchPath&) {
-        return [&look](const Eigen::Vector3d& at) { return look.fill(at); };
-    };
+    const auto fill = [&look](const BranchPath&) { return look.quickFill(); };
     VesselTree tree = treeOfPaths({way}, fill, grid, pointSpacingMm, progress);
     VesselBranch branch = tree.branches.empty() ? VesselBranch() : std::move(tree.branches.front());
     branch.id = 0;
@@ -89,18 +64,11 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
     if (!to) {
         return to.error();
     }
-    const Eigen::Vector3d& spacing = volume.geometry.spacingMm;
     if (from.value().voxel == to.value().voxel) {
         return Error(says::pathEndsTooNear());
     }
-    const LookOnTheWay look(from.value().voxel.cast<double>().cwiseProduct(spacing), from.value().look,
-                            to.value().voxel.cast<double>().cwiseProduct(spacing), to.value().look);
-    const VoxelCost cost = [&](const Eigen::Vector3i& voxel) {
-        return costOfVoxel(ground, voxel, look.at(voxel.cast<double>().cwiseProduct(spacing)));
-    };
     progress.enter("path", 0.0, 1.0);
-    const std::vector<Eigen::Vector3i> path =
-        cheapestPath(volume.geometry, from.value().voxel, to.value().voxel, cost, progress);
+    const std::vector<Eigen::Vector3i> path = wayBetween(ground, from.value(), to.value(), progress);
     if (progress.isStopped()) {
         return stoppedTracing();
     }

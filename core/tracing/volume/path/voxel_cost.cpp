@@ -6,7 +6,6 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double dearest = 40.0;   // a millimetre of tissue, over one in the middle of a vessel
 constexpr double farAboveBlood = 1.4;   // bone, chalk and metal: beyond blood's height over tissue by this
 constexpr double dimming = 3.0;   // of the likeness, beyond it
 constexpr double shareWithoutTube = 0.15;   // of what speaks for a vessel, as bright as one but no tube
@@ -23,8 +22,8 @@ double likeness(double value, const VesselLook& look)
 double costOfVoxel(const PathGround& ground, const Eigen::Vector3i& voxel, const VesselLook& look)
 {
     const double like = likeness(ground.valueAt(voxel), look);
-    const double tube = like > 0.0 ? ground.tube(voxel, look.tissue).share : 0.0;
-    return 1.0 / (1.0 / dearest + like * like * (shareWithoutTube + (1.0 - shareWithoutTube) * tube));
+    const double tube = like > 0.0 ? ground.tubeShare(voxel, look.tissue) : 0.0;
+    return 1.0 / (1.0 / dearestPerMm + like * like * (shareWithoutTube + (1.0 - shareWithoutTube) * tube));
 }
 
 }   // namespace angiopose::core

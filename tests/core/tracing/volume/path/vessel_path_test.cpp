@@ -116,6 +116,39 @@ TEST(VesselPath, TakesClicksBesideTheVessel)
     EXPECT_GT(agreementWithArc(path.value()).overlap, 0.95);
 }
 
+/// From the middle of an aorta, in which all is as bright as far as one sees, into a branch: more voxels than are
+/// searched at once.
+TEST(VesselPath, LeavesAWideVesselByAThinOne)
+{
+    VolumeGeometry grid;
+    grid.size = {150, 110, 140};
+    grid.spacingMm = Eigen::Vector3d::Constant(0.5);
+    grid.originInPatient = {-20.0, -27.0, -35.0};
+    Volume scan(grid);
+    CounterRandom random(6);
+    const auto depth = [](const Eigen::Vector3d& place) {
+        const double inAorta = 14.0 - place.head<2>().norm();
+        const double inBranch = place.x() > 0.0 ? 1.5 - place.tail<2>().norm() : -1e3;
+        return std::max(inAorta, inBranch);
+    };
+    for (std::size_t n = 0; n < scan.voxels.size(); ++n) {
+        const double share =
+            std::clamp(0.5 + depth(grid.patientFromVoxel() * grid.voxelAt(n).cast<double>()) / 0.8, 0.0, 1.0);
+        scan.voxels[n] = static_cast<std::int16_t>(std::lround(tissueHu + share * 300.0 + 15.0 * random.normal()));
+    }
+    const auto path = vesselBetween(scan, {0.0, 0.0, 24.0}, {50.0, 0.0, 0.0});
+    ASSERT_TRUE(path) << path.error().message.text();
+    const VesselBranch& branch = path.value().branch;
+    EXPECT_NEAR(branch.radiusMm.front(), 14.0, 3.0);
+    for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
+        EXPECT_GT(depth(branch.pointsInPatient[n]), 0.0);
+        if (branch.pointsInPatient[n].x() > 20.0) {
+            EXPECT_LT(branch.pointsInPatient[n].tail<2>().norm(), 0.4);
+            EXPECT_NEAR(branch.radiusMm[n], 1.5, 0.4);
+        }
+    }
+}
+
 TEST(VesselPath, SaysWhereItRunsThroughNothing)
 {
     const Depth interrupted = [](const Eigen::Vector3d& place) {
