@@ -19,6 +19,10 @@ constexpr double tubeCost = 3.3;
 constexpr double mostDebt = 9.0;   // about 3 mm of a chamber, a quarter of a mm of tissue
 constexpr double paidBack = 0.5;   // of what a tube's voxel costs less
 constexpr double memoryMm = 12.0;   // over which the look of a way follows what it runs through
+constexpr double fadingMm = 100.0;   // over which the contrast of an artery fades
+constexpr double leastOfFull = 0.6;   // a vein, later filled, has less
+constexpr double radiusInShell = 0.35;   // at least
+constexpr double blurInVoxels = 1.0;
 constexpr std::size_t mostGrown = 2'000'000;
 constexpr std::size_t grownPerReport = 4096;
 constexpr double radiusOfShell = 0.75;   // the wall lies within the shell that is darker
@@ -30,6 +34,7 @@ struct ReachedVoxel {
     double wayMm = 0.0;   ///< from the seed
     double debt = 0.0;
     VesselLook look;
+    double fullBlood = 0.0;   ///< of the vessel where it is not dimmed by being thin
     std::size_t before = 0;   ///< the voxel it came from; itself: a seed
     bool isTube = false;
     bool isSettled = false;
@@ -55,7 +60,8 @@ public:
     {
         for (const Eigen::Vector3i& seed : seeds) {
             const std::size_t voxel = indexOf(seed);
-            reached_[voxel] = {0.0, 0.0, 0.0, ground_.lookAt(seed), voxel, true};
+            const VesselLook look = ground_.lookAt(seed);
+            reached_[voxel] = {0.0, 0.0, 0.0, look, look.blood, voxel, true};
             waiting_.push({0.0, voxel});
         }
         for (settled_ = 0; !waiting_.empty() && settled_ < mostGrown;) {
@@ -129,13 +135,32 @@ private:
         }
     }
 
+    /// What a mm costs there. A tube too wide to be dimmed by blurring that is darker than the vessel so far is a vein.
+    double costAt(const Eigen::Vector3i& voxel, const ReachedVoxel& here) const
+    {
+        const double value = ground_.valueAt(voxel);
+        const TubeLook tube = ground_.tube(voxel, here.look.tissue);
+        const double height = (value - here.look.tissue) / std::max(1.0, here.fullBlood - here.look.tissue);
+        if (height < leastOfFull * fullnessOf(tube.shellMm)) {
+            return costOfTube(value, 0.0, {here.fullBlood, here.look.tissue});
+        }
+        return costOfTube(value, tube.share, here.look);
+    }
+
+    /// The share of its blood's height that blurring leaves in the middle of a tube with the wall within `shellMm`.
+    double fullnessOf(double shellMm) const
+    {
+        const double radiusInBlur = radiusInShell * shellMm / (blurInVoxels * std::cbrt(grid_.spacingMm.prod()));
+        return 1.0 - std::exp(-0.5 * radiusInBlur * radiusInBlur);
+    }
+
     void reach(const Eigen::Vector3i& voxel, std::size_t from, const ReachedVoxel& here, double stepMm)
     {
         ReachedVoxel& there = reached_[indexOf(voxel)];
         if (there.isSettled || there.cost <= here.cost) {
             return;
         }
-        const double perMm = costOfVoxel(ground_, voxel, here.look);
+        const double perMm = costAt(voxel, here);
         const double debt =
             std::max(0.0, here.debt + (perMm - tubeCost) * stepMm * (perMm < tubeCost ? paidBack : 1.0));
         const double cost = here.cost + perMm * stepMm;
@@ -144,9 +169,11 @@ private:
         }
         const bool isTube = perMm <= tubeCost;
         const double share = isTube ? 1.0 - std::exp(-stepMm / memoryMm) : 0.0;
-        const double value = ground_.volume().value(indexOf(voxel));
-        there = {cost, here.wayMm + stepMm, debt, here.look, from, isTube};
-        there.look.blood += share * (std::max(value, here.look.tissue + 1.0) - here.look.blood);
+        const double value = std::max(ground_.volume().value(indexOf(voxel)), here.look.tissue + 1.0);
+        there = {cost, here.wayMm + stepMm, debt, here.look, here.fullBlood, from, isTube};
+        there.look.blood += share * (value - here.look.blood);
+        const double fading = value > here.fullBlood ? share : isTube ? 1.0 - std::exp(-stepMm / fadingMm) : 0.0;
+        there.fullBlood += fading * (value - here.fullBlood);
         waiting_.push({cost, indexOf(voxel)});
     }
 

@@ -21,9 +21,14 @@ double likeness(double value, const VesselLook& look)
 
 double costOfVoxel(const PathGround& ground, const Eigen::Vector3i& voxel, const VesselLook& look)
 {
-    const double like = likeness(ground.valueAt(voxel), look);
-    const double tube = like > 0.0 ? ground.tubeShare(voxel, look.tissue) : 0.0;
-    return 1.0 / (1.0 / dearestPerMm + like * like * (shareWithoutTube + (1.0 - shareWithoutTube) * tube));
+    const double value = ground.valueAt(voxel);
+    return likeness(value, look) > 0.0 ? costOfTube(value, ground.tubeShare(voxel, look.tissue), look) : dearestPerMm;
+}
+
+double costOfTube(double value, double share, const VesselLook& look)
+{
+    const double like = likeness(value, look);
+    return 1.0 / (1.0 / dearestPerMm + like * like * (shareWithoutTube + (1.0 - shareWithoutTube) * share));
 }
 
 }   // namespace angiopose::core

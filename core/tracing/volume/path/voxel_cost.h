@@ -12,4 +12,7 @@ inline constexpr double cheapestPerMm = 1.0 / (1.0 / dearestPerMm + 1.0);
 /// §9.12).
 double costOfVoxel(const PathGround& ground, const Eigen::Vector3i& voxel, const VesselLook& look);
 
+/// The same for a value that is known to be that share of a tube's middle.
+double costOfTube(double value, double share, const VesselLook& look);
+
 }   // namespace angiopose::core

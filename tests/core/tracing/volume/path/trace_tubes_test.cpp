@@ -2,9 +2,12 @@
 
 #include "core/messages/says.h"
 #include "core/simulation/simulate_body.h"
+#include "core/support/random.h"
 #include "tests/support/tree_agreement.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cmath>
 
 using namespace angiopose;
 
@@ -71,6 +74,39 @@ TEST(TraceTubes, AsksForASeedAndSaysWhereNoneLeadsOn)
     const auto nothing = traceTubes(chamber, {.seedsInPatient = {{0.0, 0.0, 0.0}}, .tubesOnly = true});
     ASSERT_FALSE(nothing);
     EXPECT_TRUE(nothing.error().message.is(says::pathEndInNothing)) << nothing.error().message.text();
+}
+
+/// An artery that ends on a wider vein, filled half as much, as a hepatic artery on the portal vein.
+TEST(TraceTubes, DoesNotGoOnInAVeinThatIsDarkerThoughWider)
+{
+    VolumeGeometry grid;
+    grid.size = {90, 50, 40};
+    grid.spacingMm = Eigen::Vector3d::Constant(0.7);
+    grid.originInPatient = {-31.0, -16.0, -14.0};
+    Volume scan(grid);
+    CounterRandom random(3);
+    for (std::size_t n = 0; n < scan.voxels.size(); ++n) {
+        const Eigen::Vector3d place = grid.patientFromVoxel() * grid.voxelAt(n).cast<double>();
+        const double beyondEnd = std::max(0.0, place.x());
+        const double toArtery = std::hypot(beyondEnd, place.y(), place.z());
+        const double toVein = std::hypot(place.y() - 4.2, place.z());
+        const double vein = std::clamp(0.5 + (3.0 - toVein) / 0.9, 0.0, 1.0);
+        const double artery = std::clamp(0.5 + (1.4 - toArtery) / 0.9, 0.0, 1.0);
+        const double beside = 95.0 + vein * (232.0 - 95.0);
+        scan.voxels[n] =
+            static_cast<std::int16_t>(std::lround(beside + artery * (400.0 - beside) + 20.0 * random.normal()));
+    }
+    const auto traced = traceTubes(scan, {.seedsInPatient = {{-22.0, 0.0, 0.0}}, .tubesOnly = true});
+    ASSERT_TRUE(traced) << traced.error().message.text();
+    double lengthMm = 0.0;
+    for (const VesselBranch& branch : traced.value().tree.branches) {
+        lengthMm += branch.lengthMm();
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            EXPECT_LT(std::hypot(point.y(), point.z()), 2.5) << point.transpose();
+            EXPECT_LT(point.x(), 4.0);
+        }
+    }
+    EXPECT_GT(lengthMm, 25.0);
 }
 
 TEST(TraceTubes, HearsAStop)
