@@ -4216,6 +4216,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kein Startpunkt gesetzt, und nichts gleicht einem großen Gefäß: Das größte Stück wurde erfasst. Einen Startpunkt in die Gefäße setzen, wenn es nicht diese sind.</translation>
     </message>
     <message>
+        <source>This is a head, and which of its vessels are arteries is not clear: sinuses and veins may be filled, too. Place a seed in the artery that is to be traced, for example in a carotid artery in the neck or at the base of the skull.</source>
+        <comment>tracing.head-needs-seed</comment>
+        <translation>Dies ist ein Kopf, und welche seiner Gefäße Arterien sind, ist nicht klar: auch Sinus und Venen können gefüllt sein. Einen Startpunkt in die Arterie setzen, die erfasst werden soll, etwa in eine Halsschlagader am Hals oder an der Schädelbasis.</translation>
+    </message>
+    <message>
+        <source>The values of this scan are no Hounsfield units, and nothing in it is a great vessel for sure. Place a seed in the artery that is to be traced, where it is wide.</source>
+        <comment>tracing.scan-needs-seed</comment>
+        <translation>Die Werte dieses Scans sind keine Hounsfield-Einheiten, und nichts darin ist mit Sicherheit ein großes Gefäß. Einen Startpunkt in die Arterie setzen, die erfasst werden soll, dort wo sie weit ist.</translation>
+    </message>
+    <message>
+        <source>Arteries and sinuses of this head hang together and are filled alike: what was found without a seed runs along the skull. Place a seed in the artery that is to be traced, and mark the sinuses to be avoided.</source>
+        <comment>tracing.veins-with-arteries</comment>
+        <translation>Arterien und Sinus dieses Kopfes hängen zusammen und sind gleich gefüllt: was ohne Startpunkt gefunden wurde, läuft am Schädel entlang. Einen Startpunkt in die Arterie setzen, die erfasst werden soll, und die Sinus als zu meiden markieren.</translation>
+    </message>
+    <message>
+        <source>The coil received up to %1 times weaker in parts of the body, which was evened out: the threshold holds where it received best.</source>
+        <comment>tracing.coil-evened-out</comment>
+        <translation>Die Spule empfing in Teilen des Körpers bis zu %1-mal schwächer; das wurde ausgeglichen: die Schwelle gilt, wo sie am besten empfing.</translation>
+    </message>
+    <message>
         <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>Die Stelle %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie eine innerhalb.</translation>

@@ -4216,6 +4216,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未放置种子点，也没有类似大血管的结构：已提取最大的一块。如果它不是所需血管，请在血管中放置种子点。</translation>
     </message>
     <message>
+        <source>This is a head, and which of its vessels are arteries is not clear: sinuses and veins may be filled, too. Place a seed in the artery that is to be traced, for example in a carotid artery in the neck or at the base of the skull.</source>
+        <comment>tracing.head-needs-seed</comment>
+        <translation>这是头部扫描，无法确定哪些血管是动脉：静脉窦和静脉也可能已充盈。请在要提取的动脉中放置种子点，例如颈部或颅底处的颈动脉。</translation>
+    </message>
+    <message>
+        <source>The values of this scan are no Hounsfield units, and nothing in it is a great vessel for sure. Place a seed in the artery that is to be traced, where it is wide.</source>
+        <comment>tracing.scan-needs-seed</comment>
+        <translation>该扫描的数值不是 Hounsfield 单位，其中没有可以确定为大血管的结构。请在要提取的动脉较宽处放置种子点。</translation>
+    </message>
+    <message>
+        <source>Arteries and sinuses of this head hang together and are filled alike: what was found without a seed runs along the skull. Place a seed in the artery that is to be traced, and mark the sinuses to be avoided.</source>
+        <comment>tracing.veins-with-arteries</comment>
+        <translation>该头部的动脉与静脉窦相连且充盈程度相同：不用种子点找到的血管沿颅骨走行。请在要提取的动脉中放置种子点，并将静脉窦标记为应避开。</translation>
+    </message>
+    <message>
+        <source>The coil received up to %1 times weaker in parts of the body, which was evened out: the threshold holds where it received best.</source>
+        <comment>tracing.coil-evened-out</comment>
+        <translation>线圈在身体部分区域的接收最多弱 %1 倍，已予以校正：阈值适用于接收最好的位置。</translation>
+    </message>
+    <message>
         <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>位置 %1 mm (LPS) 在扫描之外。请选择扫描内的位置。</translation>

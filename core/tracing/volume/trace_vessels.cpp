@@ -7,11 +7,11 @@
 #include "core/tracing/volume/chosen/chosen_lumen.h"
 #include "core/tracing/volume/chosen/fill_cavities.h"
 #include "core/tracing/volume/chosen/other_lumen.h"
-#include "core/tracing/volume/great_vessels/find_great_vessels.h"
 #include "core/tracing/volume/lumen/blood_level.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
 #include "core/tracing/volume/path/trace_tubes.h"
 #include "core/tracing/volume/piece_report.h"
+#include "core/tracing/volume/scan_lumen.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
@@ -77,6 +77,12 @@ std::optional<Message> problemWith(const VolumeGeometry& geometry, std::size_t v
     return {};
 }
 
+std::optional<Message> problemWith(const VesselTracingOptions& options)
+{
+    const bool hasSeeds = !options.seedsInPatient.empty();
+    return options.avoidInPatient.empty() || hasSeeds ? std::nullopt : std::optional<Message>(says::avoidWithoutSeed());
+}
+
 /// All that is set is vessel, unless some of it is asked for.
 VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
 {
@@ -96,7 +102,7 @@ VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::v
 }
 
 Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
-                             const VesselTracingOptions& options, TracingProgress& progress)
+                           const VesselTracingOptions& options, TracingProgress& progress)
 {
     VesselTracingOptions chosenOptions = options;
     chosenOptions.seedsInPatient = chosen.startsInPatient;
@@ -140,14 +146,6 @@ HoleFilter noiseHoles(const VoxelFill& fill)
     };
 }
 
-/// How much of each voxel is blood, by its value between soft tissue and blood. The three must outlive it.
-VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level)
-{
-    return [&volume, &order, &level](int i, int j, int k) {
-        return (volume.value(order.stored(i, j, k)) - level.tissue) / level.contrast();
-    };
-}
-
 /// Closes what noise and chalk darken in `lumen`, unless it is stopped.
 void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progress)
 {
@@ -186,11 +184,6 @@ bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& f
     return medianOf(std::move(fills)) >= leastAxisFill;
 }
 
-bool isEmpty(const VoxelMask& mask)
-{
-    return std::ranges::none_of(mask.voxels, [](std::uint8_t voxel) { return voxel != 0; });
-}
-
 /// Where nobody placed a seed, it is told where tracing began.
 TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great)
 {
@@ -218,6 +211,9 @@ void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vec
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
 {
+    if (const auto problem = problemWith(options)) {
+        return Error(*problem);
+    }
     auto chosen = chosenLumen(std::move(whole), options, {}, {}, progress);
     if (!chosen) {
         return chosen.error();
@@ -225,6 +221,48 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     ChosenLumen lumen = std::move(chosen).value();
     fillCavities(lumen.lumen, &progress);
     return unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(says::noLongBranch()));
+}
+
+/// Traces what `seen` has found in the scan that it looked at.
+Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisOrder& order,
+                                const VesselTracingOptions& options, TracingProgress& progress)
+{
+    const Volume& volume = seen.scan(given);
+    const BloodLevel level = seen.level;
+    const VoxelFill fill = bloodShare(volume, order, level);
+    const std::vector<GreatVessel>& great = seen.found.great;
+    VesselTracingOptions asked = withPiecesOfScan(options, great);
+    asked.avoidInPatient.insert(asked.avoidInPatient.end(), seen.veins.begin(), seen.veins.end());
+    auto chosen = chosenLumen(std::move(seen.found.lumen), asked, fill, great, progress);
+    if (!chosen) {
+        return chosen.error();
+    }
+    ChosenLumen lumen = std::move(chosen).value();
+    closeHoles(lumen.lumen, movedBy(fill, lumen.box.low), progress);
+    if (progress.isStopped()) {
+        return stoppedTracing();
+    }
+    const AxisOrder part = cropped(order, lumen.box);
+    auto traced = unlessEmpty(treeOf(lumen, fillOf(volume, part, level, lumen.lumen), volume.geometry, asked, progress),
+                              options.threshold ? Error(says::noLongBranch()) : noVesselsFound(level));
+    if (!traced) {
+        return traced.error();
+    }
+    TracedVessels vessels = std::move(traced).value();
+    tellOfScan(vessels, lumen, great, level);
+    if (seen.evened) {
+        vessels.warnings.push_back(says::coilEvenedOut(Quantity{seen.evened->fallOff, 1}));
+    }
+    if (!options.seedsInPatient.empty()) {
+        return vessels;
+    }
+    if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
+        return noVesselsFound(level);
+    }
+    if (seen.skull && !options.threshold && runsAlongSkull(vessels.tree, *seen.skull)) {
+        return Error(says::veinsWithArteries());
+    }
+    return startedBy(std::move(vessels), lumen, great);
 }
 
 }   // namespace
@@ -263,53 +301,17 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     if (options.tubesOnly) {
         return traceTubes(volume, options, observe);
     }
+    if (const auto problem = problemWith(options)) {
+        return Error(*problem);
+    }
     TracingProgress progress(observe);
-    progress.enter("blood", 0.0, 0.05);
     const AxisOrder order = patientAxisOrder(volume.geometry);
-    const auto level = findBloodLevel(volume, order, options.threshold);
-    if (!level) {
-        return level.error();
+    auto seen = findScanLumen(volume, order, options, progress);
+    if (!seen) {
+        return seen.error();
     }
-    progress.enter("vessels", 0.05, 0.7);
-    SegmentedLumen candidates = segmentLumen(volume, order, level.value(), threadCount(options.threads), progress);
-    if (!progress.advance(0.0)) {
-        return stoppedTracing();
-    }
-    if (isEmpty(candidates.clear)) {
-        return noVesselsFound(level.value());
-    }
-    const VoxelFill fill = bloodShare(volume, order, level.value());
-    LumenWithGreatVessels found = findGreatVessels(std::move(candidates), fill, threadCount(options.threads), progress);
-    if (!progress.advance(0.0)) {
-        return stoppedTracing();
-    }
-    const std::vector<GreatVessel>& great = found.great;
-    const VesselTracingOptions asked = withPiecesOfScan(options, great);
-    auto chosen = chosenLumen(std::move(found.lumen), asked, fill, great, progress);
-    if (!chosen) {
-        return chosen.error();
-    }
-    ChosenLumen lumen = std::move(chosen).value();
-    closeHoles(lumen.lumen, movedBy(fill, lumen.box.low), progress);
-    if (progress.isStopped()) {
-        return stoppedTracing();
-    }
-    const AxisOrder part = cropped(order, lumen.box);
-    auto traced =
-        unlessEmpty(treeOf(lumen, fillOf(volume, part, level.value(), lumen.lumen), volume.geometry, asked, progress),
-                    options.threshold ? Error(says::noLongBranch()) : noVesselsFound(level.value()));
-    if (!traced) {
-        return traced.error();
-    }
-    TracedVessels vessels = std::move(traced).value();
-    tellOfScan(vessels, lumen, great, level.value());
-    if (!options.seedsInPatient.empty()) {
-        return vessels;
-    }
-    if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
-        return noVesselsFound(level.value());
-    }
-    return startedBy(std::move(vessels), lumen, great);
+    ScanLumen ground = std::move(seen).value();
+    return traceScan(std::move(ground), volume, order, options, progress);
 }
 
 }   // namespace angiopose::core

@@ -49,7 +49,7 @@ double Opacity::at(double value) const
 
 SeenLevels seenLevels(const Volume& volume, std::optional<double> threshold)
 {
-    if (const auto found = findBloodLevel(volume, patientAxisOrder(volume.geometry), threshold)) {
+    if (const auto found = findBloodLevel(volume, patientAxisOrder(volume.geometry), {.threshold = threshold})) {
         const BloodLevel& level = found.value();
         return {level.tissue, level.threshold, level.blood, level.isHu};
     }

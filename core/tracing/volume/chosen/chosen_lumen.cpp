@@ -1,6 +1,5 @@
 #include "core/tracing/volume/chosen/chosen_lumen.h"
 
-#include "core/messages/says.h"
 #include "core/tracing/volume/chosen/split_by_seeds.h"
 #include "core/tracing/volume/voxels/voxel_pieces.h"
 
@@ -52,9 +51,6 @@ std::vector<Eigen::Vector3d> foundPlaces(const VoxelMask& lumen, const VesselTra
 Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, const VoxelFill& fill,
                                 const std::vector<GreatVessel>& greatVessels, TracingProgress& progress)
 {
-    if (!options.avoidInPatient.empty() && options.seedsInPatient.empty()) {
-        return Error(says::avoidWithoutSeed());
-    }
     const auto seeds = seedsInLumen(whole, options.seedsInPatient);
     if (!seeds) {
         return seeds.error();

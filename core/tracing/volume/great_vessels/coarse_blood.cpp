@@ -10,7 +10,6 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double blockMm = 1.5;
 constexpr double full = 200.0;
 constexpr double mostFillOfCoarse = 1.2;
 
@@ -37,7 +36,7 @@ Extent extentOf(double low, double high, int size, const WeightOf& weightOf)
     return extent;
 }
 
-std::vector<Extent> extentsAlong(int size, double spacingMm)
+std::vector<Extent> extentsAlong(int size, double spacingMm, double blockMm)
 {
     const double ratio = blockMm / spacingMm;
     std::vector<Extent> extents;
@@ -56,22 +55,23 @@ std::vector<Extent> extentsAlong(int size, double spacingMm)
 /// Means over blocks of one size, whatever the voxels of the scan.
 class BlockMeans {
 public:
-    BlockMeans(const VoxelMask& lumen, const VoxelFill& fill) : lumen_(lumen), fill_(fill)
+    BlockMeans(const VoxelMask& lumen, const VoxelFill& fill, double blockMm)
+        : lumen_(lumen), fill_(fill), blockMm_(blockMm)
     {
         for (int axis = 0; axis < 3; ++axis) {
-            extents_.push_back(extentsAlong(lumen.geometry.size[axis], lumen.geometry.spacingMm[axis]));
+            extents_.push_back(extentsAlong(lumen.geometry.size[axis], lumen.geometry.spacingMm[axis], blockMm));
         }
     }
 
     VolumeGeometry grid() const
     {
         VolumeGeometry grid = lumen_.geometry;
-        grid.spacingMm.setConstant(blockMm);
+        grid.spacingMm.setConstant(blockMm_);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             grid.size[static_cast<int>(axis)] = static_cast<int>(extents_[axis].size());
         }
         grid.originInPatient =
-            lumen_.geometry.patientFromVoxel() * (0.5 * (blockMm / lumen_.geometry.spacingMm.array() - 1.0)).matrix();
+            lumen_.geometry.patientFromVoxel() * (0.5 * (blockMm_ / lumen_.geometry.spacingMm.array() - 1.0)).matrix();
         return grid;
     }
 
@@ -118,6 +118,7 @@ private:
 
     const VoxelMask& lumen_;
     const VoxelFill& fill_;
+    double blockMm_;
     std::vector<std::vector<Extent>> extents_;
 };
 
@@ -131,9 +132,10 @@ BloodFill CoarseBlood::fill() const
     };
 }
 
-CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress)
+CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress,
+                        double blockMm)
 {
-    const BlockMeans means(lumen, fill);
+    const BlockMeans means(lumen, fill, blockMm);
     const VolumeGeometry grid = means.grid();
     CoarseBlood blood{VoxelGrid<std::uint8_t>(grid), VoxelMask(grid),
                       std::max(blockMm, lumen.geometry.spacingMm.minCoeff())};

@@ -7,7 +7,10 @@
 
 namespace angiopose::core {
 
-/// How far the places of a scan are filled with blood, as means over blocks of 1.5 mm whatever its voxels: enough for
+constexpr double usualBlockMm = 1.5;
+constexpr double fineBlockMm = 1.0;   ///< where the widest arteries are those of the neck
+
+/// How far the places of a scan are filled with blood, as means over blocks of one size whatever its voxels: enough for
 /// wide vessels, free of most noise, a small part of the scan's memory, and the same for the same patient.
 struct CoarseBlood {
     VoxelGrid<std::uint8_t> shares;   ///< 200 = filled; axes as those of the scan
@@ -19,6 +22,7 @@ struct CoarseBlood {
 };
 
 /// `fill` counts where `lumen` is set and below one half, not where something else is bright. Incomplete when stopped.
-CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress);
+CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress,
+                        double blockMm = usualBlockMm);
 
 }   // namespace angiopose::core

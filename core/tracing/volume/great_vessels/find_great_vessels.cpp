@@ -13,10 +13,10 @@ double worthOfFirst(const std::vector<GreatVessel>& great)
 }   // namespace
 
 LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill& fill, int threads,
-                                       TracingProgress& progress)
+                                       TracingProgress& progress, double blockMm)
 {
     const auto greatIn = [&](const VoxelMask& lumen) {
-        return greatVessels(coarseBlood(lumen, fill, threads, progress), threads, progress);
+        return greatVessels(coarseBlood(lumen, fill, threads, progress, blockMm), threads, progress);
     };
     LumenWithGreatVessels found{std::move(segmented.clear), {}};
     found.great = greatIn(found.lumen);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "core/tracing/volume/great_vessels/coarse_blood.h"
 #include "core/tracing/volume/great_vessels/great_vessels.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
 #include "core/tracing/volume/voxels/touching_vessels.h"
@@ -20,6 +21,6 @@ struct LumenWithGreatVessels {
 /// vessel is much wider from one section to the next, be it by what wires hide or where a stent widens it. Those whose
 /// first is of greater worth are taken. Incomplete when stopped.
 LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill& fill, int threads,
-                                       TracingProgress& progress);
+                                       TracingProgress& progress, double blockMm = usualBlockMm);
 
 }   // namespace angiopose::core

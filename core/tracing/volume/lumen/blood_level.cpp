@@ -29,6 +29,11 @@ constexpr double leastBodyShare = 0.05;   ///< of the air's volume; vessels alon
 constexpr double leastMuscleShare = 0.2;   ///< of the largest peak of the body, which may be fat
 constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel "nothing changes"
 
+constexpr int brightStep = 2;   ///< voxels between two looked at for the brightest
+constexpr double brightestMl = 0.5;   ///< ten millimetres of a common carotid artery hold as much
+constexpr double airOfBrightest = 0.08;   ///< of the way from the lowest value to blood
+constexpr double leastOfTissue = 1.5;   ///< blood over tissue
+
 /// Smoothed histogram of the voxels around which nothing changes.
 struct Histogram {
     double low = 0.0;
@@ -229,6 +234,34 @@ double typicalAbove(const Reader& reader, double threshold)
     return *middle;
 }
 
+/// The value above which there are so many ml, of the voxels looked at.
+double valueAbove(std::vector<float>& values, double ml, double mlOfOne)
+{
+    const auto count = static_cast<std::ptrdiff_t>(std::min(ml / mlOfOne, static_cast<double>(values.size()) - 1.0));
+    const auto at = values.end() - 1 - count;
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Most of the values between the two lie around it.
+double mostCommon(const std::vector<float>& values, double low, double high)
+{
+    constexpr std::size_t bins = 60;
+    std::array<double, bins + 2> counts{};
+    for (const float value : values) {
+        const double bin = (value - low) / (high - low) * bins;
+        if (bin >= 0.0 && bin < bins) {
+            counts[static_cast<std::size_t>(bin) + 1] += 1.0;
+        }
+    }
+    std::size_t best = 1;
+    const auto around = [&](std::size_t n) { return counts[n - 1] + counts[n] + counts[n + 1]; };
+    for (std::size_t n = 1; n <= bins; ++n) {
+        best = around(n) > around(best) ? n : best;
+    }
+    return low + (static_cast<double>(best) - 0.5) * (high - low) / bins;
+}
+
 Quantity scanValue(double value, bool isHu)
 {
     return {value, 0, isHu ? "HU" : ""};
@@ -241,8 +274,14 @@ Error noVesselsFound(const BloodLevel& level)
     return says::brightestIsNoVessel(scanValue(level.blood, level.isHu), scanValue(level.tissue, level.isHu));
 }
 
-Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, std::optional<double> threshold)
+bool isInHounsfield(const Volume& volume, const AxisOrder& order)
 {
+    return rangeOf(Reader(volume, order)).isHu;
+}
+
+Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, const BloodSearch& search)
+{
+    const std::optional<double>& threshold = search.threshold;
     const Reader reader(volume, order);
     const Range range = rangeOf(reader);
     if (!(range.high > range.low)) {
@@ -260,10 +299,11 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     const std::vector<Peak> peaks = peaksOf(histogram, leastBlood);
     double greatest = leastBloodMl;
     for (const Peak& peak : peaks) {
-        greatest = std::max(greatest, peak.ml);
+        greatest = histogram.valueOf(peak.bin) <= search.mostBlood ? std::max(greatest, peak.ml) : greatest;
     }
     const auto found = std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) {
-        return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest);
+        return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest) &&
+               histogram.valueOf(peak.bin) <= search.mostBlood;
     });
     if (found == peaks.rend() && !threshold) {
         return Error(says::noContrast(scanValue(level.tissue, isHu)));
@@ -273,6 +313,27 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     if (threshold) {
         level.blood = std::max(level.blood, *threshold + 1e-6);
         level.tissue = 2.0 * *threshold - level.blood;
+    }
+    return level;
+}
+
+Result<BloodLevel> brightestLevel(const Volume& volume, const AxisOrder& order)
+{
+    const Reader reader(volume, order);
+    std::vector<float> values;
+    reader.visit(1, brightStep,
+                 [&](int i, int j, int k) { values.push_back(static_cast<float>(reader.mean(i, j, k))); });
+    if (values.empty()) {
+        return Error(says::volumeOfOneValue());
+    }
+    const double mlOfOne = reader.voxelMl() * brightStep * brightStep * brightStep;
+    BloodLevel level;
+    level.blood = valueAbove(values, brightestMl, mlOfOne);
+    const double low = *std::min_element(values.begin(), values.end());
+    level.tissue = mostCommon(values, low + airOfBrightest * (level.blood - low), level.blood);
+    level.threshold = 0.5 * (level.tissue + level.blood);
+    if (level.blood - low < leastOfTissue * (level.tissue - low)) {
+        return Error(says::noContrast(scanValue(level.tissue, false)));
     }
     return level;
 }

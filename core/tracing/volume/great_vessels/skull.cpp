@@ -1,0 +1,253 @@
+#include "core/tracing/volume/great_vessels/skull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double blockMm = 2.5;
+constexpr double leastBoneFill = 1.5;   ///< brighter than blood by half
+constexpr double leastBoneShare = 0.25;   ///< of a block's voxels
+constexpr double mostAirFill = -1.0;
+constexpr int sectors = 48;
+constexpr int leastSectors = 44;   ///< with bone in them; ribs and hips close less
+constexpr double leastRingMm = 30.0;
+constexpr double mostRingMm = 130.0;
+constexpr double leastSoftShare = 0.8;   ///< of what the ring encloses; a chest holds air
+constexpr double innerShare = 0.75;   ///< of the ring's radius: what it encloses
+constexpr double leastHeightMm = 20.0;   ///< of closed rings
+constexpr double besideTableMm = 4.5;   ///< from a sinus' wall to the bone
+constexpr double leastWithinMm = 25.0;   ///< of a vessel within the vault, for its course to say something
+constexpr double mostBesideOfArtery = 0.5;   ///< of that; the petrous bone is beside the carotid
+constexpr double leastBesideOfSinus = 0.6;
+constexpr double leastFillOfLate = 0.75;   ///< of a sinus that is filled as arteries are
+constexpr double mostOutward = 0.45;   ///< at the middle of the head
+constexpr double entryMm = 25.0;   ///< from the lower face of the scan, or from where the vault begins
+
+std::size_t sectorOf(const Eigen::Vector2d& aside)
+{
+    const double turn = (std::atan2(aside.y(), aside.x()) + std::numbers::pi) / (2.0 * std::numbers::pi);
+    return std::min<std::size_t>(sectors - 1, static_cast<std::size_t>(turn * sectors));
+}
+
+enum class Block : std::uint8_t { Soft, Bone, Air };
+
+/// What fills the blocks of a scan.
+VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, TracingProgress& progress)
+{
+    const Eigen::Array3i per = (blockMm / grid.spacingMm.array()).round().max(1.0).cast<int>();
+    VolumeGeometry coarse = grid;
+    coarse.size = (grid.size.array() / per).max(1);
+    coarse.spacingMm = grid.spacingMm.cwiseProduct(per.cast<double>().matrix());
+    coarse.originInPatient = grid.patientFromVoxel() * (0.5 * (per.cast<double>() - 1.0)).matrix();
+    VoxelGrid<Block> blocks(coarse);
+    for (int k = 0; k < coarse.size.z() && progress.advance(0.0); ++k) {
+        for (int j = 0; j < coarse.size.y(); ++j) {
+            for (int i = 0; i < coarse.size.x(); ++i) {
+                int bone = 0;
+                int looked = 0;
+                double sum = 0.0;
+                for (int n = 0; n < per.prod(); ++n) {
+                    const Eigen::Array3i in(n % per.x(), n / per.x() % per.y(), n / (per.x() * per.y()));
+                    if ((per > 2).any() && in.x() % 2 + in.y() % 2 + in.z() % 2 > 0) {
+                        continue;   // every second tells enough
+                    }
+                    const double share = fill(i * per.x() + in.x(), j * per.y() + in.y(), k * per.z() + in.z());
+                    bone += share > leastBoneFill ? 1 : 0;
+                    sum += share;
+                    ++looked;
+                }
+                blocks.at(i, j, k) = bone >= leastBoneShare * looked ? Block::Bone
+                                     : sum < mostAirFill * looked    ? Block::Air
+                                                                     : Block::Soft;
+            }
+        }
+    }
+    return blocks;
+}
+
+template <class Visit>
+void eachOf(const VoxelGrid<Block>& blocks, int k, const Visit& visit)
+{
+    for (int j = 0; j < blocks.geometry.size.y(); ++j) {
+        for (int i = 0; i < blocks.geometry.size.x(); ++i) {
+            visit(Eigen::Vector2d(i, j), blocks.at(i, j, k));
+        }
+    }
+}
+
+struct BoneRing {
+    bool isClosed = false;
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    std::vector<double> radius = std::vector<double>(sectors, 0.0);
+};
+
+BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
+{
+    BoneRing ring;
+    int bones = 0;
+    eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
+        if (block == Block::Bone) {
+            ring.middle += at;
+            ++bones;
+        }
+    });
+    if (bones < sectors) {
+        return ring;
+    }
+    ring.middle /= bones;
+    eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
+        if (block == Block::Bone) {
+            double& radius = ring.radius[sectorOf(at - ring.middle)];
+            radius = std::max(radius, (at - ring.middle).norm());
+        }
+    });
+    const double unitMm = blocks.geometry.spacingMm.x();
+    const auto covered = std::ranges::count_if(
+        ring.radius, [&](double radius) { return radius * unitMm >= leastRingMm && radius * unitMm <= mostRingMm; });
+    int soft = 0;
+    int within = 0;
+    eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
+        if ((at - ring.middle).norm() < innerShare * ring.radius[sectorOf(at - ring.middle)]) {
+            ++within;
+            soft += block == Block::Soft ? 1 : 0;
+        }
+    });
+    ring.isClosed = covered >= leastSectors && soft >= leastSoftShare * within;
+    return ring;
+}
+
+/// Lowest and highest place on its axes.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GreatVessel& great)
+{
+    Eigen::Vector3d low = great.trunks.front().pointsInPatient.front();
+    Eigen::Vector3d high = low;
+    for (const Trunk& trunk : great.trunks) {
+        for (const Eigen::Vector3d& point : trunk.pointsInPatient) {
+            low = point.z() < low.z() ? point : low;
+            high = point.z() > high.z() ? point : high;
+        }
+    }
+    return {low, high};
+}
+
+Skull::Course courseOf(const GreatVessel& great, const Skull& skull)
+{
+    Skull::Course course;
+    for (const Trunk& trunk : great.trunks) {
+        const Skull::Course its = skull.courseOf(trunk.pointsInPatient, trunk.radiusMm);
+        course.withinMm += its.withinMm;
+        course.besideMm += its.besideMm;
+    }
+    return course;
+}
+
+bool isSinus(const Skull::Course& course)
+{
+    return course.withinMm >= leastWithinMm && course.besideMm >= leastBesideOfSinus * course.withinMm;
+}
+
+double fillOf(const GreatVessel& great)
+{
+    return great.trunks.front().fill;
+}
+
+}   // namespace
+
+const Skull::Ring* Skull::ringAt(const Eigen::Vector3d& block) const
+{
+    const auto k = static_cast<std::ptrdiff_t>(std::lround(block.z()));
+    if (k < 0 || k >= static_cast<std::ptrdiff_t>(rings_.size()) || !rings_[static_cast<std::size_t>(k)].isClosed) {
+        return nullptr;
+    }
+    return &rings_[static_cast<std::size_t>(k)];
+}
+
+bool Skull::isBesideTable(const Eigen::Vector3d& inPatient, double radiusMm) const
+{
+    const Eigen::Vector3d block = blockFromPatient_ * inPatient;
+    const Eigen::Vector3i at = block.array().round().cast<int>();
+    return ringAt(block) != nullptr && toBone_.geometry.contains(at) &&
+           toBone_.mm(toBone_.geometry.index(at.x(), at.y(), at.z())) <= radiusMm + besideTableMm;
+}
+
+std::optional<double> Skull::outwardShare(const Eigen::Vector3d& inPatient) const
+{
+    const Eigen::Vector3d block = blockFromPatient_ * inPatient;
+    const Ring* ring = ringAt(block);
+    if (ring == nullptr) {
+        return {};
+    }
+    const Eigen::Vector2d aside = block.head<2>() - ring->middle;
+    return aside.norm() / std::max(1.0, ring->radius[sectorOf(aside)]);
+}
+
+Skull::Course Skull::courseOf(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& radiusMm) const
+{
+    Course course;
+    for (std::size_t n = 1; n < points.size(); ++n) {
+        if (ringAt(blockFromPatient_ * points[n]) != nullptr) {
+            const double stepMm = (points[n] - points[n - 1]).norm();
+            course.withinMm += stepMm;
+            course.besideMm += isBesideTable(points[n], radiusMm[n]) ? stepMm : 0.0;
+        }
+    }
+    return course;
+}
+
+std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill, int threads,
+                               TracingProgress& progress)
+{
+    const VoxelGrid<Block> blocks = blocksOf(grid, fill, progress);
+    Skull skull;
+    double heightMm = 0.0;
+    for (int k = 0; k < blocks.geometry.size.z(); ++k) {
+        BoneRing ring = ringIn(blocks, k);
+        heightMm += ring.isClosed ? blocks.geometry.spacingMm.z() : 0.0;
+        skull.rings_.push_back({ring.isClosed, ring.middle, std::move(ring.radius)});
+    }
+    if (heightMm < leastHeightMm || progress.isStopped()) {
+        return {};
+    }
+    VoxelMask others(blocks.geometry);
+    std::ranges::transform(blocks.voxels, others.voxels.begin(),
+                           [](Block block) { return static_cast<std::uint8_t>(block == Block::Bone ? 0 : 1); });
+    skull.toBone_ = distanceMap(others, threads, progress);
+    skull.blockFromPatient_ = blocks.geometry.patientFromVoxel().inverse();
+    return skull;
+}
+
+std::vector<Eigen::Vector3d> sinusPlaces(const std::vector<GreatVessel>& great, const Skull& skull)
+{
+    std::vector<Eigen::Vector3d> places;
+    for (const GreatVessel& vessel : great) {
+        for (const Trunk& trunk : vessel.trunks) {
+            if (isSinus(skull.courseOf(trunk.pointsInPatient, trunk.radiusMm))) {
+                places.insert(places.end(), trunk.pointsInPatient.begin(), trunk.pointsInPatient.end());
+            }
+        }
+    }
+    return places;
+}
+
+std::vector<GreatVessel> arteriesOfHead(std::vector<GreatVessel> great, const Skull& skull, const VolumeGeometry& grid)
+{
+    const bool isLate = std::ranges::any_of(great, [&](const GreatVessel& vessel) {
+        return isSinus(courseOf(vessel, skull)) && fillOf(vessel) >= leastFillOfLate;
+    });
+    const double faceMm = (grid.patientFromVoxel() * Eigen::Vector3d::Zero()).z();
+    std::erase_if(great, [&](const GreatVessel& vessel) {
+        const Skull::Course course = courseOf(vessel, skull);
+        const auto [low, high] = endsOf(vessel);
+        const bool isBeside =
+            course.withinMm >= leastWithinMm && course.besideMm > mostBesideOfArtery * course.withinMm;
+        const bool comesFromBelow = low.z() <= faceMm + entryMm || !skull.outwardShare(low);
+        const bool endsInMiddle = skull.outwardShare(high).value_or(1.0) <= mostOutward;
+        return isBeside || !comesFromBelow || (isLate && !endsInMiddle);
+    });
+    return great;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,224 @@
+#include "core/tracing/volume/scan_lumen.h"
+
+#include "core/messages/says.h"
+#include "core/support/parallel_for.h"
+#include "core/tracing/volume/lumen/segment_lumen.h"
+#include "core/tracing/volume/voxels/chosen_pieces.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< a fill of 1.5 is 578 HU
+constexpr double mostBloodOfHeadHu = 650.0;   ///< of the skull and the petrous bone more is even, too
+constexpr double mostLumenShare = 0.06;   ///< of all voxels; of brain or muscle there is more
+constexpr double mostFillOfBlood = 1.6;
+constexpr double wideMm = 5.0;   ///< of an aorta or iliac artery
+constexpr double leastFillOfClear = 0.75;
+constexpr double entranceMm = 25.0;   ///< from the lower face: thinner arteries come from there
+constexpr double leastVeinRadiusMm = 1.2;   ///< cortical arteries run along the skull, too
+constexpr double mostAlongSkull = 0.1;   ///< of the traced length
+
+class LumenFinder {
+public:
+    LumenFinder(const Volume& volume, const AxisOrder& order, const VesselTracingOptions& options,
+                TracingProgress& progress)
+        : volume_(volume), order_(order), options_(options), progress_(progress)
+    {
+    }
+
+    Result<ScanLumen> find()
+    {
+        auto usual = usualLevel();
+        if (progress_.isStopped()) {
+            return stoppedTracing();
+        }
+        if (usual) {
+            const BloodLevel level = usual.value();
+            auto seen = segmented(level, seen_.skull ? fineBlockMm : usualBlockMm);
+            if (!seen || level.isHu || options_.threshold || isEnough()) {
+                return seen ? judged() : Result<ScanLumen>(seen.error());
+            }
+        } else if (options_.threshold || isInHounsfield(volume_, order_)) {
+            return usual.error();
+        }
+        const auto brightest = brightestLevel(seen_.scan(volume_), order_);
+        if (!brightest) {
+            return usual ? asked(says::scanNeedsSeed()) : Result<ScanLumen>(brightest.error());
+        }
+        if (const auto seen = segmented(brightest.value(), fineBlockMm); !seen) {
+            return seen.error();
+        }
+        return isCredible() ? judged() : asked(says::scanNeedsSeed());
+    }
+
+private:
+    Result<BloodLevel> usualLevel()
+    {
+        progress_.enter("blood", 0.0, 0.05);
+        auto level = findBloodLevel(volume_, order_, {.threshold = options_.threshold});
+        if (options_.threshold) {
+            return level;
+        }
+        const bool isHu = level ? level.value().isHu : isInHounsfield(volume_, order_);
+        if (!isHu) {
+            seen_.evened = evenedOut(volume_, order_);
+            if (seen_.evened) {
+                level = findBloodLevel(seen_.evened->volume, order_);
+                if (level && level.value().isHu) {   // noise made brighter is no air
+                    level = noHounsfield(level.value());
+                }
+            }
+            return level;
+        }
+        const VoxelFill fill = bloodShare(volume_, order_, hounsfieldBone);
+        seen_.skull = findSkull(order_.geometry, fill, threadCount(options_.threads), progress_);
+        if (seen_.skull && level && level.value().blood > mostBloodOfHeadHu) {
+            level = findBloodLevel(volume_, order_, {.mostBlood = mostBloodOfHeadHu});
+        }
+        return level;
+    }
+
+    static Result<BloodLevel> noHounsfield(BloodLevel level)
+    {
+        level.isHu = false;
+        return level;
+    }
+
+    Status segmented(const BloodLevel& level, double blockMm)
+    {
+        progress_.enter("vessels", 0.05, 0.7);
+        seen_.level = level;
+        const Volume& scan = seen_.scan(volume_);
+        SegmentedLumen candidates = segmentLumen(scan, order_, level, threadCount(options_.threads), progress_);
+        if (!progress_.advance(0.0)) {
+            return stoppedTracing();
+        }
+        const auto set = std::ranges::count_if(candidates.clear.voxels, [](std::uint8_t voxel) { return voxel != 0; });
+        if (set == 0) {
+            return noVesselsFound(level);
+        }
+        lumenShare_ = static_cast<double>(set) / static_cast<double>(candidates.clear.voxels.size());
+        isLikeCt_ = level.isHu || hasMoreBone();
+        if (isLikeCt_ && !level.isHu && !options_.threshold) {
+            seen_.skull = findSkull(order_.geometry, bloodShare(scan, order_, seen_.level),
+                                    threadCount(options_.threads), progress_);
+        }
+        const VoxelFill fill = bloodShare(scan, order_, seen_.level);
+        seen_.found = findGreatVessels(std::move(candidates), fill, threadCount(options_.threads), progress_, blockMm);
+        if (!progress_.advance(0.0)) {
+            return stoppedTracing();
+        }
+        return Done();
+    }
+
+    bool isCredible() const { return lumenShare_ <= mostLumenShare; }
+
+    /// Whether peaks were those of blood for sure, or where seeds say what is vessel, may be.
+    bool isEnough() const
+    {
+        const std::vector<GreatVessel>& great = seen_.found.great;
+        const bool isWide =
+            !great.empty() && great.front().trunks.front().medianRadiusMm() >= wideMm && isClear(great.front());
+        return isCredible() && (isWide || isLikeCt_ || !options_.seedsInPatient.empty());
+    }
+
+    /// More is brighter than blood than is as bright: bone, as in CT. Of MR the vessels are the brightest, and what was
+    /// taken for blood is fat or brain.
+    bool hasMoreBone() const
+    {
+        const VoxelFill fill = bloodShare(seen_.scan(volume_), order_, seen_.level);
+        const Eigen::Vector3i& size = order_.geometry.size;
+        std::size_t bright = 0;
+        std::size_t looked = 0;
+        for (int k = 0; k < size.z(); k += 2) {
+            for (int j = 0; j < size.y(); j += 2) {
+                for (int i = 0; i < size.x(); i += 2, ++looked) {
+                    bright += fill(i, j, k) > mostFillOfBlood ? 1 : 0;
+                }
+            }
+        }
+        return static_cast<double>(bright) >= lumenShare_ * static_cast<double>(looked);
+    }
+
+    Result<ScanLumen> asked(const Message& question)
+    {
+        return options_.seedsInPatient.empty() ? Result<ScanLumen>(Error(question)) : std::move(seen_);
+    }
+
+    /// Where no seed says what is asked for, only what is an artery for sure may be begun at.
+    Result<ScanLumen> judged()
+    {
+        std::vector<GreatVessel>& great = seen_.found.great;
+        if (seen_.skull) {
+            seen_.veins = sinusPlaces(great, *seen_.skull);
+        }
+        if (!options_.seedsInPatient.empty() || options_.threshold) {
+            return std::move(seen_);
+        }
+        if (seen_.skull) {
+            great = arteriesOfHead(std::move(great), *seen_.skull, order_.geometry);
+            return great.empty() ? asked(says::headNeedsSeed()) : std::move(seen_);
+        }
+        if (!isLikeCt_) {
+            std::erase_if(great, [this](const GreatVessel& vessel) { return !isClear(vessel); });
+            return great.empty() ? asked(says::scanNeedsSeed()) : std::move(seen_);
+        }
+        return std::move(seen_);
+    }
+
+    /// As wide as an aorta, or from the lower face of the scan upwards.
+    bool isClear(const GreatVessel& vessel) const
+    {
+        const Trunk& trunk = vessel.trunks.front();
+        const double faceMm = order_.geometry.originInPatient.z();
+        const bool entersBelow = std::ranges::any_of(vessel.trunks, [&](const Trunk& its) {
+            return std::ranges::any_of(its.pointsInPatient,
+                                       [&](const Eigen::Vector3d& point) { return point.z() <= faceMm + entranceMm; });
+        });
+        return trunk.fill >= leastFillOfClear && (trunk.medianRadiusMm() >= wideMm || entersBelow);
+    }
+
+    const Volume& volume_;
+    const AxisOrder& order_;
+    const VesselTracingOptions& options_;
+    TracingProgress& progress_;
+    ScanLumen seen_;
+    double lumenShare_ = 0.0;
+    bool isLikeCt_ = true;   ///< bone is the brightest
+};
+
+}   // namespace
+
+VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level)
+{
+    return [&volume, &order, &level](int i, int j, int k) {
+        return (volume.value(order.stored(i, j, k)) - level.tissue) / level.contrast();
+    };
+}
+
+Result<ScanLumen> findScanLumen(const Volume& volume, const AxisOrder& order, const VesselTracingOptions& options,
+                                TracingProgress& progress)
+{
+    return LumenFinder(volume, order, options, progress).find();
+}
+
+bool runsAlongSkull(const VesselTree& tree, const Skull& skull)
+{
+    double lengthMm = 0.0;
+    double besideMm = 0.0;
+    for (const VesselBranch& branch : tree.branches) {
+        for (std::size_t n = 1; n < branch.pointsInPatient.size(); ++n) {
+            const double stepMm = (branch.pointsInPatient[n] - branch.pointsInPatient[n - 1]).norm();
+            const bool isBeside = branch.radiusMm[n] >= leastVeinRadiusMm &&
+                                  skull.isBesideTable(branch.pointsInPatient[n], branch.radiusMm[n]);
+            lengthMm += stepMm;
+            besideMm += isBeside ? stepMm : 0.0;
+        }
+    }
+    return besideMm > mostAlongSkull * lengthMm;
+}
+
+}   // namespace angiopose::core
