@@ -4236,6 +4236,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Spule empfing in Teilen des Körpers bis zu %1-mal schwächer; das wurde ausgeglichen: die Schwelle gilt, wo sie am besten empfing.</translation>
     </message>
     <message>
+        <source>The curves follow %1 of the mask&apos;s own skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall rough, they run along its middle instead. Look there for a vessel that is missing.</source>
+        <comment>tracing.skeleton-not-followed</comment>
+        <translation>Die Kurven folgen %1 des Skeletts der Maske bis auf zwei Voxel; das meiste vom Rest liegt bei %2 mm (LPS). Wo das Lumen weit oder seine Wand rau ist, laufen sie stattdessen in seiner Mitte. Dort nach einem fehlenden Gefäß sehen.</translation>
+    </message>
+    <message>
         <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>Die Stelle %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie eine innerhalb.</translation>

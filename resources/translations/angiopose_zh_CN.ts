@@ -4236,6 +4236,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>线圈在身体部分区域的接收最多弱 %1 倍，已予以校正：阈值适用于接收最好的位置。</translation>
     </message>
     <message>
+        <source>The curves follow %1 of the mask&apos;s own skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall rough, they run along its middle instead. Look there for a vessel that is missing.</source>
+        <comment>tracing.skeleton-not-followed</comment>
+        <translation>曲线在两个体素以内与掩膜自身骨架的 %1 相符；其余大部分位于 %2 mm（LPS）。在管腔较宽或管壁粗糙处，曲线改为沿其中线走行。请检查该处是否缺少血管。</translation>
+    </message>
+    <message>
         <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>位置 %1 mm (LPS) 在扫描之外。请选择扫描内的位置。</translation>

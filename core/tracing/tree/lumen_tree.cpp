@@ -103,12 +103,12 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const Ves
 {
     progress.enter("thinning", 0.7, 0.8);
     const DistanceMap distances = distanceMap(lumen, threadCount(options.threads), progress);
-    const std::vector<std::size_t> skeleton = skeletonOf(lumen, progress);
+    found.skeleton = skeletonOf(lumen, progress);
     if (progress.isStopped()) {
         return {};
     }
     progress.enter("branches", 0.8, 1.0);
-    VesselGraph graph = vesselGraph(skeleton, distances, progress);
+    VesselGraph graph = vesselGraph(found.skeleton, distances, progress);
     found.loops = openLoopsAsAsked(graph, options, progress);
     const SpurLimits limits{.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm};
     closeGapsAsAsked(graph, lumen.geometry, options, progress, found);

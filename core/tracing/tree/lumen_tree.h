@@ -8,10 +8,14 @@
 #include "core/tracing/volume/voxels/tracing_progress.h"
 #include "core/vessel/vessel_tree.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace angiopose::core {
 
 struct LumenTree {
     VesselTree tree;   ///< patient LPS; one branch of generation 0 begins each piece
+    std::vector<std::size_t> skeleton;   ///< voxels of the lumen, ascending
     LoopCount loops;
     ClosedGaps closedGaps;   ///< where all pieces are asked for
     int dimParts = 0;   ///< left out: veins and organs

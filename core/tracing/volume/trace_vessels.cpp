@@ -4,6 +4,7 @@
 #include "core/support/parallel_for.h"
 #include "core/support/quantile.h"
 #include "core/tracing/tree/lumen_tree.h"
+#include "core/tracing/tree/skeleton_cover.h"
 #include "core/tracing/volume/chosen/chosen_lumen.h"
 #include "core/tracing/volume/chosen/fill_cavities.h"
 #include "core/tracing/volume/chosen/other_lumen.h"
@@ -28,6 +29,7 @@ constexpr int holeRounds = 4;
 constexpr double leastFilledRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
 constexpr double leastAxisFill = 0.65;   ///< of the blood, half way along all axes
 constexpr double leastBesideMm = 80.0;   ///< of another great vessel; pulmonary arteries have less than half
+constexpr double leastFollowed = 0.98;   ///< of a mask's own skeleton; less is told
 constexpr double leastHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
 
 /// The set voxels in patient axis order.
@@ -101,7 +103,13 @@ VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::v
     return options;
 }
 
-Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
+/// What is traced of any lumen, and the skeleton that it comes from.
+struct TreeOfLumen {
+    TracedVessels vessels;
+    std::vector<std::size_t> skeleton;   ///< voxels of the chosen lumen
+};
+
+Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
                            const VesselTracingOptions& options, TracingProgress& progress)
 {
     VesselTracingOptions chosenOptions = options;
@@ -133,7 +141,7 @@ Result<TracedVessels> treeOf(const ChosenLumen& chosen, const BloodFill& fill, c
     if (found.dimParts > 0) {
         traced.warnings.push_back(dimWarning(found.dimParts));
     }
-    return traced;
+    return TreeOfLumen{std::move(traced), std::move(found.skeleton)};
 }
 
 /// Noise darkens single voxels; the wall between two vessels that touch is dark as a sheet.
@@ -159,9 +167,9 @@ void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progre
 }
 
 /// `reason` where nothing was traced.
-Result<TracedVessels> unlessEmpty(Result<TracedVessels> traced, const Error& reason)
+Result<TreeOfLumen> unlessEmpty(Result<TreeOfLumen> traced, const Error& reason)
 {
-    return traced && traced.value().tree.branches.empty() ? Result<TracedVessels>(reason) : std::move(traced);
+    return traced && traced.value().vessels.tree.branches.empty() ? Result<TreeOfLumen>(reason) : std::move(traced);
 }
 
 /// Whether the axes of what is wide enough to tell are filled: those of shells, of marrow and between organs are not.
@@ -220,7 +228,17 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     }
     ChosenLumen lumen = std::move(chosen).value();
     fillCavities(lumen.lumen, &progress);
-    return unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(says::noLongBranch()));
+    auto traced =
+        unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(says::noLongBranch()));
+    if (!traced) {
+        return traced.error();
+    }
+    TreeOfLumen tree = std::move(traced).value();
+    const SkeletonCover cover = skeletonCover(lumen.lumen.geometry, tree.skeleton, tree.vessels.tree);
+    if (cover.share < leastFollowed && cover.missedInPatient) {
+        tree.vessels.warnings.push_back(coverWarning(cover));
+    }
+    return std::move(tree.vessels);
 }
 
 /// Traces what `seen` has found in the scan that it looked at.
@@ -248,7 +266,7 @@ Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisO
     if (!traced) {
         return traced.error();
     }
-    TracedVessels vessels = std::move(traced).value();
+    TracedVessels vessels = std::move(traced).value().vessels;
     tellOfScan(vessels, lumen, great, level);
     if (seen.evened) {
         vessels.warnings.push_back(says::coilEvenedOut(Quantity{seen.evened->fallOff, 1}));

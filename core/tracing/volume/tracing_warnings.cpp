@@ -3,6 +3,8 @@
 #include "core/messages/says.h"
 #include "core/tracing/volume/voxels/chosen_pieces.h"
 
+#include <cmath>
+
 namespace angiopose::core {
 
 Message loopWarning(int loops)
@@ -13,6 +15,12 @@ Message loopWarning(int loops)
 Message gapWarning(const ClosedGaps& gaps)
 {
     return says::gapsClosed(gaps.count, inMm(gaps.longestMm, 1));
+}
+
+Message coverWarning(const SkeletonCover& cover)
+{
+    return says::skeletonNotFollowed(Quantity{std::floor(100.0 * cover.share), 0, "%"},
+                                     placeInMessage(cover.missedInPatient.value_or(Eigen::Vector3d::Zero())));
 }
 
 Message unitWarning()

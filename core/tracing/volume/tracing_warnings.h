@@ -2,6 +2,7 @@
 
 #include "core/support/message.h"
 #include "core/tracing/tree/close_gaps.h"
+#include "core/tracing/tree/skeleton_cover.h"
 
 #include <Eigen/Core>
 #include <optional>
@@ -11,6 +12,7 @@ namespace angiopose::core {
 /// What users are told about a tree that was traced.
 Message loopWarning(int loops);
 Message gapWarning(const ClosedGaps& gaps);
+Message coverWarning(const SkeletonCover& cover);
 Message unitWarning();   ///< the values may be no Hounsfield units
 Message dimWarning(int parts);   ///< left out
 Message besideWarning(double besideMm);   ///< how far another great vessel runs beside the traced one
