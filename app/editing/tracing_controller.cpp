@@ -210,7 +210,7 @@ void TracingController::findThreshold()
         return;
     }
     level_.start([volume = shownVolume_](JobLink<double>&) -> core::Result<double> {
-        const auto level = core::findBloodLevel(*volume, core::patientAxisOrder(volume->geometry), std::nullopt);
+        const auto level = core::findBloodLevel(*volume, core::patientAxisOrder(volume->geometry));
         if (!level) {
             return level.error();
         }

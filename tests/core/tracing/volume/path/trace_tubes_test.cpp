@@ -3,6 +3,7 @@
 #include "core/messages/says.h"
 #include "core/simulation/simulate_body.h"
 #include "core/support/random.h"
+#include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/tree_agreement.h"
 
 #include <gtest/gtest.h>
