@@ -7,7 +7,7 @@
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/bridge_gaps.h"
 #include "core/tracing/angiogram/curves/curve_refinement.h"
-#include "core/tracing/angiogram/curves/devices_apart.h"
+#include "core/tracing/angiogram/curves/devices_from_rim.h"
 #include "core/tracing/angiogram/curves/lines_across.h"
 #include "core/tracing/angiogram/curves/painted_vessels.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
@@ -174,6 +174,13 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     return seen;
 }
 
+void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
+{
+    std::vector<int> suspects;
+    std::ranges::set_union(trace.suspectCurves, ids, std::back_inserter(suspects));
+    trace.suspectCurves = std::move(suspects);
+}
+
 void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
 {
     const SeenBefore seen =
@@ -181,9 +188,7 @@ void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
     if (seen.isEverything) {
         trace.warnings.push_back(says::frameWithNothingNew());
     }
-    std::vector<int> suspects;
-    std::ranges::set_union(trace.suspectCurves, seen.curveIds, std::back_inserter(suspects));
-    trace.suspectCurves = std::move(suspects);
+    addSuspects(trace, seen.curveIds);
 }
 
 /// What was drawn is taken as it is drawn, as label images are.
@@ -232,13 +237,13 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     for (auto& path : seen.paths) {
         path = fromWorkingSize(std::move(path), size);
     }
-    trace.centerline.curves =
-        withDevicesApart(centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx), trace.fieldMask);
+    trace.centerline.curves = centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
         return Error(says::frameWithoutVessels());
     }
     trace.vesselMask = paintedVessels(trace.centerline, frame.width, frame.height);
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
+    addSuspects(trace, devicesFromRim(trace.centerline, trace.fieldMask));
     return trace;
 }
 
