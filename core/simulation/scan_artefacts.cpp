@@ -40,19 +40,10 @@ void applyFallOff(ScanGrid& grid, const CoilFallOff& coil)
 
 Volume asMagnitudes(const ScanGrid& grid, double noise, const CounterRandom& random)
 {
-    Volume volume(grid.geometry);
-    const auto sliceVoxels =
-        static_cast<std::size_t>(grid.geometry.size.x()) * static_cast<std::size_t>(grid.geometry.size.y());
-    for (int k = 0; k < grid.geometry.size.z(); ++k) {
-        CounterRandom ofSlice = random.fork(static_cast<std::uint64_t>(k));
-        for (std::size_t n = 0; n < sliceVoxels; ++n) {
-            const std::size_t voxel = static_cast<std::size_t>(k) * sliceVoxels + n;
-            const double real = grid.voxels[voxel] + noise * ofSlice.normal();
-            const double value = std::hypot(real, noise * ofSlice.normal());
-            volume.voxels[voxel] = static_cast<std::int16_t>(std::lround(std::min(value, mostStoredMagnitude)));
-        }
-    }
-    return volume;
+    return asWholeNumbers(grid, random, [noise](double signal, CounterRandom& ofSlice) {
+        const double real = signal + noise * ofSlice.normal();
+        return std::min(std::hypot(real, noise * ofSlice.normal()), mostStoredMagnitude);
+    });
 }
 
 void addConeBeamArtefacts(ScanGrid& grid, double strength, CounterRandom& random)

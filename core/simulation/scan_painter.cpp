@@ -85,18 +85,9 @@ void blurScan(ScanGrid& grid, double sigmaVoxels)
 
 Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random)
 {
-    Volume volume(grid.geometry);
-    const auto sliceVoxels =
-        static_cast<std::size_t>(grid.geometry.size.x()) * static_cast<std::size_t>(grid.geometry.size.y());
-    for (int k = 0; k < grid.geometry.size.z(); ++k) {
-        CounterRandom ofSlice = random.fork(static_cast<std::uint64_t>(k));
-        for (std::size_t n = 0; n < sliceVoxels; ++n) {
-            const std::size_t voxel = static_cast<std::size_t>(k) * sliceVoxels + n;
-            const double value = grid.voxels[voxel] + noiseHu * ofSlice.normal();
-            volume.voxels[voxel] = static_cast<std::int16_t>(std::lround(std::clamp(value, -1024.0, 3071.0)));
-        }
-    }
-    return volume;
+    return asWholeNumbers(grid, random, [noiseHu](double hu, CounterRandom& ofSlice) {
+        return std::clamp(hu + noiseHu * ofSlice.normal(), -1024.0, 3071.0);
+    });
 }
 
 }   // namespace angiopose::core

@@ -84,6 +84,23 @@ void paintTree(ScanPainter& painter, const VesselTree& tree, const VolumeGeometr
 /// Gaussian blur along each axis in turn, the rim's values going on.
 void blurScan(ScanGrid& grid, double sigmaVoxels);
 
+/// As whole numbers: `value(voxel of the grid, generator)` of each, the generator one of its slice.
+template <class Value>
+Volume asWholeNumbers(const ScanGrid& grid, const CounterRandom& random, const Value& value)
+{
+    Volume volume(grid.geometry);
+    const auto sliceVoxels =
+        static_cast<std::size_t>(grid.geometry.size.x()) * static_cast<std::size_t>(grid.geometry.size.y());
+    for (int k = 0; k < grid.geometry.size.z(); ++k) {
+        CounterRandom ofSlice = random.fork(static_cast<std::uint64_t>(k));
+        for (std::size_t n = 0; n < sliceVoxels; ++n) {
+            const std::size_t voxel = static_cast<std::size_t>(k) * sliceVoxels + n;
+            volume.voxels[voxel] = static_cast<std::int16_t>(std::lround(value(grid.voxels[voxel], ofSlice)));
+        }
+    }
+    return volume;
+}
+
 /// As a scanner stores it, with noise.
 Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
 

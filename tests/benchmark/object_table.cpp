@@ -74,6 +74,11 @@ double lengthInside(const test::ObjectFrame& object, const core::Mask2d& truth)
     return length;
 }
 
+bool isFlagged(const core::AngiogramTrace& trace, const core::Curve2d& curve)
+{
+    return std::ranges::find(trace.suspectCurves, curve.id) != trace.suspectCurves.end();
+}
+
 /// Traced px on the object, all and on curves that are not flagged.
 std::pair<double, double> tracedOn(const test::ObjectFrame& object, const core::Mask2d& truth,
                                    const core::AngiogramTrace& trace)
@@ -81,11 +86,10 @@ std::pair<double, double> tracedOn(const test::ObjectFrame& object, const core::
     double all = 0.0;
     double unflagged = 0.0;
     for (const core::Curve2d& curve : core::resampled(trace.centerline, 1.0).curves) {
-        const bool isFlagged = std::ranges::find(trace.suspectCurves, curve.id) != trace.suspectCurves.end();
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             if (isOnObject(object, point) && !isNearMask(truth, point, besideVesselPx)) {
                 all += 1.0;
-                unflagged += isFlagged ? 0.0 : 1.0;
+                unflagged += isFlagged(trace, curve) ? 0.0 : 1.0;
             }
         }
     }
@@ -132,12 +136,10 @@ struct FlaggedVessels {
             return;
         }
         for (const core::Curve2d& curve : core::resampled(trace.value().centerline, 1.0).curves) {
-            const bool isFlagged =
-                std::ranges::find(trace.value().suspectCurves, curve.id) != trace.value().suspectCurves.end();
             for (const Eigen::Vector2d& point : curve.pointsPx) {
                 const double isVessel = isNearMask(truth, point, 1.0) ? 1.0 : 0.0;
                 vesselPx += isVessel;
-                flaggedPx += isFlagged ? isVessel : 0.0;
+                flaggedPx += isFlagged(trace.value(), curve) ? isVessel : 0.0;
             }
         }
     }
@@ -151,10 +153,8 @@ std::pair<double, double> tracedIn(const core::ImageF& frame)
     double unflagged = 0.0;
     if (trace) {
         for (const core::Curve2d& curve : trace.value().centerline.curves) {
-            const bool isFlagged =
-                std::ranges::find(trace.value().suspectCurves, curve.id) != trace.value().suspectCurves.end();
             all += curve.lengthPx();
-            unflagged += isFlagged ? 0.0 : curve.lengthPx();
+            unflagged += isFlagged(trace.value(), curve) ? 0.0 : curve.lengthPx();
         }
     }
     return {all, unflagged};
