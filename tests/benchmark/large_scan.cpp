@@ -9,6 +9,9 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace angiopose::benchmarks {
 namespace {
@@ -32,6 +35,36 @@ void forgetPeak()
     std::ofstream("/proc/self/clear_refs") << "5";
 }
 
+/// How long each stage took, by the wall.
+class StageClock {
+public:
+    void enter(std::string_view stage)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        if (!stages_.empty() && stages_.back().first == stage) {
+            return;
+        }
+        if (!stages_.empty()) {
+            stages_.back().second = std::chrono::duration<double>(now - entered_).count();
+        }
+        stages_.emplace_back(stage, 0.0);
+        entered_ = now;
+    }
+
+    void print() const
+    {
+        for (const auto& [stage, seconds] : stages_) {
+            if (!stage.empty()) {
+                std::printf("  %-12s %5.2f s\n", stage.c_str(), seconds);
+            }
+        }
+    }
+
+private:
+    std::vector<std::pair<std::string, double>> stages_;
+    std::chrono::steady_clock::time_point entered_;
+};
+
 core::SimulatedCta largeScan()
 {
     core::CtaOptions large;
@@ -50,14 +83,20 @@ void printLarge(const core::Volume& scan)
     forgetPeak();
     const double before = peakMb();
     std::size_t branches = 0;
+    StageClock stages;
     const Timing time = timed([&] {
-        const auto traced = core::traceVessels(scan);
+        const auto traced = core::traceVessels(scan, {}, [&](const core::TracingReport& report) {
+            stages.enter(report.stage);
+            return core::Verdict::Continue;
+        });
         branches = traced ? traced.value().tree.branches.size() : 0;
+        stages.enter("");
     });
     std::printf(
         "512 x 512 x 300 (%.0f MB): %zu branches, wall %.1f s, processor %.1f s, peak memory %.2f x the volume "
         "(volume included)\n",
         volumeMb, branches, time.wall, time.processor, (peakMb() - before + volumeMb) / volumeMb);
+    stages.print();
 }
 
 /// Stop pressed at ten times of the run: how long until the tracer has returned.

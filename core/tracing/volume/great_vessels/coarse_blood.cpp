@@ -80,11 +80,17 @@ public:
     {
         std::vector<double> means;
         means.reserve(extents_[0].size() * extents_[1].size());
-        std::vector<double> along(
-            static_cast<std::size_t>(lumen_.geometry.size.x()));   // means over the block's z and y
+        const auto columns = static_cast<std::size_t>(lumen_.geometry.size.x());
+        const std::vector<double> plane = planeOf(extents_[2][k]);
+        std::vector<double> along(columns);   // means over the block's z and y
         for (const Extent& y : extents_[1]) {
             std::fill(along.begin(), along.end(), 0.0);
-            addRows(y, extents_[2][k], along);
+            for (std::size_t b = 0; b < y.weights.size(); ++b) {
+                const double* row = &plane[(static_cast<std::size_t>(y.first) + b) * columns];
+                for (std::size_t i = 0; i < columns; ++i) {
+                    along[i] += y.weights[b] * row[i];
+                }
+            }
             for (const Extent& x : extents_[0]) {
                 double mean = 0.0;
                 for (std::size_t n = 0; n < x.weights.size(); ++n) {
@@ -97,17 +103,20 @@ public:
     }
 
 private:
-    void addRows(const Extent& y, const Extent& z, std::vector<double>& along) const
+    /// Means over the block's z, of all columns and rows: blocks share voxels, and asking for their fill is what costs.
+    std::vector<double> planeOf(const Extent& z) const
     {
+        const Eigen::Vector3i& size = lumen_.geometry.size;
+        std::vector<double> plane(static_cast<std::size_t>(size.x()) * static_cast<std::size_t>(size.y()), 0.0);
         for (std::size_t c = 0; c < z.weights.size(); ++c) {
-            for (std::size_t b = 0; b < y.weights.size(); ++b) {
-                const double weight = y.weights[b] * z.weights[c];
-                for (std::size_t i = 0; i < along.size(); ++i) {
-                    along[i] += weight * shareAt(static_cast<int>(i), y.first + static_cast<int>(b),
-                                                 z.first + static_cast<int>(c));
+            std::size_t at = 0;
+            for (int j = 0; j < size.y(); ++j) {
+                for (int i = 0; i < size.x(); ++i) {
+                    plane[at++] += z.weights[c] * shareAt(i, j, z.first + static_cast<int>(c));
                 }
             }
         }
+        return plane;
     }
 
     double shareAt(int i, int j, int k) const

@@ -1,5 +1,7 @@
 #include "core/tracing/volume/great_vessels/skull.h"
 
+#include "core/support/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,8 +36,28 @@ std::size_t sectorOf(const Eigen::Vector2d& aside)
 
 enum class Block : std::uint8_t { Soft, Bone, Air };
 
+/// What fills one block of `per` voxels along each axis.
+Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const VoxelFill& fill)
+{
+    int bone = 0;
+    int looked = 0;
+    double sum = 0.0;
+    for (int n = 0; n < per.prod(); ++n) {
+        const Eigen::Array3i in(n % per.x(), n / per.x() % per.y(), n / (per.x() * per.y()));
+        if ((per > 2).any() && in.x() % 2 + in.y() % 2 + in.z() % 2 > 0) {
+            continue;   // every second tells enough
+        }
+        const Eigen::Array3i at = block * per + in;
+        const double share = fill(at.x(), at.y(), at.z());
+        bone += share > leastBoneFill ? 1 : 0;
+        sum += share;
+        ++looked;
+    }
+    return bone >= leastBoneShare * looked ? Block::Bone : sum < mostAirFill * looked ? Block::Air : Block::Soft;
+}
+
 /// What fills the blocks of a scan.
-VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, TracingProgress& progress)
+VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, int threads, TracingProgress& progress)
 {
     const Eigen::Array3i per = (blockMm / grid.spacingMm.array()).round().max(1.0).cast<int>();
     VolumeGeometry coarse = grid;
@@ -43,28 +65,16 @@ VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, Tra
     coarse.spacingMm = grid.spacingMm.cwiseProduct(per.cast<double>().matrix());
     coarse.originInPatient = grid.patientFromVoxel() * (0.5 * (per.cast<double>() - 1.0)).matrix();
     VoxelGrid<Block> blocks(coarse);
-    for (int k = 0; k < coarse.size.z() && progress.advance(0.0); ++k) {
+    const auto fillSlice = [&](std::size_t slice) {
+        const auto k = static_cast<int>(slice);
         for (int j = 0; j < coarse.size.y(); ++j) {
             for (int i = 0; i < coarse.size.x(); ++i) {
-                int bone = 0;
-                int looked = 0;
-                double sum = 0.0;
-                for (int n = 0; n < per.prod(); ++n) {
-                    const Eigen::Array3i in(n % per.x(), n / per.x() % per.y(), n / (per.x() * per.y()));
-                    if ((per > 2).any() && in.x() % 2 + in.y() % 2 + in.z() % 2 > 0) {
-                        continue;   // every second tells enough
-                    }
-                    const double share = fill(i * per.x() + in.x(), j * per.y() + in.y(), k * per.z() + in.z());
-                    bone += share > leastBoneFill ? 1 : 0;
-                    sum += share;
-                    ++looked;
-                }
-                blocks.at(i, j, k) = bone >= leastBoneShare * looked ? Block::Bone
-                                     : sum < mostAirFill * looked    ? Block::Air
-                                                                     : Block::Soft;
+                blocks.at(i, j, k) = blockAt({i, j, k}, per, fill);
             }
         }
-    }
+    };
+    parallelFor(static_cast<std::size_t>(coarse.size.z()), threads, fillSlice,
+                [&](double) { return progress.advance(0.0); });
     return blocks;
 }
 
@@ -200,7 +210,7 @@ Skull::Course Skull::courseOf(const std::vector<Eigen::Vector3d>& points, const 
 std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill, int threads,
                                TracingProgress& progress)
 {
-    const VoxelGrid<Block> blocks = blocksOf(grid, fill, progress);
+    const VoxelGrid<Block> blocks = blocksOf(grid, fill, threads, progress);
     Skull skull;
     double heightMm = 0.0;
     for (int k = 0; k < blocks.geometry.size.z(); ++k) {
