@@ -3,6 +3,7 @@
 #include "core/imaging/fill_surface.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
+#include "io/derived_angiogram.h"
 #include "io/pose_file.h"
 #include "io/surface_file.h"
 #include "io/vessel_input_file.h"
@@ -98,7 +99,7 @@ Status convertAngiogram(const ConvertArguments& arguments)
         return angiogram.error();
     }
     printWarnings(angiogram.value().warnings);
-    return io::writeAngiogram(angiogram.value(), arguments.outputPath);
+    return io::writeDerivedAngiogram(angiogram.value(), arguments.outputPath, arguments.inputPath);
 }
 
 /// Centrelines: a tree where the input is one, else curves in an image.

@@ -1,16 +1,12 @@
 #include "io/dicom/write_dicom.h"
 
+#include "io/dicom/dicom_item.h"
+#include "io/dicom/new_uid.h"
+#include "io/dicom/source_image.h"
 #include "io/dicom/stored_values.h"
 #include "io/messages/says.h"
-#include "io/support/quiet_libraries.h"
 
-#include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
-#include <dcmtk/dcmdata/dcostrmb.h>
-#include <dcmtk/dcmdata/dctk.h>
-#include <openssl/evp.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
 #include <numbers>
@@ -23,49 +19,14 @@ using core::Angiogram;
 using core::CArm;
 
 constexpr const char* xaImageStorage = "1.2.840.10008.5.1.4.1.1.12.1";
+constexpr const char* derivation = "Decoded, rescaled and stored again by AngioPose " ANGIOPOSE_VERSION;
 
-/// Adds elements to a data set; what is there already is replaced.
-class DatasetWriter {
-public:
-    explicit DatasetWriter(DcmDataset& data) : data_(&data) {}
-
-    void text(std::uint32_t tag, DcmEVR vr, const std::string& value)
-    {
-        data_->putAndInsertString(tagOf(tag, vr), value.c_str());
+void addDecimal(DicomItem& out, DicomTag tag, const core::Sourced<double>& number)
+{
+    if (number.value) {
+        out.decimals(tag, {*number.value});
     }
-    void unsignedShort(std::uint32_t tag, int value)
-    {
-        data_->putAndInsertUint16(tagOf(tag, EVR_US), static_cast<Uint16>(value));
-    }
-    void unsignedShorts(std::uint32_t tag, const std::vector<std::uint16_t>& values)
-    {
-        if (!values.empty()) {
-            data_->putAndInsertUint16Array(tagOf(tag, EVR_US), values.data(), values.size());
-        }
-    }
-    void signedShort(std::uint32_t tag, int value)
-    {
-        data_->putAndInsertSint16(tagOf(tag, EVR_SS), static_cast<Sint16>(value));
-    }
-    void decimal(std::uint32_t tag, const core::Sourced<double>& number)
-    {
-        if (number.value) {
-            text(tag, EVR_DS, decimalString(*number.value));
-        }
-    }
-    void words(std::uint32_t tag, const std::vector<std::uint16_t>& values)
-    {
-        data_->putAndInsertUint16Array(tagOf(tag, EVR_OW), values.data(), values.size());
-    }
-
-private:
-    static DcmTag tagOf(std::uint32_t tag, DcmEVR vr)
-    {
-        return {static_cast<Uint16>(tag >> 16U), static_cast<Uint16>(tag & 0xffffU), DcmVR(vr)};
-    }
-
-    DcmDataset* data_;
-};
+}
 
 std::optional<core::Message> findUnwritable(const Angiogram& angiogram)
 {
@@ -86,71 +47,63 @@ std::optional<core::Message> findUnwritable(const Angiogram& angiogram)
     return isTooLarge ? std::optional(says::dicomRunTooLarge()) : std::nullopt;
 }
 
-/// "2.25." and a decimal number below 10^36 that follows from the content (PS3.5 B.2).
-std::string contentUid(const StoredValues& stored, const std::string& role)
-{
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int size = 0;
-    EVP_Digest(stored.pixels.data(), stored.pixels.size() * 2, digest.data(), &size, EVP_sha256(), nullptr);
-    std::string seed(reinterpret_cast<const char*>(digest.data()), size);
-    seed += role;
-    EVP_Digest(seed.data(), seed.size(), digest.data(), &size, EVP_sha256(), nullptr);
-    std::string uid = "2.25.1";
-    for (int i = 0; i < 30; ++i) {
-        uid += static_cast<char>('0' + digest[static_cast<std::size_t>(i)] % 10);
-    }
-    return uid;
-}
-
 std::string digitsOf(std::string text)
 {
     std::erase_if(text, [](char c) { return c < '0' || c > '9'; });
     return text;
 }
 
-void addIdentity(DatasetWriter& out, const core::StudyIdentity& identity, const StoredValues& stored)
+/// Pixels as bytes, to tell what an object holds.
+std::string_view bytesOf(const StoredValues& stored)
 {
-    const auto uidOr = [&](const std::string& known, const char* role) {
-        return known.empty() ? contentUid(stored, role) : known;
-    };
-    out.text(0x00080005, EVR_CS, "ISO_IR 192");
-    out.text(0x00080008, EVR_CS, "DERIVED\\PRIMARY\\SINGLE PLANE");
-    out.text(0x00080016, EVR_UI, xaImageStorage);
-    out.text(0x00080018, EVR_UI, uidOr(identity.sopInstanceUid, "instance"));
-    out.text(0x00080020, EVR_DA, digitsOf(identity.studyDate));
-    out.text(0x00080030, EVR_TM, digitsOf(identity.studyTime));
-    out.text(0x00080050, EVR_SH, identity.accessionNumber);
-    out.text(0x00080060, EVR_CS, "XA");
-    out.text(0x00080070, EVR_LO, identity.manufacturer);
-    out.text(0x00080080, EVR_LO, identity.institution);
-    out.text(0x00080090, EVR_PN, "");
-    out.text(0x0008103e, EVR_LO, identity.description);
-    out.text(0x00100010, EVR_PN, identity.patientName);
-    out.text(0x00100020, EVR_LO, identity.patientId);
-    out.text(0x00100030, EVR_DA, digitsOf(identity.birthDate));
-    out.text(0x00100040, EVR_CS, identity.sex);
-    out.text(0x0020000d, EVR_UI, uidOr(identity.studyUid, "study"));
-    out.text(0x0020000e, EVR_UI, uidOr(identity.seriesUid, "series"));
-    out.text(0x00200010, EVR_SH, "1");
-    out.text(0x00200011, EVR_IS, "1");
-    out.text(0x00200013, EVR_IS, "1");
-    out.text(0x00200060, EVR_CS, identity.laterality);
+    return {reinterpret_cast<const char*>(stored.pixels.data()), 2 * stored.pixels.size()};
+}
+
+/// An image of the same study in a series of its own: never one that the archive has already.
+void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const StoredValues& stored)
+{
+    const std::string pixels = uidOfContent(bytesOf(stored));
+    const std::string study = identity.studyUid.empty() ? uidOfContent("study " + pixels) : identity.studyUid;
+    const std::string series = identity.seriesUid.empty() ? pixels : identity.seriesUid;
+    out.text(0x00080005, "CS", "ISO_IR 192");
+    out.text(0x00080008, "CS", "DERIVED\\PRIMARY\\SINGLE PLANE");
+    out.text(0x00080016, "UI", xaImageStorage);
+    out.text(0x00080020, "DA", digitsOf(identity.studyDate));
+    out.text(0x00080030, "TM", digitsOf(identity.studyTime));
+    out.text(0x00080050, "SH", identity.accessionNumber);
+    out.text(0x00080060, "CS", "XA");
+    out.text(0x00080070, "LO", identity.manufacturer);
+    out.text(0x00080080, "LO", identity.institution);
+    out.text(0x00080090, "PN", "");
+    out.text(0x0008103e, "LO", identity.description);
+    out.text(0x00100010, "PN", identity.patientName);
+    out.text(0x00100020, "LO", identity.patientId);
+    out.text(0x00100030, "DA", digitsOf(identity.birthDate));
+    out.text(0x00100040, "CS", identity.sex);
+    out.text(0x0020000d, "UI", study);
+    out.text(0x0020000e, "UI", uidOfContent("converted series " + series));
+    out.text(0x00200010, "SH", "1");
+    out.text(0x00200011, "IS", "1");
+    out.text(0x00200013, "IS", "1");
+    if (!identity.laterality.empty()) {   // of paired parts alone
+        out.text(0x00200060, "CS", identity.laterality);
+    }
 }
 
 /// Row direction as seen on screen: image right is (cos α, sin α, 0) in LPS when not mirrored (ALGORITHMS §5.3).
-void addOrientation(DatasetWriter& out, const CArm& cArm)
+void addOrientation(DicomItem& out, const CArm& cArm)
 {
     if (!cArm.mirrored.value) {
-        out.text(0x00200020, EVR_CS, "");
+        out.text(0x00200020, "CS", "");
         return;
     }
     const double alpha = cArm.primaryAngleDeg.value.value_or(0.0) * std::numbers::pi / 180.0;
     const bool pointsLeft = (std::cos(alpha) > 0.0) != *cArm.mirrored.value;
-    out.text(0x00200020, EVR_CS, pointsLeft ? "L\\F" : "R\\F");
+    out.text(0x00200020, "CS", pointsLeft ? "L\\F" : "R\\F");
 }
 
 /// The principal point has no tag of its own: it follows from where the field of view lies on the detector.
-void addPrincipalPoint(DatasetWriter& out, const Angiogram& angiogram)
+void addPrincipalPoint(DicomItem& out, const Angiogram& angiogram)
 {
     const CArm& cArm = angiogram.cArm;
     if (!cArm.principalPointPx.value || !cArm.rowSpacingMm.value || !cArm.columnSpacingMm.value) {
@@ -160,34 +113,33 @@ void addPrincipalPoint(DatasetWriter& out, const Angiogram& angiogram)
     const double halfSidePx =
         std::ceil(std::max({point.x() + 1.0, point.y() + 1.0, double(angiogram.width()), double(angiogram.height())}));
     const double row = *cArm.rowSpacingMm.value, column = *cArm.columnSpacingMm.value;
-    out.text(0x00187022, EVR_DS, decimalString(row) + "\\" + decimalString(column));
-    out.text(0x00187026, EVR_DS,
-             decimalString(2.0 * halfSidePx * row) + "\\" + decimalString(2.0 * halfSidePx * column));
-    out.text(0x00187030, EVR_DS,
+    out.text(0x00187022, "DS", decimalString(row) + "\\" + decimalString(column));
+    out.text(0x00187026, "DS", decimalString(2.0 * halfSidePx * row) + "\\" + decimalString(2.0 * halfSidePx * column));
+    out.text(0x00187030, "DS",
              decimalString(halfSidePx - point.y() - 0.5) + "\\" + decimalString(halfSidePx - point.x() - 0.5));
-    out.text(0x00187032, EVR_DS, "0");
-    out.text(0x00187034, EVR_CS, "NO");
+    out.text(0x00187032, "DS", "0");
+    out.text(0x00187034, "CS", "NO");
 }
 
-void addGeometry(DatasetWriter& out, const Angiogram& angiogram)
+void addGeometry(DicomItem& out, const Angiogram& angiogram)
 {
     const CArm& cArm = angiogram.cArm;
-    out.text(0x00180060, EVR_DS, "");
+    out.text(0x00180060, "DS", "");
     for (const std::uint32_t unknown : {0x00181150U, 0x00181151U, 0x00181152U}) {   // exposure
-        out.text(unknown, EVR_IS, "");
+        out.text(unknown, "IS", "");
     }
-    out.text(0x00181155, EVR_CS, "GR");
-    out.decimal(0x00181110, cArm.sourceToDetectorMm);
-    out.decimal(0x00181111, cArm.sourceToPatientMm);
+    out.text(0x00181155, "CS", "GR");
+    addDecimal(out, 0x00181110, cArm.sourceToDetectorMm);
+    addDecimal(out, 0x00181111, cArm.sourceToPatientMm);
     if (cArm.rowSpacingMm.value && cArm.columnSpacingMm.value) {
-        out.text(0x00181164, EVR_DS,
+        out.text(0x00181164, "DS",
                  decimalString(*cArm.rowSpacingMm.value) + "\\" + decimalString(*cArm.columnSpacingMm.value));
     }
-    out.text(0x00181500, EVR_CS, "STATIC");
-    out.text(0x00181510, EVR_DS, "");   // present even when unknown (type 2)
-    out.text(0x00181511, EVR_DS, "");
-    out.decimal(0x00181510, cArm.primaryAngleDeg);
-    out.decimal(0x00181511, cArm.secondaryAngleDeg);
+    out.text(0x00181500, "CS", "STATIC");
+    out.text(0x00181510, "DS", "");   // present even when unknown (type 2)
+    out.text(0x00181511, "DS", "");
+    addDecimal(out, 0x00181510, cArm.primaryAngleDeg);
+    addDecimal(out, 0x00181511, cArm.secondaryAngleDeg);
     addOrientation(out, cArm);
     addPrincipalPoint(out, angiogram);
 }
@@ -201,69 +153,85 @@ std::vector<std::uint16_t> framesFromOne(const std::vector<int>& frames)
     return numbers;
 }
 
-void addPixels(DatasetWriter& out, const Angiogram& angiogram, const StoredValues& stored)
+void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValues& stored)
 {
     if (angiogram.frameCount() > 1) {
-        out.text(0x00181063, EVR_DS, decimalString(angiogram.frameTimeMs));
-        out.text(0x00280009, EVR_AT, "(0018,1063)");
-        out.text(0x00280008, EVR_IS, std::to_string(angiogram.frameCount()));
+        out.text(0x00181063, "DS", decimalString(angiogram.frameTimeMs));
+        out.text(0x00280009, "AT", "(0018,1063)");
+        out.text(0x00280008, "IS", std::to_string(angiogram.frameCount()));
         out.unsignedShorts(0x00286040, framesFromOne(angiogram.rWaveFrames));
     }
     out.unsignedShort(0x00280002, 1);
-    out.text(0x00280004, EVR_CS, "MONOCHROME2");
+    out.text(0x00280004, "CS", "MONOCHROME2");
     out.unsignedShort(0x00280010, angiogram.height());
     out.unsignedShort(0x00280011, angiogram.width());
     out.unsignedShort(0x00280100, 16);
     out.unsignedShort(0x00280101, 16);
     out.unsignedShort(0x00280102, 15);
     out.unsignedShort(0x00280103, 0);
-    out.text(0x00281040, EVR_CS, "LOG");
+    out.text(0x00281040, "CS", "LOG");
     if (angiogram.polarity == core::Polarity::VesselsBright) {
         out.signedShort(0x00281041, -1);   // values fall with the X-ray intensity
     }
-    out.text(0x00281052, EVR_DS, stored.intercept);
-    out.text(0x00281053, EVR_DS, stored.slope);
-    out.text(0x00281054, EVR_LO, "US");
-    out.text(0x00282110, EVR_CS, "00");
-    out.words(0x7fe00010, stored.pixels);
+    out.text(0x00281052, "DS", stored.intercept);
+    out.text(0x00281053, "DS", stored.slope);
+    out.text(0x00281054, "LO", "US");
+    out.text(0x00282110, "CS", "00");
 }
 
-/// The file as it would lie on disk; nothing when an element is not one.
-std::optional<std::string> fileContent(DcmFileFormat& file)
+/// What the image was made of, where that is an instance of an archive.
+void addDerivation(DicomItem& out, const SourceImage* source)
 {
-    std::string content;
-    std::vector<char> buffer(std::size_t{1} << 20);
-    DcmOutputBufferStream stream(buffer.data(), static_cast<offile_off_t>(buffer.size()));
-    file.transferInit();
-    OFCondition state = EC_StreamNotifyClient;
-    while (state == EC_StreamNotifyClient) {   // the buffer is full
-        state = file.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr);
-        void* bytes = nullptr;
-        offile_off_t size = 0;
-        stream.flushBuffer(bytes, size);
-        content.append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
+    out.text(0x00082111, "ST", derivation);
+    if (source == nullptr || !source->canBeReferredTo()) {
+        return;
     }
-    file.transferEnd();
-    return state.good() ? std::optional(std::move(content)) : std::nullopt;
+    addReference(out, 0x00082112, source->sopClassUid, source->sopInstanceUid);
+    for (const SourceImage::Text& lost : source->lossyCompression) {
+        out.text(lost.tag, lost.vr, lost.value);
+    }
+    if (source->isAnnotated) {
+        out.text(0x00280301, "CS", "YES");
+    }
+}
+
+/// All but the pixels and the image's own UID.
+void addHeader(DicomItem& out, const Angiogram& angiogram, const StoredValues& stored, const SourceImage* source)
+{
+    addIdentity(out, angiogram.identity, stored);
+    addDerivation(out, source);
+    addGeometry(out, angiogram);
+    addPixelHeader(out, angiogram, stored);
+}
+
+/// Of header and pixels together: what differs anywhere is another instance.
+std::string instanceUidOf(const Angiogram& angiogram, const StoredValues& stored, const SourceImage* source)
+{
+    DicomObject header;
+    DicomItem root = header.root();
+    addHeader(root, angiogram, stored, source);
+    root.text(
+        0x00080018, "UI",
+        angiogram.identity.sopInstanceUid.empty() ? uidOfContent(bytesOf(stored)) : angiogram.identity.sopInstanceUid);
+    const auto content = header.content();
+    return uidOfContent((content ? content.value() : std::string()) + uidOfContent(bytesOf(stored)));
 }
 
 }   // namespace
 
-core::Result<std::string> dicomText(const Angiogram& angiogram)
+core::Result<std::string> dicomText(const Angiogram& angiogram, const SourceImage* source)
 {
-    quietLibraries();
     if (const auto unwritable = findUnwritable(angiogram)) {
         return core::Error(*unwritable);
     }
     try {
         const StoredValues stored = storedValuesOf(angiogram.frames);
-        DcmFileFormat file;
-        DatasetWriter out(*file.getDataset());
-        addIdentity(out, angiogram.identity, stored);
-        addGeometry(out, angiogram);
-        addPixels(out, angiogram, stored);
-        auto content = fileContent(file);
-        return content ? core::Result<std::string>(std::move(*content)) : core::Error(says::dicomNotWritten());
+        DicomObject object;
+        DicomItem root = object.root();
+        addHeader(root, angiogram, stored, source);
+        root.text(0x00080018, "UI", instanceUidOf(angiogram, stored, source));
+        root.words(0x7fe00010, stored.pixels);
+        return object.content();
     } catch (const std::exception&) {
         return core::Error(says::dicomNoMemoryToWrite());
     }

@@ -1,0 +1,67 @@
+#include "io/dicom/new_uid.h"
+
+#include <openssl/evp.h>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+namespace angiopose::io {
+namespace {
+
+using UuidBytes = std::array<std::uint8_t, 16>;
+
+/// The bits that say what kind of UUID it is (RFC 9562): 4 random, 8 of one's own making.
+void markUuid(UuidBytes& uuid, std::uint8_t version)
+{
+    uuid[6] = static_cast<std::uint8_t>((uuid[6] & 0x0fU) | static_cast<unsigned>(version << 4U));
+    uuid[8] = static_cast<std::uint8_t>((uuid[8] & 0x3fU) | 0x80U);
+}
+
+/// Divides the number by ten again and again; the remainders are its digits from the last.
+std::string decimalOf(UuidBytes number)
+{
+    std::string digits;
+    do {
+        unsigned rest = 0;
+        for (std::uint8_t& byte : number) {
+            const unsigned part = rest * 256U + byte;
+            byte = static_cast<std::uint8_t>(part / 10U);
+            rest = part % 10U;
+        }
+        digits += static_cast<char>('0' + rest);
+    } while (std::ranges::any_of(number, [](std::uint8_t byte) { return byte != 0; }));
+    std::ranges::reverse(digits);
+    return digits;
+}
+
+std::string uidOf(UuidBytes uuid, std::uint8_t version)
+{
+    markUuid(uuid, version);
+    return "2.25." + decimalOf(uuid);
+}
+
+}   // namespace
+
+std::string newUid()
+{
+    std::random_device source;
+    UuidBytes uuid{};
+    for (std::uint8_t& byte : uuid) {
+        byte = static_cast<std::uint8_t>(source() & 0xffU);
+    }
+    return uidOf(uuid, 4);
+}
+
+std::string uidOfContent(std::string_view content)
+{
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int size = 0;
+    EVP_Digest(content.data(), content.size(), digest.data(), &size, EVP_sha256(), nullptr);
+    UuidBytes uuid{};
+    std::copy_n(digest.begin(), uuid.size(), uuid.begin());
+    return uidOf(uuid, 8);
+}
+
+}   // namespace angiopose::io

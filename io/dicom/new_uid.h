@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace angiopose::io {
+
+/// A new UID: the root 2.25, which everybody may use, and 128 random bits as a decimal number (a UUID, PS3.5 B.2).
+std::string newUid();
+
+/// The same with bits that follow from the content: equal content, equal UID; any other content, another one.
+std::string uidOfContent(std::string_view content);
+
+}   // namespace angiopose::io
