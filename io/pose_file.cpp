@@ -1,6 +1,8 @@
 #include "io/pose_file.h"
 
 #include "io/decode/itk_transform_file.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom/objects/spatial_registration.h"
 #include "io/messages/says.h"
 #include "io/pose/itk_transform.h"
 #include "io/support/atomic_file.h"
@@ -52,6 +54,9 @@ core::Result<core::RigidTransform> readPose(const std::string& path)
     const std::string_view content = input.value().view();
     if (content.size() > (16U << 20)) {
         return fileError(path, says::poseTooLarge());
+    }
+    if (looksLikeDicom(content)) {
+        return readSpatialRegistration(content, path);
     }
     const std::string extension = extensionOf(path);
     if (content.starts_with("#Insight Transform File") || extension == ".tfm" || extension == ".txt") {

@@ -1,6 +1,7 @@
 #include "io/messages/catalogue.h"
 
 #include "io/messages/says.h"
+#include "io/messages/says_objects.h"
 
 #include <array>
 
@@ -14,6 +15,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "io/messages/files.def"
 #include "io/messages/images.def"
 #include "io/messages/movies.def"
+#include "io/messages/objects.def"
 #include "io/messages/opening.def"
 #include "io/messages/vessels.def"
 #include "io/messages/volumes.def"

@@ -1,0 +1,93 @@
+#include "io/dicom/objects/derived_object.h"
+
+#include "io/dicom/new_uid.h"
+#include "io/dicom/objects/coded_term.h"
+
+namespace angiopose::io {
+namespace {
+
+constexpr const char* notADevice =
+    "Made by AngioPose, a program for research. It is not a medical device; not for diagnosis or treatment.";
+
+}   // namespace
+
+std::string ObjectOrigin::uidFor(const std::string& role) const
+{
+    return uidOfContent(seed + " " + role);
+}
+
+ObjectOrigin newOrigin(const std::string& author)
+{
+    return {newUid(), localTimeNow(), author};
+}
+
+std::string studyUidOf(const SourceImage& source, const ObjectOrigin& origin)
+{
+    return source.studyUid.empty() ? origin.uidFor("study") : source.studyUid;
+}
+
+void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage& source, const ObjectOrigin& origin)
+{
+    root.text(0x00080005, "CS", "ISO_IR 192");
+    root.text(0x00080012, "DA", origin.made.date);
+    root.text(0x00080013, "TM", origin.made.time);
+    root.text(0x00080016, "UI", kind.sopClassUid);
+    root.text(0x00080018, "UI", origin.uidFor(std::string("instance of ") + kind.role));
+    root.text(0x00080021, "DA", origin.made.date);
+    root.text(0x00080031, "TM", origin.made.time);
+    root.text(0x00080060, "CS", kind.modality);
+    root.text(0x00080070, "LO", "AngioPose");
+    root.text(0x0008103e, "LO", kind.description);
+    root.text(0x00081090, "LO", "AngioPose");
+    for (const SourceImage::Text& taken : source.patientAndStudy) {
+        root.text(taken.tag, taken.vr, taken.value);
+    }
+    root.text(0x00181000, "LO", "none");   // a program has no serial number, but some objects demand one
+    root.text(0x00181020, "LO", "AngioPose " ANGIOPOSE_VERSION);
+    root.text(0x00189004, "CS", "RESEARCH");
+    root.text(0x0020000d, "UI", studyUidOf(source, origin));
+    root.text(0x0020000e, "UI", origin.uidFor(std::string("series of ") + kind.role));
+    root.text(0x00200011, "IS", std::to_string(kind.seriesNumber));
+    root.text(0x00200013, "IS", "1");
+    if (!source.laterality.empty()) {   // of paired parts alone
+        root.text(0x00200060, "CS", source.laterality);
+    }
+    root.text(0x00400280, "ST", notADevice);
+}
+
+void addContentIdentification(DicomItem& root, const char* label, const std::string& description,
+                              const ObjectOrigin& origin)
+{
+    root.text(0x00700080, "CS", label);
+    root.text(0x00700081, "LO", shortened(description, 64));
+    root.text(0x00700084, "PN", shortened(origin.author, 64));
+}
+
+void addContentTime(DicomItem& root, const ObjectOrigin& origin)
+{
+    root.text(0x00080023, "DA", origin.made.date);
+    root.text(0x00080033, "TM", origin.made.time);
+}
+
+void addDerivedFrom(DicomItem& root, const std::string& words, const SourceImage& source)
+{
+    root.text(0x00082111, "ST", shortened(words, 1024));
+    if (source.canBeReferredTo()) {
+        DicomItem reference = addReference(root, 0x00082112, source.sopClassUid, source.sopInstanceUid);
+        addTerm(reference, 0x0040a170, sourceImageForProcessing);
+    }
+    for (const SourceImage::Text& lost : source.lossyCompression) {
+        root.text(lost.tag, lost.vr, lost.value);
+    }
+}
+
+void addReferencedSeries(DicomItem& root, const SourceImage& source)
+{
+    if (source.canBeReferredTo()) {
+        DicomItem series = root.addItem(0x00081115);
+        series.text(0x0020000e, "UI", source.seriesUid);
+        addReference(series, 0x0008114a, source.sopClassUid, source.sopInstanceUid);
+    }
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace angiopose::io {
+
+using RgbColor = std::array<std::uint8_t, 3>;   ///< sRGB
+
+/// A colour as DICOM recommends it: CIELab under D50, spread over 16 bits (PS3.3 C.10.7.1.1).
+std::vector<std::uint16_t> labColor(const RgbColor& color);
+
+}   // namespace angiopose::io

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "io/dicom/objects/coded_term.h"
+#include "io/dicom/objects/derived_object.h"
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace angiopose::io {
+
+/// A number with what it was measured on: a line in the image, or in the patient, or nothing.
+struct ReportedNumber {
+    CodedTerm meaning;
+    double value = 0.0;
+    CodedTerm unit;
+    int frame = 0;
+    std::vector<Eigen::Vector2d> pixels = {};   ///< (0, 0) is the centre of the first pixel
+    std::vector<Eigen::Vector3d> pointsInPatient = {};   ///< LPS mm
+};
+
+struct ReportedText {
+    CodedTerm meaning;
+    std::string words;
+};
+
+/// What belongs together: a measurement, or all that is said of a registration.
+struct ReportedGroup {
+    std::string name;   ///< for people
+    std::vector<ReportedNumber> numbers;
+    std::vector<ReportedText> texts = {};
+};
+
+struct MeasurementReport {
+    std::vector<ReportedGroup> groups;
+    std::string scanFrameOfReferenceUid;   ///< of `pointsInPatient`
+};
+
+/// Measurements of an image and its scan as a Comprehensive 3D SR after TID 1500 (PS3.16). Fails where there is none.
+core::Result<std::string> measurementReport(const MeasurementReport& report, const SourceImage& source,
+                                            const ObjectOrigin& origin);
+
+inline constexpr CodedTerm lengthTerm{"410668003", "SCT", "Length"};
+inline constexpr CodedTerm angleTerm{"1483009", "SCT", "Angle"};
+inline constexpr CodedTerm areaTerm{"42798000", "SCT", "Area"};
+
+}   // namespace angiopose::io
