@@ -1,5 +1,6 @@
 #include "app/cli/case_commands.h"
 #include "app/cli/console.h"
+#include "app/cli/export_dicom_command.h"
 #include "app/cli/file_commands.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/usage_help.h"
@@ -30,6 +31,7 @@ int parseAndRun(int argc, char** argv)
     addTrack(app, exitCode);
     addProject(app, exitCode);
     addMovie(app, exitCode);
+    addExportDicom(app, exitCode);
     addAngles(app, exitCode);
     addMeasure(app, exitCode);
     addSimulate(app, exitCode);

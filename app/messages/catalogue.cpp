@@ -1,6 +1,7 @@
 #include "app/messages/catalogue.h"
 
 #include "app/messages/says.h"
+#include "app/messages/says_dicom.h"
 
 #include <array>
 
@@ -11,6 +12,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
     static constexpr auto entries = std::to_array<const core::MessageEntry*>({
 #define MESSAGE(name, id, english) &says::name,
 #include "app/messages/commands.def"
+#include "app/messages/dicom.def"
 #include "app/messages/window.def"
 #undef MESSAGE
     });

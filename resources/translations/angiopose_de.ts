@@ -1454,6 +1454,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
+        <source>DICOM objects written: %1</source>
+        <translation>DICOM-Objekte geschrieben: %1</translation>
+    </message>
+    <message>
         <source>The program could not be started again. Start it from the menu of the system.</source>
         <translation>Das Programm ließ sich nicht noch einmal starten. Aus dem Menü des Systems starten.</translation>
     </message>
@@ -6446,6 +6450,101 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild %1 der Berichtsvorlage ist nicht lesbar. Es neben die Vorlage legen, als PNG oder JPEG von höchstens 16 MB und 8192 Pixeln je Seite.</translation>
     </message>
     <message>
+        <source>the pictures together are more than a DICOM object may hold. Choose a smaller width or fewer frames.</source>
+        <comment>object.too-large</comment>
+        <translation>die Bilder zusammen sind mehr, als ein DICOM-Objekt fassen darf. Eine kleinere Breite oder weniger Bilder wählen.</translation>
+    </message>
+    <message>
+        <source>this is not a PDF. Export the report as PDF first.</source>
+        <comment>object.no-pdf</comment>
+        <translation>das ist kein PDF. Zuerst den Bericht als PDF exportieren.</translation>
+    </message>
+    <message>
+        <source>a presentation state refers to a DICOM image, and the angiogram is none that can be referred to. Open it as DICOM, or leave the presentation state out.</source>
+        <comment>object.no-reference</comment>
+        <translation>ein Presentation State verweist auf ein DICOM-Bild, und das Angiogramm ist keines, auf das sich verweisen lässt. Es als DICOM öffnen oder den Presentation State weglassen.</translation>
+    </message>
+    <message>
+        <source>no vessels lie on the image. Move them there first, or leave the presentation state out.</source>
+        <comment>object.no-lines</comment>
+        <translation>auf dem Bild liegen keine Gefäße. Sie zuerst dorthin schieben oder den Presentation State weglassen.</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset the pose first.</source>
+        <comment>object.pose-not-rigid</comment>
+        <translation>die Lage ist keine starre Bewegung aus endlichen Zahlen. Zuerst die Lage zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>no vessel lies in the scan. Check that scan and vessels are of one patient, or leave the segmentation out.</source>
+        <comment>object.no-voxels</comment>
+        <translation>im Scan liegt kein Gefäß. Prüfen, ob Scan und Gefäße von einem Patienten sind, oder die Segmentierung weglassen.</translation>
+    </message>
+    <message>
+        <source>nothing was measured and nothing registered. Do one of these first, or leave the measurements out.</source>
+        <comment>object.nothing-measured</comment>
+        <translation>nichts wurde gemessen und nichts registriert. Zuerst eines davon tun oder die Messungen weglassen.</translation>
+    </message>
+    <message>
+        <source>this DICOM file holds no registration of one frame of reference to another. Choose a spatial registration.</source>
+        <comment>pose.no-registration</comment>
+        <translation>diese DICOM-Datei enthält keine Registrierung eines Bezugssystems zu einem anderen. Eine Spatial Registration wählen.</translation>
+    </message>
+    <message>
+        <source>a segmentation needs the scan or the mask that the vessels come from. Open it first, or leave the segmentation out.</source>
+        <comment>dicom-export.no-scan</comment>
+        <translation>eine Segmentierung braucht den Scan oder die Maske, aus denen die Gefäße kommen. Zuerst öffnen oder die Segmentierung weglassen.</translation>
+    </message>
+    <message>
+        <source>the report is made by the window. Export it there as PDF and give it by --report, or leave it out.</source>
+        <comment>dicom-export.no-report</comment>
+        <translation>den Bericht macht das Fenster. Ihn dort als PDF exportieren und mit --report angeben oder weglassen.</translation>
+    </message>
+    <message>
+        <source>Left out: %1: %2</source>
+        <comment>dicom-export.left-out</comment>
+        <translation>Weggelassen: %1: %2</translation>
+    </message>
+    <message>
+        <source>The angiogram is no DICOM image: its objects begin a study of their own, without a patient.</source>
+        <comment>dicom-export.new-study</comment>
+        <translation>Das Angiogramm ist kein DICOM-Bild: Seine Objekte beginnen eine eigene Studie ohne Patienten.</translation>
+    </message>
+    <message>
+        <source>The scan is no DICOM series: its segmentation refers to none and has a frame of reference of its own.</source>
+        <comment>dicom-export.no-scan-study</comment>
+        <translation>Der Scan ist keine DICOM-Serie: Seine Segmentierung verweist auf keine und hat ein eigenes Bezugssystem.</translation>
+    </message>
+    <message>
+        <source>A spatial registration is a rigid matrix alone: it cannot hold the perspective camera, without which it gives no overlay. That stands in its private elements and in camera.json beside it.</source>
+        <comment>dicom-export.rigid-only</comment>
+        <translation>Eine Spatial Registration ist nur eine starre Matrix: Die perspektivische Kamera, ohne die sie keine Überlagerung ergibt, kann sie nicht enthalten. Diese steht in ihren privaten Elementen und daneben in camera.json.</translation>
+    </message>
+    <message>
+        <source>The presentation state shows the image as it is stored, not subtracted: its grey values are others than here.</source>
+        <comment>dicom-export.treated</comment>
+        <translation>Der Presentation State zeigt das Bild, wie es gespeichert ist, nicht subtrahiert: Seine Grauwerte sind andere als hier.</translation>
+    </message>
+    <message>
+        <source>this case allows none of the objects. Open vessels and an angiogram first.</source>
+        <comment>dicom-export.nothing</comment>
+        <translation>dieser Fall erlaubt keines der Objekte. Zuerst Gefäße und ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is unknown. Use %2.</source>
+        <comment>dicom-export.kind-unknown</comment>
+        <translation>„%1“ ist unbekannt. %2 verwenden.</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written.</source>
+        <comment>dicom-export.stopped</comment>
+        <translation>angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Vessels of a registered 3-D tree drawn over the image, window and size as chosen</source>
+        <comment>dicom-export.derivation</comment>
+        <translation>Gefäße eines registrierten 3-D-Baums über das Bild gezeichnet, Fenster und Größe wie gewählt</translation>
+    </message>
+    <message>
         <source>No registration is known that led to this pose. Register first.</source>
         <comment>movie.no-history</comment>
         <translation>Keine Registrierung ist bekannt, die zu dieser Lage führte. Zuerst registrieren.</translation>
@@ -7127,6 +7226,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>angiopose::ui::CommandTable</name>
+    <message>
+        <source>Export DICOM objects …</source>
+        <translation>DICOM-Objekte exportieren …</translation>
+    </message>
     <message>
         <source>Play slower</source>
         <translation>Langsamer abspielen</translation>
@@ -11526,6 +11629,72 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>built in</source>
         <translation>eingebaut</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::DicomDialog</name>
+    <message>
+        <source>Picture of the overlay (Secondary Capture)</source>
+        <translation>Bild der Überlagerung (Secondary Capture)</translation>
+    </message>
+    <message>
+        <source>Pictures of the run (Secondary Capture)</source>
+        <translation>Bilder der Serie (Secondary Capture)</translation>
+    </message>
+    <message>
+        <source>Report (PDF)</source>
+        <translation>Bericht (PDF)</translation>
+    </message>
+    <message>
+        <source>Vessels as lines on the stored image (Presentation State)</source>
+        <translation>Gefäße als Linien auf dem gespeicherten Bild (Presentation State)</translation>
+    </message>
+    <message>
+        <source>Pose (Spatial Registration)</source>
+        <translation>Lage (Spatial Registration)</translation>
+    </message>
+    <message>
+        <source>Vessels in the scan (Segmentation)</source>
+        <translation>Gefäße im Scan (Segmentation)</translation>
+    </message>
+    <message>
+        <source>Measurements (Structured Report)</source>
+        <translation>Messungen (Structured Report)</translation>
+    </message>
+    <message>
+        <source>Patient identity in pictures and report</source>
+        <translation>Name des Patienten in Bildern und Bericht</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Export DICOM objects</source>
+        <translation>DICOM-Objekte exportieren</translation>
+    </message>
+    <message>
+        <source>A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which is written beside it as camera.json.</source>
+        <translation>Eine Spatial Registration ist eine starre Matrix: Die perspektivische Kamera kann sie nicht enthalten; diese wird als camera.json daneben geschrieben.</translation>
+    </message>
+    <message>
+        <source>Every object names the patient in its header, as its image does, whatever its pictures show. Each is a new instance in the study of its image.</source>
+        <translation>Jedes Objekt nennt im Kopf den Patienten wie sein Bild, was auch immer seine Bilder zeigen. Jedes ist eine neue Instanz in der Studie seines Bildes.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::DicomController</name>
+    <message>
+        <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
+        <translation>Es gibt noch nichts zu exportieren. Zuerst einen Gefäßbaum und ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Folder for the DICOM objects</source>
+        <translation>Ordner für die DICOM-Objekte</translation>
     </message>
 </context>
 </TS>

@@ -1454,6 +1454,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
+        <source>DICOM objects written: %1</source>
+        <translation>已写出 DICOM 对象：%1</translation>
+    </message>
+    <message>
         <source>The program could not be started again. Start it from the menu of the system.</source>
         <translation>程序无法再次启动。请从系统菜单启动。</translation>
     </message>
@@ -6446,6 +6450,101 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读取报告模板的图片 %1。请将其放在模板旁边，格式为 PNG 或 JPEG，不超过 16 MB，每边不超过 8192 像素。</translation>
     </message>
     <message>
+        <source>the pictures together are more than a DICOM object may hold. Choose a smaller width or fewer frames.</source>
+        <comment>object.too-large</comment>
+        <translation>这些图片的总量超过一个 DICOM 对象所能容纳的大小。请选择较小的宽度或较少的帧。</translation>
+    </message>
+    <message>
+        <source>this is not a PDF. Export the report as PDF first.</source>
+        <comment>object.no-pdf</comment>
+        <translation>这不是 PDF。请先将报告导出为 PDF。</translation>
+    </message>
+    <message>
+        <source>a presentation state refers to a DICOM image, and the angiogram is none that can be referred to. Open it as DICOM, or leave the presentation state out.</source>
+        <comment>object.no-reference</comment>
+        <translation>显示状态须引用一幅 DICOM 图像，而此血管造影不是可引用的图像。请以 DICOM 打开，或不导出显示状态。</translation>
+    </message>
+    <message>
+        <source>no vessels lie on the image. Move them there first, or leave the presentation state out.</source>
+        <comment>object.no-lines</comment>
+        <translation>图像上没有血管。请先将血管移到图像上，或不导出显示状态。</translation>
+    </message>
+    <message>
+        <source>the pose is not a rigid motion of finite numbers. Reset the pose first.</source>
+        <comment>object.pose-not-rigid</comment>
+        <translation>该位姿不是由有限数值构成的刚性运动。请先重置位姿。</translation>
+    </message>
+    <message>
+        <source>no vessel lies in the scan. Check that scan and vessels are of one patient, or leave the segmentation out.</source>
+        <comment>object.no-voxels</comment>
+        <translation>扫描中没有血管。请检查扫描与血管是否属于同一患者，或不导出分割。</translation>
+    </message>
+    <message>
+        <source>nothing was measured and nothing registered. Do one of these first, or leave the measurements out.</source>
+        <comment>object.nothing-measured</comment>
+        <translation>既没有测量，也没有配准。请先完成其中之一，或不导出测量。</translation>
+    </message>
+    <message>
+        <source>this DICOM file holds no registration of one frame of reference to another. Choose a spatial registration.</source>
+        <comment>pose.no-registration</comment>
+        <translation>此 DICOM 文件不含一个参考坐标系到另一个的配准。请选择空间配准。</translation>
+    </message>
+    <message>
+        <source>a segmentation needs the scan or the mask that the vessels come from. Open it first, or leave the segmentation out.</source>
+        <comment>dicom-export.no-scan</comment>
+        <translation>分割需要血管所来自的扫描或掩模。请先打开，或不导出分割。</translation>
+    </message>
+    <message>
+        <source>the report is made by the window. Export it there as PDF and give it by --report, or leave it out.</source>
+        <comment>dicom-export.no-report</comment>
+        <translation>报告由窗口生成。请在窗口中导出为 PDF 并用 --report 给出，或不导出。</translation>
+    </message>
+    <message>
+        <source>Left out: %1: %2</source>
+        <comment>dicom-export.left-out</comment>
+        <translation>未导出：%1：%2</translation>
+    </message>
+    <message>
+        <source>The angiogram is no DICOM image: its objects begin a study of their own, without a patient.</source>
+        <comment>dicom-export.new-study</comment>
+        <translation>此血管造影不是 DICOM 图像：其对象自成一个检查，不含患者。</translation>
+    </message>
+    <message>
+        <source>The scan is no DICOM series: its segmentation refers to none and has a frame of reference of its own.</source>
+        <comment>dicom-export.no-scan-study</comment>
+        <translation>此扫描不是 DICOM 序列：其分割不引用任何序列，并有自己的参考坐标系。</translation>
+    </message>
+    <message>
+        <source>A spatial registration is a rigid matrix alone: it cannot hold the perspective camera, without which it gives no overlay. That stands in its private elements and in camera.json beside it.</source>
+        <comment>dicom-export.rigid-only</comment>
+        <translation>空间配准只是一个刚性矩阵：它无法保存透视相机，而没有相机就得不到叠加图。相机保存在其私有元素和旁边的 camera.json 中。</translation>
+    </message>
+    <message>
+        <source>The presentation state shows the image as it is stored, not subtracted: its grey values are others than here.</source>
+        <comment>dicom-export.treated</comment>
+        <translation>显示状态按存储的样子显示图像，未经减影：其灰度值与此处不同。</translation>
+    </message>
+    <message>
+        <source>this case allows none of the objects. Open vessels and an angiogram first.</source>
+        <comment>dicom-export.nothing</comment>
+        <translation>此病例无法导出任何对象。请先打开血管和血管造影。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is unknown. Use %2.</source>
+        <comment>dicom-export.kind-unknown</comment>
+        <translation>“%1”未知。请使用 %2。</translation>
+    </message>
+    <message>
+        <source>stopped; nothing was written.</source>
+        <comment>dicom-export.stopped</comment>
+        <translation>已停止；未写出任何内容。</translation>
+    </message>
+    <message>
+        <source>Vessels of a registered 3-D tree drawn over the image, window and size as chosen</source>
+        <comment>dicom-export.derivation</comment>
+        <translation>在图像上绘制已配准三维血管树的血管，窗宽窗位和大小按所选</translation>
+    </message>
+    <message>
         <source>No registration is known that led to this pose. Register first.</source>
         <comment>movie.no-history</comment>
         <translation>没有得出此位姿的配准记录。请先配准。</translation>
@@ -7127,6 +7226,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>angiopose::ui::CommandTable</name>
+    <message>
+        <source>Export DICOM objects …</source>
+        <translation>导出 DICOM 对象……</translation>
+    </message>
     <message>
         <source>Play slower</source>
         <translation>放慢播放</translation>
@@ -11525,6 +11628,72 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>built in</source>
         <translation>内置</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::DicomDialog</name>
+    <message>
+        <source>Picture of the overlay (Secondary Capture)</source>
+        <translation>叠加图的图片（二次捕获）</translation>
+    </message>
+    <message>
+        <source>Pictures of the run (Secondary Capture)</source>
+        <translation>序列的图片（二次捕获）</translation>
+    </message>
+    <message>
+        <source>Report (PDF)</source>
+        <translation>报告（PDF）</translation>
+    </message>
+    <message>
+        <source>Vessels as lines on the stored image (Presentation State)</source>
+        <translation>存储图像上的血管线条（显示状态）</translation>
+    </message>
+    <message>
+        <source>Pose (Spatial Registration)</source>
+        <translation>位姿（空间配准）</translation>
+    </message>
+    <message>
+        <source>Vessels in the scan (Segmentation)</source>
+        <translation>扫描中的血管（分割）</translation>
+    </message>
+    <message>
+        <source>Measurements (Structured Report)</source>
+        <translation>测量（结构化报告）</translation>
+    </message>
+    <message>
+        <source>Patient identity in pictures and report</source>
+        <translation>图片和报告中的患者身份</translation>
+    </message>
+    <message>
+        <source>Export …</source>
+        <translation>导出……</translation>
+    </message>
+    <message>
+        <source>Export DICOM objects</source>
+        <translation>导出 DICOM 对象</translation>
+    </message>
+    <message>
+        <source>A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which is written beside it as camera.json.</source>
+        <translation>空间配准是一个刚性矩阵：它无法保存透视相机，相机以 camera.json 写在旁边。</translation>
+    </message>
+    <message>
+        <source>Every object names the patient in its header, as its image does, whatever its pictures show. Each is a new instance in the study of its image.</source>
+        <translation>无论图片显示什么，每个对象都像其图像一样在头信息中注明患者。每个对象都是其图像所属检查中的新实例。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::DicomController</name>
+    <message>
+        <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
+        <translation>尚无可导出的内容。请先打开血管树和血管造影。</translation>
+    </message>
+    <message>
+        <source>Folder for the DICOM objects</source>
+        <translation>DICOM 对象的文件夹</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,124 @@
+#include "app/cli/export_dicom_command.h"
+
+#include "app/cli/case_input.h"
+#include "app/cli/console.h"
+#include "app/cli/register_case.h"
+#include "app/messages/says_dicom.h"
+#include "app/texts/dicom_export.h"
+#include "io/support/input_bytes.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace angiopose::app {
+namespace {
+
+struct ExportDicomArguments {
+    std::string casePath;
+    std::string outputFolder;
+    std::vector<std::string> objects;   ///< ids; empty: all that the case allows
+    std::string reportPath;   ///< PDF to wrap; empty: none
+    std::optional<int> frame;
+    int widthPx = 0;   ///< of pictures; 0: twice the image, of runs the image
+    bool isRegistered = false;   ///< its frame is registered first
+    bool isRigid = false;
+    bool isIdentityShown = false;   ///< burned into pictures
+    std::string author;
+};
+
+core::Result<std::string> pdfBytes(const std::string& path)
+{
+    const auto input = io::openInput(path);
+    return input ? core::Result<std::string>(std::string(input.value().view())) : input.error();
+}
+
+core::Result<DicomExport> exportFor(const ExportDicomArguments& arguments)
+{
+    DicomExport wanted;
+    for (const std::string& id : arguments.objects) {
+        const auto kind = dicomKindFrom(id);
+        if (!kind) {
+            return core::Error(says::dicomKindUnknown(id, dicomKindIds()).about("--objects"));
+        }
+        wanted.kinds.push_back(*kind);
+    }
+    wanted.look.widthPx = arguments.widthPx;
+    wanted.look.coloring = OverlayColoring::Branches;
+    wanted.look.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
+    wanted.look.identity = arguments.isIdentityShown ? Identity::Shown : Identity::Hidden;
+    wanted.author = arguments.author;
+    if (!arguments.reportPath.empty()) {
+        wanted.report = [path = arguments.reportPath] { return pdfBytes(path); };
+    }
+    return wanted;
+}
+
+core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
+{
+    auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
+    if (!loaded || !arguments.isRegistered) {
+        return loaded;
+    }
+    auto found = registerForCommand(std::move(loaded).value(), "registering");
+    return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
+}
+
+core::Result<DicomFiles> writeObjects(const core::Case& theCase, const DicomExport& wanted, const std::string& folder)
+{
+    ProgressLine progress("writing");
+    return writeDicomObjects(theCase, {}, wanted, folder, [&progress](double fraction) {
+        progress.show(fraction, "");
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
+}
+
+int runExportDicom(const ExportDicomArguments& arguments)
+{
+    const auto wanted = exportFor(arguments);
+    if (!wanted) {
+        printMessage(wanted.error().message.text());
+        return exitUsage;
+    }
+    const auto theCase = caseFor(arguments);
+    if (!theCase) {
+        return failInput(theCase.error());
+    }
+    const auto files = writeObjects(theCase.value(), wanted.value(), arguments.outputFolder);
+    if (!files) {
+        return failInput(files.error());
+    }
+    printWarnings(files.value().notes);
+    for (const std::string& path : files.value().paths) {
+        std::printf("%s\n", path.c_str());
+    }
+    return exitDone;
+}
+
+}   // namespace
+
+void addExportDicom(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("export-dicom", "Write what a case shows and found as DICOM objects");
+    auto arguments = std::make_shared<ExportDicomArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--output", arguments->outputFolder, "Folder for the objects, one file each")->required();
+    command
+        ->add_option("--objects", arguments->objects,
+                     "Which, of " + dicomKindIds() + " (default: all that the case allows)")
+        ->delimiter(',');
+    command->add_option("--report", arguments->reportPath, "PDF of the report, as the window exports it, for pdf");
+    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    command->add_option("--width", arguments->widthPx, "Width of pictures in pixels (default: twice the image)")
+        ->check(CLI::Range(64, 8192));
+    command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
+    command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
+    command->add_flag("--identity", arguments->isIdentityShown, "Write the patient's name into the pictures too");
+    command->add_option("--author", arguments->author, "Who made them, as Family^Given");
+    command->footer(
+        "sc: picture, run: pictures of the run, pdf: report, ps: lines on the stored image, reg: pose, seg: vessels in "
+        "the scan, sr: measurements. Each is a new instance in the study of its image.\n\n"
+        "Example: angiopose-cli export-dicom case.angiopose --register --output objects --objects sc,ps,reg");
+    command->callback([arguments, &exitCode] { exitCode = runExportDicom(*arguments); });
+}
+
+}   // namespace angiopose::app

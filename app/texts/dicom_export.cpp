@@ -1,0 +1,189 @@
+#include "app/texts/dicom_export.h"
+
+#include "app/messages/says_dicom.h"
+#include "app/texts/dicom_objects.h"
+#include "core/case/case_patients.h"
+#include "io/camera_pose_file.h"
+#include "io/support/atomic_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace angiopose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KindInfo {
+    DicomKind kind;
+    std::string_view id;
+    const char* file;
+};
+constexpr std::array kindTable{
+    KindInfo{DicomKind::Picture, "sc", "overlay.dcm"},
+    KindInfo{DicomKind::Run, "run", "overlay-run.dcm"},
+    KindInfo{DicomKind::Report, "pdf", "report.dcm"},
+    KindInfo{DicomKind::State, "ps", "presentation-state.dcm"},
+    KindInfo{DicomKind::Registration, "reg", "registration.dcm"},
+    KindInfo{DicomKind::Segmentation, "seg", "segmentation.dcm"},
+    KindInfo{DicomKind::Measurements, "sr", "measurements.dcm"},
+};
+
+const KindInfo& infoOf(DicomKind kind)
+{
+    return kindTable[static_cast<std::size_t>(kind)];
+}
+
+/// A file that is ready to be written.
+struct MadeFile {
+    fs::path path;
+    std::string content;
+};
+
+core::Error stoppedExport()
+{
+    return core::Error(core::Stopped{says::dicomStopped()});
+}
+
+std::vector<DicomKind> kindsOf(const DicomExport& wanted)
+{
+    std::vector<DicomKind> kinds = wanted.kinds;
+    if (kinds.empty()) {
+        std::ranges::transform(kindTable, std::back_inserter(kinds), &KindInfo::kind);
+    }
+    return kinds;
+}
+
+core::Result<DicomGround> groundOf(const core::Case& theCase, const core::Centerline2d& target,
+                                   const DicomExport& wanted, DicomFiles& files)
+{
+    auto angiogram = io::readSourceImage(theCase.shown().imageFile.path);
+    if (!angiogram) {
+        return angiogram.error();
+    }
+    if (!angiogram.value().isDicom) {
+        files.notes.push_back(says::dicomNewStudy());
+    }
+    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+        files.notes.push_back(mismatch);
+    }
+    return DicomGround{theCase,
+                       target,
+                       wanted,
+                       std::move(angiogram).value(),
+                       scanReferenceOf(theCase.vessels),
+                       io::newOrigin(wanted.author),
+                       {}};
+}
+
+/// A run of one frame is the picture itself.
+bool isOffered(DicomKind kind, const DicomGround& ground)
+{
+    return kind != DicomKind::Run || ground.theCase.shown().angiogram->frameCount() > 1;
+}
+
+core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::path& folder, DicomFiles& files,
+                                                const DicomObserver& observe)
+{
+    const std::vector<DicomKind> kinds = kindsOf(ground.wanted);
+    std::vector<MadeFile> made;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        ground.goesOn = [&observe, i, count = kinds.size()](double fraction) {
+            return observe ? observe((static_cast<double>(i) + fraction) / static_cast<double>(count))
+                           : core::Verdict::Continue;
+        };
+        if (ground.goesOn(0.0) == core::Verdict::Stop) {
+            return stoppedExport();
+        }
+        if (ground.wanted.kinds.empty() && !isOffered(kinds[i], ground)) {
+            continue;
+        }
+        auto content = dicomObject(kinds[i], ground, files.notes);
+        if (content) {
+            made.push_back({folder / infoOf(kinds[i]).file, std::move(content).value()});
+        } else if (!ground.wanted.kinds.empty() || content.isStopped()) {
+            return content.error();
+        } else {
+            files.notes.push_back(says::dicomLeftOut(infoOf(kinds[i]).file, content.error().message));
+        }
+    }
+    return made;
+}
+
+/// The camera, which no object of the standard holds, beside the registration.
+void addCameraFile(std::vector<MadeFile>& made, const core::View& view, const fs::path& folder)
+{
+    const auto isRegistration = [](const MadeFile& file) {
+        return file.path.filename() == infoOf(DicomKind::Registration).file;
+    };
+    const auto camera = core::cameraOf(view);
+    if (camera && std::ranges::any_of(made, isRegistration)) {
+        made.push_back({folder / "camera.json", io::cameraPoseText(view.cameraFromPatient, camera.value())});
+    }
+}
+
+core::Status writeAll(const std::vector<MadeFile>& made, const fs::path& folder, DicomFiles& files)
+{
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    for (const MadeFile& file : made) {
+        if (auto written = io::writeAtomically(file.path.string(), file.content); !written) {
+            return written;
+        }
+        files.paths.push_back(file.path.string());
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+std::string_view idOf(DicomKind kind)
+{
+    return infoOf(kind).id;
+}
+
+std::string dicomKindIds()
+{
+    std::string ids;
+    for (const KindInfo& info : kindTable) {
+        ids += (ids.empty() ? "" : ", ") + std::string(info.id);
+    }
+    return ids;
+}
+
+std::optional<DicomKind> dicomKindFrom(std::string_view id)
+{
+    const auto found = std::ranges::find(kindTable, id, &KindInfo::id);
+    return found == kindTable.end() ? std::nullopt : std::optional(found->kind);
+}
+
+core::Result<DicomFiles> writeDicomObjects(const core::Case& theCase, const core::Centerline2d& target,
+                                           const DicomExport& wanted, const std::string& folder,
+                                           const DicomObserver& observe)
+{
+    if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
+        return core::Error(says::dicomNothing());
+    }
+    DicomFiles files;
+    auto ground = groundOf(theCase, target, wanted, files);
+    if (!ground) {
+        return ground.error();
+    }
+    DicomGround kept = std::move(ground).value();
+    auto made = madeObjects(kept, folder, files, observe);
+    if (!made) {
+        return made.error();
+    }
+    std::vector<MadeFile> ready = std::move(made).value();
+    addCameraFile(ready, theCase.shown(), folder);
+    if (observe && observe(1.0) == core::Verdict::Stop) {
+        return stoppedExport();
+    }
+    if (auto written = writeAll(ready, folder, files); !written) {
+        return written.error();
+    }
+    return files;
+}
+
+}   // namespace angiopose::app

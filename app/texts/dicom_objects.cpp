@@ -1,0 +1,120 @@
+#include "app/texts/dicom_objects.h"
+
+#include "app/messages/says.h"
+#include "app/messages/says_dicom.h"
+#include "app/texts/dicom_pictures.h"
+#include "app/texts/dicom_state.h"
+#include "core/imaging/mark_ball.h"
+#include "io/dicom/objects/case_measurements.h"
+#include "io/dicom/objects/encapsulated_pdf.h"
+#include "io/dicom/objects/spatial_registration.h"
+#include "io/scan_reference.h"
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+/// One file for the vessels and the scan they are traced from, or two.
+std::string scanFrame(const DicomGround& ground)
+{
+    return io::scanFrameOfReference(ground.scan.source, ground.theCase.vessels.file.sha256);
+}
+
+core::Result<std::string> reportObject(const DicomGround& ground)
+{
+    if (!ground.wanted.report) {
+        return core::Error(says::dicomNoReport());
+    }
+    const auto pdf = ground.wanted.report();
+    // Titles and file names in it may tell whose it is, whatever was hidden.
+    return pdf ? io::encapsulatedPdf(pdf.value(), ground.theCase.title, io::BurnedInIdentity::MayBeThere,
+                                     ground.angiogram, ground.origin)
+               : core::Result<std::string>(pdf.error());
+}
+
+core::Result<std::string> registrationObject(const DicomGround& ground, core::Messages& notes)
+{
+    const core::View& view = ground.theCase.shown();
+    const auto camera = core::cameraOf(view);
+    if (!camera) {
+        return camera.error();
+    }
+    notes.push_back(says::dicomRigidOnly());
+    const io::CArmRegistration registration{view.cameraFromPatient, camera.value(), scanFrame(ground),
+                                            io::cameraFrameOfReference(ground.angiogram, ground.origin),
+                                            view.result ? view.result->method : std::string()};
+    return io::spatialRegistration(registration, ground.angiogram, ground.origin);
+}
+
+/// The tree as tubes of its radii in the grid of the scan.
+core::VoxelMask drawnTree(const core::VesselTree& tree, const core::VolumeGeometry& grid)
+{
+    core::VoxelMask mask(grid);
+    const double step = 0.5 * grid.spacingMm.minCoeff();
+    for (const core::VesselBranch& branch : core::resampled(tree, step).branches) {
+        for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+            const double radius = branch.radiusMm.empty() ? 0.0 : branch.radiusMm[i];
+            core::markBall(branch.pointsInPatient[i], std::max(radius, step), mask);
+        }
+    }
+    return mask;
+}
+
+core::Result<std::string> segmentationObject(const DicomGround& ground, core::Messages& notes)
+{
+    const core::Vessels& vessels = ground.theCase.vessels;
+    if (!vessels.lumen && !vessels.scan) {
+        return core::Error(says::dicomNoScan());
+    }
+    auto made = vessels.lumen
+                    ? io::vesselSegmentation(*vessels.lumen,
+                                             vessels.isLumenEdited ? "Lumen traced in the scan and edited by hand"
+                                                                   : "Lumen that the vessel tree was traced from",
+                                             ground.scan, ground.origin)
+                    : io::vesselSegmentation(drawnTree(*vessels.tree, vessels.scan->geometry),
+                                             "Centrelines drawn as tubes of their radii", ground.scan, ground.origin);
+    if (made && !ground.scan.source.isDicom) {
+        notes.push_back(says::dicomNoScanStudy());
+    }
+    return made;
+}
+
+}   // namespace
+
+io::ScanReference scanReferenceOf(const core::Vessels& vessels)
+{
+    const bool isApart = !vessels.scanFile.path.empty();
+    const bool isInFile = vessels.input.kind == core::VesselInputKind::Volume ||
+                          vessels.input.kind == core::VesselInputKind::Segmentation;
+    if (!isApart && !isInFile) {
+        return {};
+    }
+    auto found = isApart ? io::readScanReference(vessels.scanFile.path, vessels.scanSeriesId)
+                         : io::readScanReference(vessels.file.path, vessels.input.seriesId);
+    return found ? std::move(found).value() : io::ScanReference{};
+}
+
+core::Result<std::string> dicomObject(DicomKind kind, const DicomGround& ground, core::Messages& notes)
+{
+    switch (kind) {
+        case DicomKind::Picture:
+            return pictureObject(ground);
+        case DicomKind::Run:
+            return runObject(ground);
+        case DicomKind::Report:
+            return reportObject(ground);
+        case DicomKind::State:
+            return stateObject(ground, notes);
+        case DicomKind::Registration:
+            return registrationObject(ground, notes);
+        case DicomKind::Segmentation:
+            return segmentationObject(ground, notes);
+        case DicomKind::Measurements:
+            break;
+    }
+    return io::measurementReport({io::reportedGroups(ground.theCase), scanFrame(ground)}, ground.angiogram,
+                                 ground.origin);
+}
+
+}   // namespace angiopose::app
