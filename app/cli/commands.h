@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/console.h"
+#include "app/cli/deidentify_options.h"
 #include "app/texts/movie.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/viewing/angle_map.h"
@@ -158,6 +159,7 @@ struct ConvertArguments {
     std::string seriesId;
     double unitMm = 1.0;
     double spacingMm = 0.0;   ///< of the voxels a surface is filled with; 0: chosen by its size
+    std::shared_ptr<DeidentifyArguments> identity;
 };
 int runConvert(const ConvertArguments& arguments);
 

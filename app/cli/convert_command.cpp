@@ -3,8 +3,12 @@
 #include "core/imaging/fill_surface.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
+#include "io/deidentify_file.h"
 #include "io/derived_angiogram.h"
+#include "io/dicom/dicom_file.h"
+#include "io/messages/says_deidentify.h"
 #include "io/pose_file.h"
+#include "io/support/input_bytes.h"
 #include "io/surface_file.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
@@ -144,9 +148,48 @@ Status toVolume(const ConvertArguments& arguments)
     return kind.value() == VesselInputKind::Surface ? fillToVolume(arguments) : convertVolume(arguments);
 }
 
+bool isImageFile(const std::string& path)
+{
+    return io::isDicomFile(path) || endsWith(path, {".png", ".jpg", ".jpeg"});
+}
+
+/// DICOM images and pictures with what is written beside their pixels taken out.
+Status withoutIdentity(const ConvertArguments& arguments)
+{
+    const auto pseudonyms = pseudonymsOf(*arguments.identity);
+    if (!pseudonyms) {
+        return pseudonyms.error();
+    }
+    const io::Deidentification wished = *deidentificationOf(*arguments.identity);
+    const std::string& in = arguments.inputPath;
+    const std::string& out = arguments.outputPath;
+    ProgressLine progress("reading");
+    const auto done = fs::is_directory(in)
+                          ? io::deidentifyFolder(in, out, wished, pseudonyms.value(), observer(progress))
+                          : io::deidentifyFile(in, out, wished, pseudonyms.value());
+    if (done) {
+        printWarnings(done.value());
+    }
+    return done ? Status(core::Done{}) : done.error();
+}
+
+/// Other formats carry no identity but what names of branches say.
+bool isWithoutIdentityByItself(const std::string& out)
+{
+    return endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha", ".stl", ".tfm", ".h5", ".vtp", ".csv", ".swc", ".json"});
+}
+
 Status convert(const ConvertArguments& arguments)
 {
     const std::string& out = arguments.outputPath;
+    if (arguments.identity->isWanted && !isWithoutIdentityByItself(out)) {
+        const bool isFolder = fs::is_directory(arguments.inputPath);
+        const std::string ending = io::isDicomFile(arguments.inputPath) ? ".dcm" : io::extensionOf(arguments.inputPath);
+        const bool fits = isFolder ? io::extensionOf(out).empty() : endsWith(out, {ending.c_str()});
+        return fits && (isFolder || isImageFile(arguments.inputPath))
+                   ? withoutIdentity(arguments)
+                   : Status(core::Error(io::says::deidentifiedKind(ending).about(out)));
+    }
     if (endsWith(out, {".mrk.json", ".vtp", ".csv", ".swc"})) {
         return toCurves(arguments);
     }

@@ -2,6 +2,7 @@
 #include "app/cli/console.h"
 #include "app/cli/export_dicom_command.h"
 #include "app/cli/file_commands.h"
+#include "app/cli/pack_command.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/usage_help.h"
 #include "app/cli/vessel_commands.h"
@@ -40,6 +41,7 @@ int parseAndRun(int argc, char** argv)
     addBatch(app, exitCode);
     addTraceVessel(app, exitCode);
     addConvert(app, exitCode);
+    addPack(app, exitCode);
     addStudies(app, exitCode);
     addInfo(app, exitCode);
     addValidate(app, exitCode);

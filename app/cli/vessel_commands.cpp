@@ -161,13 +161,14 @@ void addConvert(CLI::App& app, int& exitCode)
         ->add_option(
             "OUT", arguments->outputPath,
             "Centrelines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
-            ".tfm .h5; X-ray runs: .dcm")
+            ".tfm .h5; X-ray runs: .dcm; with --deidentify also DICOM slices, PNG, JPEG, and a folder for a folder")
         ->required();
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centreline file, mm")
         ->check(CLI::Range(1e-6, 1e4));
     command->add_option("--spacing-mm", arguments->spacingMm, "Voxels that a surface is filled with, mm")
         ->check(CLI::Range(0.01, 100.0));
+    arguments->identity = addDeidentifyOptions(*command);
     command->footer("Example: angiopose-cli convert cta/ cta.nii.gz");
     command->callback([arguments, &exitCode] { exitCode = runConvert(*arguments); });
 }

@@ -37,6 +37,9 @@ public:
     std::vector<DicomDataset> items(DicomTag tag) const;   ///< of a sequence; empty when absent
     std::vector<DicomDataset> itemsOfAllSequences() const;
 
+    /// What it is made of, for those that copy elements as they are; the first that has an element gives it.
+    const std::vector<std::shared_ptr<DcmItem>>& layers() const { return layers_; }
+
     /// Elements that are not here come from `other` from now on.
     void addMissingFrom(const DicomDataset& other);
 

@@ -24,6 +24,13 @@ void DicomItem::text(DicomTag tag, const char* vr, const std::string& value)
     item_->putAndInsertString(writtenTag(tag, DcmVR(vr)), value.c_str());
 }
 
+void DicomItem::textWhereAbsent(DicomTag tag, const char* vr, const std::string& value)
+{
+    if (!item_->tagExists(writtenTag(tag, DcmVR(vr)))) {
+        text(tag, vr, value);
+    }
+}
+
 void DicomItem::decimals(DicomTag tag, const std::vector<double>& values)
 {
     std::string joined;
@@ -94,6 +101,13 @@ void DicomItem::bytes(DicomTag tag, std::string_view content)
 {
     auto* element = new DcmOtherByteOtherWord(writtenTag(tag, EVR_OB));
     element->putUint8Array(reinterpret_cast<const Uint8*>(content.data()), content.size());
+    item_->insert(element, OFTrue);
+}
+
+void DicomItem::floatPixels(const std::vector<float>& values)
+{
+    auto* element = new DcmOtherFloat(writtenTag(0x7fe00008, EVR_OF));
+    element->putFloat32Array(values.data(), values.size());
     item_->insert(element, OFTrue);
 }
 

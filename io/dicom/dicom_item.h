@@ -21,6 +21,7 @@ public:
     explicit DicomItem(DcmItem& item) : item_(&item) {}
 
     void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; `\` between values
+    void textWhereAbsent(DicomTag tag, const char* vr, const std::string& value);
     void decimals(DicomTag tag, const std::vector<double>& values);   ///< DS, as exact as 16 characters allow
     void unsignedShort(DicomTag tag, int value);
     void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< nothing when empty
@@ -32,9 +33,12 @@ public:
     void attribute(DicomTag tag, DicomTag pointedTo);   ///< AT
     void words(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< OW
     void bytes(DicomTag tag, std::string_view content);   ///< OB, made even
+    void floatPixels(const std::vector<float>& values);   ///< OF
 
     DicomItem addItem(DicomTag sequence);
     void emptySequence(DicomTag sequence);
+
+    DcmItem& element() const { return *item_; }   ///< for those that copy elements as they are
 
 private:
     DcmItem* item_;

@@ -1,6 +1,7 @@
 #include "io/messages/catalogue.h"
 
 #include "io/messages/says.h"
+#include "io/messages/says_deidentify.h"
 #include "io/messages/says_objects.h"
 
 #include <array>
@@ -12,6 +13,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
     static constexpr auto entries = std::to_array<const core::MessageEntry*>({
 #define MESSAGE(name, id, english) &says::name,
 #include "io/messages/case.def"
+#include "io/messages/deidentify.def"
 #include "io/messages/files.def"
 #include "io/messages/images.def"
 #include "io/messages/movies.def"

@@ -1,0 +1,61 @@
+#include "app/cli/deidentify_options.h"
+
+#include "io/messages/says_deidentify.h"
+#include "io/support/input_bytes.h"
+
+namespace angiopose::app {
+namespace {
+
+constexpr std::size_t leastKeyBytes = 16;
+
+}   // namespace
+
+std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command)
+{
+    auto arguments = std::make_shared<DeidentifyArguments>();
+    auto* wanted =
+        command.add_flag("--deidentify", arguments->isWanted,
+                         "Without names, IDs, dates, private elements and texts; UIDs and patient by others");
+    command.add_option("--dates", arguments->dates, "removed, or shifted by as much for all files of a patient")
+        ->check(CLI::IsMember({"removed", "shifted"}))
+        ->needs(wanted);
+    command
+        .add_flag("--black-out", arguments->areLettersBlackedOut,
+                  "Black out letters that are drawn into projections, instead of telling of them")
+        ->needs(wanted);
+    command
+        .add_option("--pseudonym", arguments->patientName, "Name and ID instead of the patient's (default: made up)")
+        ->needs(wanted);
+    command
+        .add_option("--key", arguments->keyPath,
+                    "File with 16 or more secret bytes: exports with the same key fit together (default: a new one)")
+        ->needs(wanted);
+    return arguments;
+}
+
+std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments& arguments)
+{
+    if (!arguments.isWanted) {
+        return {};
+    }
+    return io::Deidentification{arguments.dates == "shifted" ? io::KeptDates::Shifted : io::KeptDates::None,
+                                arguments.areLettersBlackedOut ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Told,
+                                arguments.patientName};
+}
+
+core::Result<io::Pseudonyms> pseudonymsOf(const DeidentifyArguments& arguments)
+{
+    if (arguments.keyPath.empty()) {
+        return io::Pseudonyms::create();
+    }
+    const auto key = io::openInput(arguments.keyPath);
+    if (!key) {
+        return key.error();
+    }
+    const std::string_view bytes = key.value().view();
+    return bytes.size() < leastKeyBytes
+               ? core::Result<io::Pseudonyms>(core::Error(io::says::keyTooShort().about(arguments.keyPath)))
+               : io::Pseudonyms(std::string(bytes));
+}
+
+}   // namespace angiopose::app

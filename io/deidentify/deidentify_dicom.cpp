@@ -1,0 +1,100 @@
+#include "io/deidentify/deidentify_dicom.h"
+
+#include <array>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+/// A code of PS3.16 CID 7050.
+struct Method {
+    const char* value;
+    const char* meaning;
+};
+constexpr Method basicProfile{"113100", "Basic Application Confidentiality Profile"};
+constexpr Method cleanPixels{"113101", "Clean Pixel Data Option"};
+constexpr Method cleanGraphics{"113103", "Clean Graphics Option"};
+constexpr Method cleanStructure{"113104", "Clean Structured Content Option"};
+constexpr Method cleanDescriptors{"113105", "Clean Descriptors Option"};
+constexpr Method modifiedDates{"113107", "Retain Longitudinal Temporal Information Modified Dates Option"};
+
+/// Present though nothing is known, as the modules of images demand (type 2).
+constexpr std::array<std::pair<DicomTag, const char*>, 8> emptyWhereAbsent{{{0x00080020, "DA"},
+                                                                            {0x00080030, "TM"},
+                                                                            {0x00080050, "SH"},
+                                                                            {0x00080070, "LO"},
+                                                                            {0x00080090, "PN"},
+                                                                            {0x00100030, "DA"},
+                                                                            {0x00100040, "CS"},
+                                                                            {0x00200010, "SH"}}};
+
+void addMethod(DicomItem& root, const Method& method)
+{
+    DicomItem item = root.addItem(0x00120064);
+    item.text(0x00080100, "SH", method.value);
+    item.text(0x00080102, "SH", "DCM");
+    item.text(0x00080104, "LO", method.meaning);
+}
+
+void sayWhatWasDone(DicomItem& root, const Deidentification& wished)
+{
+    const bool areShifted = wished.dates == KeptDates::Shifted;
+    root.text(0x00120062, "CS", "YES");
+    root.text(0x00120063, "LO", "AngioPose " ANGIOPOSE_VERSION ": what describes the image was copied, all else left");
+    for (const Method& method : {basicProfile, cleanGraphics, cleanStructure, cleanDescriptors}) {
+        addMethod(root, method);
+    }
+    if (wished.letters == DrawnLetters::BlackedOut) {
+        addMethod(root, cleanPixels);
+    }
+    if (areShifted) {
+        addMethod(root, modifiedDates);
+    }
+    root.text(0x00280303, "CS", areShifted ? "MODIFIED" : "REMOVED");
+}
+
+/// The ID tells patients apart; where there is none, the name.
+std::string patientOf(const DicomDataset& data)
+{
+    const std::string_view id = data.text(0x00100020);
+    return std::string(id.empty() ? data.text(0x00100010) : id);
+}
+
+}   // namespace
+
+core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
+                                            const Deidentification& wished, const Pseudonyms& pseudonyms)
+{
+    const DicomDataset& data = file.dataset;
+    const IdentityWords words(data);
+    const Replacements replacements{pseudonyms, words, patientOf(data), wished.dates};
+    NamelessDicom nameless;
+    DicomObject object;
+    DicomItem root = object.root();
+    copyKept(data, root, replacements);
+    if (const auto copied = copyPixels(file, path, wished.letters, root, nameless.warnings); !copied) {
+        return copied.error();
+    }
+    const std::string patient =
+        wished.patientName.empty() ? pseudonyms.patient(replacements.patient) : wished.patientName;
+    root.text(0x00080005, "CS", "ISO_IR 192");
+    root.text(0x00100010, "PN", patient);
+    root.text(0x00100020, "LO", patient);
+    for (const auto& [tag, vr] : emptyWhereAbsent) {
+        root.textWhereAbsent(tag, vr, "");
+    }
+    if (data.has(0x00200052)) {
+        root.textWhereAbsent(0x00201040, "LO", "");   // position reference indicator
+    }
+    sayWhatWasDone(root, wished);
+    auto content = object.content();
+    if (!content) {
+        return content.error().about(path);
+    }
+    nameless.content = std::move(content).value();
+    nameless.seriesUid = pseudonyms.uid(data.text(0x0020000e));
+    nameless.instanceNumber = data.integer(0x00200013).value_or(0);
+    return nameless;
+}
+
+}   // namespace angiopose::io

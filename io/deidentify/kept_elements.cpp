@@ -1,0 +1,228 @@
+#include "io/deidentify/kept_elements.h"
+
+#include "io/support/numbers.h"
+
+#include <dcmtk/config/osconfig.h>
+// DCMTK's macros first.
+#include <dcmtk/dcmdata/dctk.h>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace angiopose::io {
+namespace {
+
+/// Acquisition, relationship of images, image, nuclear medicine and rotation, display, functional groups.
+constexpr std::array<DicomTag, 6> describingGroups{0x0018, 0x0020, 0x0028, 0x0054, 0x2050, 0x5200};
+
+/// Of group 0008: what kind of image it is, when it was made, which images it refers to, how a run is played.
+constexpr std::array<DicomTag, 23> keptOfIdentification{
+    0x00080008, 0x00080016, 0x00080018, 0x00080020, 0x00080021, 0x00080022, 0x00080023, 0x0008002a,
+    0x00080030, 0x00080031, 0x00080032, 0x00080033, 0x00080060, 0x00080068, 0x00081140, 0x00081150,
+    0x00081155, 0x00082112, 0x00082142, 0x00082143, 0x00082144, 0x00089007, 0x00089205};
+
+/// Short texts that are read: which stack an image belongs to; maker and model, which tell how angles are counted.
+constexpr DicomTag stackTag = 0x00209056;
+constexpr std::array<DicomTag, 2> keptNames{0x00080070, 0x00081090};
+constexpr DicomTag lookUpTableTag = 0x00283006;
+constexpr std::size_t mostNameLetters = 64;
+
+DicomTag tagOf(DcmElement& element)
+{
+    return static_cast<DicomTag>(element.getGTag()) << 16U | element.getETag();
+}
+
+std::string textOf(DcmElement& element)
+{
+    char* bytes = nullptr;
+    Uint32 size = 0;
+    return element.getString(bytes, size).good() && bytes ? std::string(trimmed({bytes, size})) : std::string();
+}
+
+std::vector<std::string> valuesOf(const std::string& text)
+{
+    std::vector<std::string> values(1);
+    for (const char c : text) {
+        if (c == '\\') {
+            values.emplace_back();
+        } else {
+            values.back() += c;
+        }
+    }
+    for (std::string& value : values) {
+        value = trimmed(value);
+    }
+    return values;
+}
+
+template <class Each>
+std::string joined(const std::vector<std::string>& values, const Each& each)
+{
+    std::string text;
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        text += (n == 0 ? "" : "\\") + each(values[n]);
+    }
+    return text;
+}
+
+bool isNumber(const std::string& value)
+{
+    return value.empty() || parseNumber(value).has_value();
+}
+
+bool isCode(const std::string& value)
+{
+    return value.size() <= 16 && std::ranges::all_of(value, [](char c) {
+               return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '_';
+           });
+}
+
+bool isName(const std::string& value)
+{
+    return value.size() <= mostNameLetters && std::ranges::all_of(value, [](char c) {
+               return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
+                      std::string_view(" -._/()+").find(c) != std::string_view::npos;
+           });
+}
+
+class Copier {
+public:
+    explicit Copier(const Replacements& replacements) : its_(replacements) {}
+
+    void copyAll(DcmItem& from, DcmItem& to) const
+    {
+        for (unsigned long n = 0; n < from.card(); ++n) {
+            DcmElement& element = *from.getElement(n);
+            if (isDescribing(tagOf(element)) && !to.tagExists(element.getTag())) {
+                copy(element, to);
+            }
+        }
+    }
+
+private:
+    static bool isDescribing(DicomTag tag)
+    {
+        return std::ranges::find(describingGroups, tag >> 16U) != describingGroups.end() ||
+               std::ranges::find(keptOfIdentification, tag) != keptOfIdentification.end() ||
+               std::ranges::find(keptNames, tag) != keptNames.end();
+    }
+
+    void copy(DcmElement& element, DcmItem& to) const
+    {
+        switch (element.ident()) {
+            case EVR_SQ:
+                copySequence(static_cast<DcmSequenceOfItems&>(element), to);
+                break;
+            case EVR_US:
+            case EVR_SS:
+            case EVR_UL:
+            case EVR_SL:
+            case EVR_FL:
+            case EVR_FD:
+            case EVR_AT:
+                take(element, to);
+                break;
+            case EVR_OW:
+            case EVR_OB:
+                if (tagOf(element) == lookUpTableTag) {
+                    take(element, to);
+                }
+                break;
+            default:
+                copyText(element, to);
+        }
+    }
+
+    static void take(const DcmElement& element, DcmItem& to)
+    {
+        to.insert(static_cast<DcmElement*>(element.clone()), OFTrue);
+    }
+
+    void copySequence(DcmSequenceOfItems& sequence, DcmItem& to) const
+    {
+        auto kept = std::make_unique<DcmSequenceOfItems>(sequence.getTag());
+        for (unsigned long n = 0; n < sequence.card(); ++n) {
+            auto item = std::make_unique<DcmItem>();
+            copyAll(*sequence.getItem(n), *item);
+            kept->append(item.release());   // an empty one too: they are counted
+        }
+        const bool isEmpty = [&] {
+            for (unsigned long n = 0; n < kept->card(); ++n) {
+                if (kept->getItem(n)->card() > 0) {
+                    return false;
+                }
+            }
+            return true;
+        }();
+        if (!isEmpty) {
+            to.insert(kept.release(), OFTrue);
+        }
+    }
+
+    void copyText(DcmElement& element, DcmItem& to) const
+    {
+        const std::vector<std::string> values = valuesOf(textOf(element));
+        if (const auto text = kept(element, values)) {
+            to.putAndInsertString(DcmTag(element.getTag(), DcmVR(element.getVR())), text->c_str());
+        }
+    }
+
+    /// Nothing where it stays behind.
+    std::optional<std::string> kept(DcmElement& element, const std::vector<std::string>& values) const
+    {
+        const auto as = [&](bool mayStay) {
+            const std::string whole = joined(values, [](const std::string& value) { return value; });
+            return mayStay && !its_.words.areIn(whole) ? std::optional(whole) : std::nullopt;
+        };
+        switch (element.ident()) {
+            case EVR_DS:
+            case EVR_IS:
+                return as(std::ranges::all_of(values, isNumber));
+            case EVR_CS:
+                return as(std::ranges::all_of(values, isCode));
+            case EVR_UI:
+                return joined(values, [this](const std::string& uid) { return its_.pseudonyms.uid(uid); });
+            case EVR_DA:
+            case EVR_DT:
+            case EVR_TM:
+                return its_.dates == KeptDates::Shifted ? shifted(element.ident(), values) : std::nullopt;
+            case EVR_SH:
+                return as(tagOf(element) == stackTag && values.size() == 1 && isNumber(values[0]));
+            case EVR_LO:
+                return as(std::ranges::find(keptNames, tagOf(element)) != keptNames.end() &&
+                          std::ranges::all_of(values, isName));
+            default:
+                return std::nullopt;
+        }
+    }
+
+    /// Times of the day stay (PS3.15, retain longitudinal temporal information with modified dates).
+    std::optional<std::string> shifted(DcmEVR vr, const std::vector<std::string>& values) const
+    {
+        const std::string text = joined(values, [&](const std::string& value) -> std::string {
+            if (vr == EVR_TM) {
+                return parseNumber(value) ? value : std::string();
+            }
+            const std::string date = its_.pseudonyms.date(value.substr(0, 8), its_.patient);
+            const std::string rest = vr == EVR_DT && value.size() > 8 ? value.substr(8) : std::string();
+            return date.empty() || !parseNumber(rest.substr(0, rest.find_first_of("+-")).insert(0, "0")) ? std::string()
+                                                                                                         : date + rest;
+        });
+        return text.empty() ? std::nullopt : std::optional(text);
+    }
+
+    const Replacements& its_;
+};
+
+}   // namespace
+
+void copyKept(const DicomDataset& from, DicomItem& to, const Replacements& replacements)
+{
+    for (const std::shared_ptr<DcmItem>& layer : from.layers()) {
+        Copier(replacements).copyAll(*layer, to.element());
+    }
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,168 @@
+#include "io/deidentify/kept_pixels.h"
+
+#include "core/tracing/angiogram/frame/burned_in_text.h"
+#include "io/dicom/frame_source.h"
+#include "io/dicom/pixel_layout.h"
+#include "io/messages/says_deidentify.h"
+#include "io/support/file_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace angiopose::io {
+namespace {
+
+constexpr int framesLookedAt = 6;   ///< of a run, evenly spaced: letters stand in all of them
+constexpr DicomTag positionTag = 0x00200032;
+constexpr DicomTag sharedGroupsTag = 0x52009229;
+constexpr DicomTag burnedInTag = 0x00280301;
+
+/// Where letters are, in any of the frames looked at.
+core::Mask2d lettersIn(const std::vector<core::ImageF>& frames)
+{
+    const int count = static_cast<int>(frames.size());
+    core::Mask2d letters(frames.front().width, frames.front().height);
+    for (int n = 0; n < std::min(count, framesLookedAt); ++n) {
+        const int frame = count <= framesLookedAt ? n : n * (count - 1) / (framesLookedAt - 1);
+        const core::Mask2d found = core::burnedInText(frames[static_cast<std::size_t>(frame)]);
+        std::ranges::transform(letters.pixels, found.pixels, letters.pixels.begin(),
+                               [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    }
+    return letters;
+}
+
+/// The darkest value of the run, or the one that is shown darkest.
+void blackOut(std::vector<core::ImageF>& frames, const core::Mask2d& letters, bool isInverse)
+{
+    float black = frames.front().pixels.front();
+    for (const core::ImageF& frame : frames) {
+        const auto [least, most] = std::ranges::minmax(frame.pixels);
+        black = isInverse ? std::max(black, most) : std::min(black, least);
+    }
+    for (core::ImageF& frame : frames) {
+        for (std::size_t n = 0; n < frame.pixels.size(); ++n) {
+            frame.pixels[n] = letters.pixels[n] != 0 ? black : frame.pixels[n];
+        }
+    }
+}
+
+void treatLetters(std::vector<core::ImageF>& frames, const DicomDataset& data, DrawnLetters treatment, DicomItem& to,
+                  core::Messages& warnings)
+{
+    const bool isSlice = data.has(positionTag) || data.has(sharedGroupsTag);
+    const bool isDeclared = data.text(burnedInTag) == "YES";
+    const core::Mask2d letters = isSlice ? core::Mask2d() : lettersIn(frames);
+    const auto first = std::ranges::find_if(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
+    if (first == letters.pixels.end()) {
+        if (isDeclared) {
+            warnings.push_back(says::lettersDeclared());
+        }
+        return;
+    }
+    if (treatment == DrawnLetters::Told) {
+        const auto at = first - letters.pixels.begin();
+        warnings.push_back(
+            says::lettersStay(static_cast<int>(at % letters.width), static_cast<int>(at / letters.width)));
+        to.text(burnedInTag, "CS", "YES");
+        return;
+    }
+    const auto set = std::ranges::count_if(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
+    blackOut(frames, letters, data.text(0x00280004) == "MONOCHROME1");
+    warnings.push_back(says::lettersBlackedOut(
+        core::Quantity{100.0 * static_cast<double>(set) / static_cast<double>(letters.pixels.size()), 1}));
+    to.text(burnedInTag, "CS", "NO");
+}
+
+/// The frames as 16-bit words, little endian as DCMTK takes them: values of at most 16 bits, negative ones in two's
+/// complement; those of 8 bits two in a word.
+std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int bitsAllocated)
+{
+    std::vector<std::uint16_t> words;
+    const std::size_t count = frames.size() * frames.front().pixels.size();
+    words.reserve(bitsAllocated == 8 ? (count + 1) / 2 : count);
+    std::size_t at = 0;
+    for (const core::ImageF& frame : frames) {
+        for (const float pixel : frame.pixels) {
+            const auto value = static_cast<std::uint16_t>(std::lround(pixel));
+            if (bitsAllocated != 8) {
+                words.push_back(value);
+            } else if (at++ % 2 == 0) {
+                words.push_back(value & 0xffU);
+            } else {
+                words.back() = static_cast<std::uint16_t>(words.back() | (value & 0xffU) << 8U);
+            }
+        }
+    }
+    return words;
+}
+
+void describePixels(const PixelLayout& layout, DicomItem& to)
+{
+    to.unsignedShort(0x00280002, 1);
+    to.text(0x00280004, "CS", layout.photometric == "MONOCHROME1" ? "MONOCHROME1" : "MONOCHROME2");
+    to.unsignedShort(0x00280010, layout.rows);
+    to.unsignedShort(0x00280011, layout.columns);
+    to.unsignedShort(0x00280100, layout.bitsAllocated);
+    if (!layout.isFloat) {
+        to.unsignedShort(0x00280101, layout.bitsStored);
+        to.unsignedShort(0x00280102, layout.bitsStored - 1);
+        to.unsignedShort(0x00280103, layout.isSigned ? 1 : 0);
+    }
+}
+
+/// Values of 32 bits go as they lie in the file.
+core::Status copyWide(const DicomPixels& pixels, const PixelLayout& layout, const std::string& path, DicomItem& to)
+{
+    const std::size_t needed = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.frames) * 4;
+    if (pixels.isEncapsulated || pixels.order == ByteOrder::Big || pixels.bytes.size() < needed) {
+        return fileError(path, says::pixelsTooWide());
+    }
+    if (layout.isFloat) {
+        std::vector<float> values(needed / 4);
+        std::copy_n(pixels.bytes.data(), needed, reinterpret_cast<char*>(values.data()));
+        to.floatPixels(values);
+    } else {
+        std::vector<std::uint16_t> words(needed / 2);
+        std::copy_n(pixels.bytes.data(), needed, reinterpret_cast<char*>(words.data()));
+        to.words(pixelDataTag, words);
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLetters letters, DicomItem& to,
+                        core::Messages& warnings)
+{
+    const auto read = pixelLayoutOf(file, path);
+    if (!read) {
+        return read.error();
+    }
+    const PixelLayout& layout = read.value();
+    if (layout.bitsAllocated == 1 || file.dataset.text(0x00080060) == "SEG") {
+        return fileError(path, says::segmentationStays());
+    }
+    describePixels(layout, to);
+    if (layout.bitsAllocated > 16) {
+        return copyWide(file.pixels.at(layout.isFloat ? floatPixelsTag : pixelDataTag), layout, path, to);
+    }
+    auto decoded = readFrames(file, layout, path);
+    if (!decoded) {
+        return decoded.error();
+    }
+    DecodedRun run = std::move(decoded).value();
+    if (const std::size_t damaged = run.flawedFrames.size() + run.lostFrames.size(); damaged > 0) {
+        warnings.push_back(says::framesDamaged(damaged, run.frames.size()));
+    }
+    if (layout.samples > 1) {
+        warnings.push_back(says::colourDropped());
+    }
+    treatLetters(run.frames, file.dataset, letters, to, warnings);
+    to.words(pixelDataTag, wordsOf(run.frames, layout.bitsAllocated));
+    return core::Done{};
+}
+
+}   // namespace angiopose::io

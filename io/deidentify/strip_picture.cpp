@@ -1,0 +1,123 @@
+#include "io/deidentify/strip_picture.h"
+
+#include "io/messages/says.h"
+#include "io/messages/says_deidentify.h"
+#include "io/support/byte_order.h"
+#include "io/support/file_error.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::string_view pngStart = "\x89PNG\r\n\x1a\n";
+constexpr std::array<std::string_view, 7> keptChunks{"IHDR", "PLTE", "tRNS", "gAMA", "pHYs", "IDAT", "IEND"};
+
+/// Chunks of length, name, content and check sum (ISO/IEC 15948, 5.3).
+std::optional<std::string> strippedPng(std::string_view rest)
+{
+    std::string kept(pngStart);
+    rest.remove_prefix(pngStart.size());
+    while (rest.size() >= 12) {
+        const std::size_t length = readUint32(rest, ByteOrder::Big);
+        if (length > rest.size() - 12) {
+            return std::nullopt;
+        }
+        const std::string_view name = rest.substr(4, 4);
+        if (std::ranges::find(keptChunks, name) != keptChunks.end()) {
+            kept += rest.substr(0, length + 12);
+        }
+        if (name == "IEND") {
+            return kept;
+        }
+        rest.remove_prefix(length + 12);
+    }
+    return std::nullopt;
+}
+
+constexpr unsigned char startOfScan = 0xda;
+constexpr unsigned char endOfImage = 0xd9;
+constexpr unsigned char jfif = 0xe0;
+constexpr unsigned char adobe = 0xee;
+constexpr unsigned char comment = 0xfe;
+constexpr std::size_t jfifBytes = 18;   ///< with its marker, without a thumbnail
+
+bool isApplication(unsigned char marker)
+{
+    return (marker & 0xf0U) == 0xe0;
+}
+
+/// Where the coded data of a scan ends: at the next marker that is neither a stuffed byte nor a restart.
+std::size_t endOfScan(std::string_view bytes)
+{
+    for (std::size_t at = 0; at + 1 < bytes.size(); ++at) {
+        const auto next = static_cast<unsigned char>(bytes[at + 1]);
+        if (static_cast<unsigned char>(bytes[at]) == 0xff && next != 0 && next != 0xff &&
+            (next < 0xd0 || next > 0xd7)) {
+            return at;
+        }
+    }
+    return bytes.size();
+}
+
+/// JFIF says how large a pixel is in print, and can hold a thumbnail behind that.
+std::string withoutThumbnail(std::string_view segment)
+{
+    std::string kept(segment.substr(0, jfifBytes));
+    kept[2] = 0;
+    kept[3] = jfifBytes - 2;
+    kept[jfifBytes - 2] = kept[jfifBytes - 1] = 0;
+    return kept;
+}
+
+/// Segments of marker, length and content (ITU-T T.81, annex B).
+std::optional<std::string> strippedJpeg(std::string_view rest)
+{
+    std::string kept("\xff\xd8");
+    rest.remove_prefix(2);
+    while (rest.size() >= 4 && static_cast<unsigned char>(rest[0]) == 0xff) {
+        const auto marker = static_cast<unsigned char>(rest[1]);
+        if (marker == 0xff) {   // padding
+            rest.remove_prefix(1);
+            continue;
+        }
+        const std::size_t size = 2 + std::size_t{readUint16(rest.substr(2), ByteOrder::Big)};
+        if (size > rest.size()) {
+            return std::nullopt;
+        }
+        const std::string_view segment = rest.substr(0, size);
+        if (marker == jfif && size >= jfifBytes && segment.substr(4, 4) == "JFIF") {
+            kept += withoutThumbnail(segment);
+        } else if (marker == adobe && segment.substr(4, 5) == "Adobe") {
+            kept += segment;
+        } else if (!isApplication(marker) && marker != comment) {
+            kept += segment;
+        }
+        rest.remove_prefix(size);
+        if (marker == startOfScan) {
+            const std::size_t end = endOfScan(rest);
+            kept += rest.substr(0, end);
+            rest.remove_prefix(end);
+        }
+        if (rest.size() >= 2 && static_cast<unsigned char>(rest[1]) == endOfImage) {
+            return kept + "\xff\xd9";
+        }
+    }
+    return std::nullopt;
+}
+
+}   // namespace
+
+core::Result<std::string> strippedPicture(std::string_view picture, const std::string& path)
+{
+    const bool isPng = picture.starts_with(pngStart);
+    if (!isPng && !picture.starts_with("\xff\xd8")) {
+        return fileError(path, says::pictureNotStripped());
+    }
+    auto stripped = isPng ? strippedPng(picture) : strippedJpeg(picture);
+    return stripped ? core::Result<std::string>(std::move(*stripped)) : fileError(path, says::imageDamaged());
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,293 @@
+#include "io/sharing/copied_inputs.h"
+
+#include "io/angiogram_file.h"
+#include "io/deidentify_file.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom_series.h"
+#include "io/label_list.h"
+#include "io/messages/says.h"
+#include "io/messages/says_deidentify.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/surface_file.h"
+#include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using core::VesselInputKind;
+
+core::Status copied(const fs::path& from, const fs::path& to)
+{
+    std::error_code failed;
+    fs::create_directories(to.parent_path(), failed);
+    fs::copy_file(from, to, failed);
+    return failed ? core::Status(fileError(from.string(), says::fileNotRead(failed.message()))) : core::Done{};
+}
+
+/// The files of a series and of other volumes with the same UID: what tells them apart is in all of them.
+std::vector<std::string> filesOf(const std::vector<DicomSeries>& all, const DicomSeries& wanted)
+{
+    std::set<std::string> files;
+    const std::string uid = wanted.id.substr(0, wanted.id.find('#'));
+    for (const DicomSeries& series : all) {
+        if (series.id.substr(0, series.id.find('#')) == uid) {
+            for (const SliceRecord& slice : series.slices) {
+                files.insert(slice.path);
+            }
+        }
+    }
+    return {files.begin(), files.end()};
+}
+
+class InputCopier {
+public:
+    InputCopier(const fs::path& folder, const CopyWish& wish, const ReadObserver& observe)
+        : folder_(folder), wish_(wish), observe_(observe)
+    {
+    }
+
+    core::Status copyVessels(core::Vessels& vessels)
+    {
+        if (!vessels.file.path.empty() && !vessels.isLumenEdited) {   // an edited mask is written by saving
+            if (const auto done = copyVesselFile(vessels); !done) {
+                return done;
+            }
+        }
+        vessels.file.sha256.clear();
+        if (vessels.scanFile.path.empty()) {
+            return core::Done{};
+        }
+        const auto scan = copyVolume(vessels.scanFile.path, "scan", vessels.scanSeriesId);
+        if (!scan && !scan.isStopped()) {   // good to have
+            warnings_.push_back(says::packedInputMissing(scan.error().message.text()));
+            vessels.scanFile = {};
+            vessels.scanSeriesId.clear();
+            return core::Done{};
+        }
+        return scan ? named(vessels.scanFile, scan.value()) : core::Status(scan.error());
+    }
+
+    core::Status copyView(core::View& view, std::size_t number)
+    {
+        const std::string name = "view-" + std::to_string(number);
+        view.caseFile = {};
+        if (view.imageFile.path.empty()) {
+            return core::Done{};
+        }
+        const auto image = copyImage(view.imageFile.path, name);
+        if (!image) {
+            return image.error();
+        }
+        view.imageFile = {image.value(), {}};
+        if (wish_.deidentified) {
+            nameAnew(view);
+        }
+        const bool isGiven = !view.target.file.path.empty() && !view.target.editedFrame;
+        if (isGiven) {
+            const fs::path from(view.target.file.path);
+            const auto target = copyPlain(from, name + "-curves" + extensionOf(from.string()));
+            return target ? named(view.target.file, target.value()) : core::Status(target.error());
+        }
+        view.target.file = {};   // edited curves are written by saving
+        view.followed.bendsFile = {};
+        return core::Done{};
+    }
+
+    core::Messages warnings() && { return std::move(warnings_); }
+
+private:
+    static core::Status named(core::InputFile& file, const std::string& path)
+    {
+        file = {path, {}};
+        return core::Done{};
+    }
+
+    std::string placeFor(const std::string& name) const { return (folder_ / name).string(); }
+
+    void add(const core::Messages& messages)
+    {
+        for (const core::Message& message : messages) {
+            if (std::ranges::find(warnings_, message) == warnings_.end()) {
+                warnings_.push_back(message);
+            }
+        }
+    }
+
+    /// A file without anything to hide, or one of which only the pixels go on.
+    core::Result<std::string> copyPlain(const fs::path& from, const std::string& name)
+    {
+        const std::string place = placeFor(name);
+        const bool isPicture = extensionOf(name) == ".png" && wish_.deidentified;
+        if (isPicture) {
+            const auto stripped = deidentifyFile(from.string(), place, *wish_.deidentified, wish_.pseudonyms);
+            return stripped ? core::Result<std::string>(place) : stripped.error();
+        }
+        const auto done = copied(from, place);
+        return done ? core::Result<std::string>(place) : done.error();
+    }
+
+    core::Result<std::string> copyImage(const std::string& path, const std::string& name)
+    {
+        const bool isDicom = isDicomFile(path);
+        const std::string place = placeFor(name + (isDicom ? ".dcm" : extensionOf(path)));
+        if (!wish_.deidentified) {
+            const auto done = copied(path, place);
+            return done ? core::Result<std::string>(place) : done.error();
+        }
+        const auto done = deidentifyFile(path, place, *wish_.deidentified, wish_.pseudonyms);
+        if (!done) {
+            return done.error();
+        }
+        add(done.value());
+        return place;
+    }
+
+    /// What the case keeps of its image's header follows the pseudonyms.
+    void nameAnew(core::View& view) const
+    {
+        if (!view.angiogram) {
+            return;
+        }
+        const auto read = readAngiogram(view.imageFile.path);
+        const core::StudyIdentity identity = read ? read.value().identity : core::StudyIdentity{};
+        const auto renamed = [&](const std::shared_ptr<const core::Angiogram>& run) {
+            auto copy = std::make_shared<core::Angiogram>(*run);
+            copy->identity = identity;
+            return copy;
+        };
+        view.angiogram = renamed(view.angiogram);
+        if (view.storedRun) {
+            view.storedRun = renamed(view.storedRun);
+        }
+    }
+
+    core::Status copyVesselFile(core::Vessels& vessels)
+    {
+        auto place = vessels.input.kind == VesselInputKind::Volume
+                         ? copyVolume(vessels.file.path, "vessels", vessels.input.seriesId)
+                     : wish_.deidentified ? rewritten(vessels)
+                                          : copyPlain(vessels.file.path, "vessels" + extensionOf(vessels.file.path));
+        return place ? named(vessels.file, place.value()) : core::Status(place.error());
+    }
+
+    /// Centrelines, masks and surfaces as this program writes them: places and numbers, names of branches.
+    core::Result<std::string> rewritten(core::Vessels& vessels)
+    {
+        const std::string& path = vessels.file.path;
+        const auto end = [](const core::Status& written, const std::string& place) {
+            return written ? core::Result<std::string>(place) : written.error();
+        };
+        if (vessels.input.kind == VesselInputKind::Centerline) {
+            VesselTreeReadOptions options;
+            options.unitMm = vessels.input.unitMm;
+            const auto tree = readVesselTree(path, options);
+            vessels.input.unitMm = 1.0;
+            add({says::branchNamesStay()});
+            const std::string place = placeFor("vessels.vtp");
+            return tree ? end(writeVesselTree(tree.value(), place), place) : core::Result<std::string>(tree.error());
+        }
+        if (vessels.input.kind == VesselInputKind::Surface) {
+            const auto surface = readSurface(path, vessels.input.unitMm);
+            vessels.input.unitMm = 1.0;
+            const std::string place = placeFor("vessels.stl");
+            return surface ? end(writeSurface(surface.value().mesh, place), place)
+                           : core::Result<std::string>(surface.error());
+        }
+        if (vessels.input.labels.empty()) {   // their names, which said which are vessels, stay behind
+            const auto overview = readLabelOverview(path);
+            vessels.input.labels = overview ? vesselsByName(overview.value().labels) : std::vector<int>{};
+        }
+        const auto labels = readLabels(path, partOf(observe_, 0.0, 0.5));
+        const std::string place = placeFor("vessels.nrrd");
+        return labels ? end(writeLabels(labels.value(), place), place) : core::Result<std::string>(labels.error());
+    }
+
+    /// A file, or the series that a folder or a slice is of. `seriesId` follows.
+    core::Result<std::string> copyVolume(const std::string& path, const std::string& name, std::string& seriesId)
+    {
+        if (isFolder(path) || isDicomFile(path)) {
+            return copySeries(path, name, seriesId);
+        }
+        if (!wish_.deidentified) {
+            return copyPlain(path, name + extensionOf(path));
+        }
+        const auto volume = readVolume(path, {}, observe_);
+        const std::string place = placeFor(name + ".nrrd");
+        const auto written = volume ? writeVolume(volume.value().volume, place) : core::Status(volume.error());
+        return written ? core::Result<std::string>(place) : written.error();
+    }
+
+    core::Result<std::string> copySeries(const std::string& path, const std::string& name, std::string& seriesId)
+    {
+        const std::string folder = isFolder(path) ? path : fs::path(path).parent_path().string();
+        const auto all = listSeries(folder, observe_);
+        if (!all) {
+            return all.error();
+        }
+        const auto isWanted = [&](const DicomSeries& series) {
+            return !series.isAngiogram && (seriesId.empty() || series.id == seriesId) &&
+                   (isFolder(path) ||
+                    std::ranges::any_of(series.slices, [&](const SliceRecord& slice) { return slice.path == path; }));
+        };
+        const auto wanted = std::ranges::find_if(all.value(), isWanted);
+        if (wanted == all.value().end()) {
+            return fileError(path, says::nothingToDeidentify());
+        }
+        int number = 0;
+        for (const std::string& file : filesOf(all.value(), *wanted)) {
+            const std::string digits = std::to_string(++number);
+            const fs::path place =
+                folder_ / name / (std::string(5 - std::min<std::size_t>(5, digits.size()), '0') + digits + ".dcm");
+            std::error_code ignored;
+            fs::create_directories(place.parent_path(), ignored);
+            const auto done = wish_.deidentified
+                                  ? deidentifyFile(file, place.string(), *wish_.deidentified, wish_.pseudonyms)
+                                  : core::Result<core::Messages>(core::Messages{});
+            const core::Status stored = !done                ? core::Status(done.error())
+                                        : wish_.deidentified ? core::Status(core::Done{})
+                                                             : copied(file, place);
+            if (!stored) {
+                return stored.error();
+            }
+            add(done.value());
+        }
+        const std::string uid = wanted->id.substr(0, wanted->id.find('#'));
+        seriesId = wish_.deidentified ? wish_.pseudonyms.uid(uid) + wanted->id.substr(uid.size()) : wanted->id;
+        return placeFor(name);
+    }
+
+    const fs::path& folder_;
+    const CopyWish& wish_;
+    const ReadObserver& observe_;
+    core::Messages warnings_;
+};
+
+}   // namespace
+
+core::Result<core::Messages> copyInputs(core::Case& theCase, const fs::path& folder, const CopyWish& wish,
+                                        const ReadObserver& observe)
+{
+    InputCopier copier(folder, wish, observe);
+    if (const auto done = copier.copyVessels(theCase.vessels); !done) {
+        return done.error();
+    }
+    for (std::size_t k = 0; k < theCase.views.size(); ++k) {
+        if (const auto done = copier.copyView(theCase.views[k], k + 1); !done) {
+            return done.error();
+        }
+        if (isStopWished(observe, static_cast<double>(k + 1) / static_cast<double>(theCase.views.size()))) {
+            return stoppedReading(theCase.views[k].imageFile.path);
+        }
+    }
+    return std::move(copier).warnings();
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,81 @@
+#include "io/sharing/nameless_case.h"
+
+#include <string>
+
+namespace angiopose::io {
+namespace {
+
+/// Counts what it takes out.
+class Eraser {
+public:
+    void operator()(std::string& text, const std::string& instead = {})
+    {
+        count_ += text.empty() ? 0 : 1;
+        text = text.empty() ? std::string() : instead;
+    }
+
+    std::size_t count() const { return count_; }
+
+private:
+    std::size_t count_ = 0;
+};
+
+/// "1" of the first.
+std::string place(std::size_t index)
+{
+    return std::to_string(index + 1);
+}
+
+template <class Named>
+void numberNames(std::vector<Named>& named, Eraser& erase)
+{
+    for (std::size_t n = 0; n < named.size(); ++n) {
+        erase(named[n].name, place(n));
+        erase(named[n].extraKeys);
+    }
+}
+
+void clearSnapshot(core::PoseSnapshot& snapshot, std::size_t index, Eraser& erase)
+{
+    erase(snapshot.name, place(index));
+    erase(snapshot.author);
+    erase(snapshot.note);
+    snapshot.time.clear();
+    erase(snapshot.extraKeys);
+}
+
+void clearView(core::View& view, Eraser& erase)
+{
+    erase(view.name);
+    erase(view.extraKeys);
+    numberNames(view.landmarks, erase);
+    numberNames(view.measurements, erase);
+    for (std::size_t n = 0; n < view.annotations.size(); ++n) {
+        erase(view.annotations[n].text, place(n));
+        erase(view.annotations[n].extraKeys);
+    }
+    for (std::size_t n = 0; n < view.snapshots.size(); ++n) {
+        clearSnapshot(view.snapshots[n], n, erase);
+    }
+    if (view.result) {
+        erase(view.result->provenance.author);
+        view.result->provenance.time.clear();
+    }
+}
+
+}   // namespace
+
+std::size_t clearTexts(core::Case& theCase)
+{
+    Eraser erase;
+    erase(theCase.title);
+    erase(theCase.extraKeys);
+    numberNames(theCase.vessels.marks, erase);
+    numberNames(theCase.vessels.measurements, erase);
+    for (core::View& view : theCase.views) {
+        clearView(view, erase);
+    }
+    return erase.count();
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/case/case.h"
+
+#include <cstddef>
+
+namespace angiopose::io {
+
+/// Takes out of a case what people typed and what this version does not know: title, notes, authors, times, names of
+/// views, snapshots, marks, landmarks and measurements, words on images; a number takes the place of what must have a
+/// text. How many there were. Branches keep their names, which are anatomy.
+std::size_t clearTexts(core::Case& theCase);
+
+}   // namespace angiopose::io

@@ -1,0 +1,109 @@
+#include "io/sharing/pack_case.h"
+
+#include "io/case/case_file.h"
+#include "io/messages/says.h"
+#include "io/messages/says_deidentify.h"
+#include "io/sharing/nameless_case.h"
+#include "io/sharing/zip_archive.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/support/scratch_folder.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double sameLength = 0.002;   ///< of trees traced from voxels that were stored again
+
+double lengthMm(const core::Case& theCase)
+{
+    double sum = 0.0;
+    if (theCase.vessels.tree) {
+        for (const core::VesselBranch& branch : theCase.vessels.tree->branches) {
+            for (std::size_t n = 1; n < branch.pointsInPatient.size(); ++n) {
+                sum += (branch.pointsInPatient[n] - branch.pointsInPatient[n - 1]).norm();
+            }
+        }
+    }
+    return sum;
+}
+
+bool areSameRuns(const core::View& a, const core::View& b)
+{
+    if (!a.angiogram || !b.angiogram) {
+        return !a.angiogram && !b.angiogram;
+    }
+    const auto& from = storedRunOf(a)->frames;
+    const auto& to = storedRunOf(b)->frames;
+    return from.size() == to.size() &&
+           std::equal(from.begin(), from.end(), to.begin(),
+                      [](const core::ImageF& x, const core::ImageF& y) { return x.pixels == y.pixels; });
+}
+
+/// What another reader would miss; nothing where all is there.
+std::optional<core::Message> difference(const core::Case& from, const core::Case& to, bool mayPixelsDiffer)
+{
+    if (from.views.size() != to.views.size()) {
+        return says::packedViews();
+    }
+    for (std::size_t k = 0; k < from.views.size(); ++k) {
+        if (!mayPixelsDiffer && !areSameRuns(from.views[k], to.views[k])) {
+            return says::packedPixels();
+        }
+        if (from.views[k].result.has_value() != to.views[k].result.has_value()) {
+            return says::packedResults();
+        }
+    }
+    const bool isSameTree = std::abs(lengthMm(from) - lengthMm(to)) <= sameLength * lengthMm(from);
+    return isSameTree ? std::nullopt : std::optional(says::packedVessels());
+}
+
+}   // namespace
+
+core::Result<core::Messages> packCase(const std::string& casePath, const std::string& archivePath, const CopyWish& wish,
+                                      const ReadObserver& observe)
+{
+    if (extensionOf(archivePath) != ".zip") {
+        return fileError(archivePath, says::packedFormat());
+    }
+    core::Messages warnings;
+    const auto loaded = loadCase(casePath, warnings, partOf(observe, 0.0, 0.4));
+    if (!loaded) {
+        return loaded.error();
+    }
+    const ScratchFolder scratch(archivePath);
+    if (const auto made = scratch.make(); !made) {
+        return made.error();
+    }
+    core::Case packed = loaded.value();
+    const auto copied = copyInputs(packed, scratch.path(), wish, partOf(observe, 0.4, 0.6));
+    if (!copied) {
+        return copied.error();
+    }
+    warnings.insert(warnings.end(), copied.value().begin(), copied.value().end());
+    if (wish.deidentified) {
+        warnings.push_back(says::textsCleared(clearTexts(packed)));
+    }
+    const std::string packedPath = (scratch.path() / "case.angiopose").string();
+    if (const auto saved = saveCase(packed, packedPath); !saved) {
+        return saved.error();
+    }
+    core::Messages ofPacked;
+    const auto reopened = loadCase(packedPath, ofPacked, partOf(observe, 0.6, 0.95));
+    if (!reopened) {
+        return reopened.isStopped() ? reopened.error()
+                                    : fileError(archivePath, says::packedDiffers(reopened.error().message));
+    }
+    const bool mayPixelsDiffer = wish.deidentified && wish.deidentified->letters == DrawnLetters::BlackedOut;
+    if (const auto differs = difference(loaded.value(), reopened.value(), mayPixelsDiffer)) {
+        return fileError(archivePath, says::packedDiffers(*differs));
+    }
+    const auto written = writeZip(scratch.path().string(), archivePath);
+    return written ? core::Result<core::Messages>(std::move(warnings)) : written.error();
+}
+
+}   // namespace angiopose::io
