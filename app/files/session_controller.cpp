@@ -24,6 +24,7 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       open_(document),
       export_(document, target, preview, ui.view, ui.dialogParent),
       report_(document, target, export_, ui.dialogParent),
+      dicom_(document, target, export_, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
       studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
@@ -34,6 +35,7 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
     connectOpening();
     connectSaving();
     connectExporting();
+    connectDicom();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
     connect(&close_, &CloseController::windowMayClose, this, &SessionController::windowMayClose);
 }
@@ -156,6 +158,23 @@ void SessionController::connectExporting()
     const auto showFailure = [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); };
     connect(&export_, &ExportController::failed, this, showFailure);
     connect(&report_, &ReportController::failed, this, showFailure);
+}
+
+void SessionController::connectDicom()
+{
+    connect(ui_.actions[ui::Command::ExportDicom], &QAction::triggered, &dicom_, &DicomController::ask);
+    connect(&dicom_, &DicomController::started, this, [this] { notices_.showNote(tr("Writing …")); });
+    connect(&dicom_, &DicomController::written, this, [this](const QString& folder, const QStringList& notes) {
+        const QString there = tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName());
+        if (notes.isEmpty()) {
+            notices_.showNote(there);
+        } else {
+            notices_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
+        }
+        emit exported();
+    });
+    connect(&dicom_, &DicomController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
 }
 
 /// A process of its own: what happens to one case cannot touch another.

@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/files/close_controller.h"
+#include "app/files/dicom_controller.h"
 #include "app/files/export_controller.h"
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
@@ -63,6 +64,7 @@ private:
     void connectOpening();
     void connectSaving();
     void connectExporting();
+    void connectDicom();
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
     void openNewWindow();
@@ -73,6 +75,7 @@ private:
     OpenController open_;
     ExportController export_;
     ReportController report_;
+    DicomController dicom_;
     SaveController save_;
     OpenDialogs dialogs_;
     StudyController studies_;

@@ -20,6 +20,7 @@ enum class Command {
     ExportMask,
     ExportBent,
     ExportReport,
+    ExportDicom,
     ExportFollowed,
     ExportMeasurements,
     ExportCheckPoints,

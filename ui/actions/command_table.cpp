@@ -24,6 +24,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E", StartsGroup},
         {Command::ExportMovie, QT_TR_NOOP("Export movie …"), "Ctrl+Shift+E"},
         {Command::ExportReport, QT_TR_NOOP("Export report …")},
+        {Command::ExportDicom, QT_TR_NOOP("Export DICOM objects …")},
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},

@@ -1,0 +1,139 @@
+#include "app/files/dicom_controller.h"
+
+#include "app/files/case_report.h"
+#include "app/files/export_controller.h"
+#include "app/preferences/save_folder.h"
+#include "app/preferences/settings.h"
+#include "app/words/snapshot_texts.h"
+#include "io/dicom/objects/case_measurements.h"
+#include "ui/words/message_text.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+
+#include <memory>
+
+namespace angiopose::app {
+namespace {
+
+/// The report as the menu would write it.
+std::function<core::Result<std::string>()> reportMaker(const core::Case& theCase, const core::Centerline2d& target,
+                                                       const OverlayPictureOptions& look)
+{
+    return [theCase, target, look, author = observerName(), typeface = QApplication::font().families(),
+            page = settings::reportTemplate.read()]() -> core::Result<std::string> {
+        const auto views = judgedViews(theCase, target, look);
+        if (!views) {
+            return views.error();
+        }
+        const auto bytes = reportBytes({views.value(), author, typeface, page}, ReportKind::Pdf);
+        return bytes ? core::Result<std::string>(bytes.value().toStdString()) : bytes.error();
+    };
+}
+
+}   // namespace
+
+DicomController::DicomController(CaseDocument& document, TargetProvider& target, ExportController& exporting,
+                                 QWidget& dialogParent, QObject* parent)
+    : QObject(parent), document_(document), target_(target), exporting_(exporting), dialogParent_(dialogParent)
+{
+}
+
+std::vector<ui::DicomPart> DicomController::possibleParts() const
+{
+    using ui::DicomPart;
+    const core::Case& current = document_.current();
+    std::vector<DicomPart> parts{DicomPart::Picture};
+    if (current.shown().angiogram->frameCount() > 1) {
+        parts.push_back(DicomPart::Run);
+    }
+    if (target_.current()) {
+        parts.push_back(DicomPart::Report);
+    }
+    if (!current.shown().angiogram->identity.sopInstanceUid.empty()) {
+        parts.push_back(DicomPart::State);
+    }
+    parts.push_back(DicomPart::Registration);
+    if (current.vessels.lumen || current.vessels.scan) {
+        parts.push_back(DicomPart::Segmentation);
+    }
+    if (!io::reportedGroups(current).empty()) {
+        parts.push_back(DicomPart::Measurements);
+    }
+    return parts;
+}
+
+void DicomController::ask()
+{
+    const core::Case& current = document_.current();
+    if (!current.vessels.tree || !current.shown().angiogram) {
+        emit failed(tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
+        return;
+    }
+    auto* dialog = new ui::DicomDialog(possibleParts(), &dialogParent_);
+    connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askFolder,
+            Qt::QueuedConnection);   // one dialog goes, then one comes
+    dialog->open();
+}
+
+void DicomController::askFolder(const ui::DicomChoice& choice)
+{
+    auto* dialog = new QFileDialog(&dialogParent_, tr("Folder for the DICOM objects"), saveFolder(document_.path()));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, choice](const QString& folder) { write(choice, folder); });
+    dialog->open();
+}
+
+DicomExport DicomController::exportFor(const ui::DicomChoice& choice) const
+{
+    ui::ExportChoice picture;
+    picture.widthPx = 0;
+    picture.residualColors = ui::Choice::On;
+    picture.identity = choice.identity;
+    DicomExport wanted;
+    for (const ui::DicomPart part : choice.parts) {
+        wanted.kinds.push_back(static_cast<DicomKind>(part));
+    }
+    wanted.look = exporting_.lookOf(picture);
+    wanted.author = observerName().toStdString();
+    if (target_.current()) {
+        wanted.report = reportMaker(document_.current(), *target_.current(), wanted.look);
+    }
+    return wanted;
+}
+
+void DicomController::write(const ui::DicomChoice& choice, const QString& folder)
+{
+    emit started();
+    const auto made = std::make_shared<DicomFiles>();
+    files_.run(
+        [theCase = document_.current(), target = target_.current(), wanted = exportFor(choice), folder,
+         made]() -> core::Result<QString> {
+            auto files =
+                writeDicomObjects(theCase, target ? *target : core::Centerline2d{}, wanted, folder.toStdString());
+            if (!files) {
+                return files.error();
+            }
+            *made = std::move(files).value();
+            return folder;
+        },
+        [this, made](const core::Result<QString>& outcome) {
+            if (!outcome) {
+                emit failed(ui::messageText(outcome.error().message));
+                return;
+            }
+            if (!made->paths.empty()) {
+                rememberSaveFolder(QString::fromStdString(made->paths.front()));
+            }
+            QStringList notes;
+            for (const core::Message& note : made->notes) {
+                notes.push_back(ui::messageText(note));
+            }
+            emit written(outcome.value(), notes);
+        });
+}
+
+}   // namespace angiopose::app

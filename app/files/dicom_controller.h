@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/document/case_document.h"
+#include "app/jobs/file_queue.h"
+#include "app/registration/target_provider.h"
+#include "app/texts/dicom_export.h"
+#include "ui/dialogs/dicom_dialog.h"
+
+#include <QObject>
+#include <QStringList>
+
+class QWidget;
+
+namespace angiopose::app {
+
+class ExportController;
+
+/// The case as DICOM objects: asked for, then written into a folder by a worker.
+class DicomController : public QObject {
+    Q_OBJECT
+public:
+    DicomController(CaseDocument& document, TargetProvider& target, ExportController& exporting, QWidget& dialogParent,
+                    QObject* parent = nullptr);
+
+    void ask();
+    void write(const ui::DicomChoice& choice, const QString& folder);   ///< returns at once
+
+signals:
+    void started();
+    void written(const QString& folder, const QStringList& notes);
+    void failed(const QString& reason);
+
+private:
+    std::vector<ui::DicomPart> possibleParts() const;
+    void askFolder(const ui::DicomChoice& choice);
+    DicomExport exportFor(const ui::DicomChoice& choice) const;
+
+    CaseDocument& document_;
+    TargetProvider& target_;
+    ExportController& exporting_;
+    QWidget& dialogParent_;
+    FileQueue files_;
+};
+
+}   // namespace angiopose::app
