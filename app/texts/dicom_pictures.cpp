@@ -94,7 +94,7 @@ core::Result<std::string> runObject(const DicomGround& ground)
         }
         captured.pictures.push_back(std::move(picture).value());
     }
-    return io::secondaryCaptureRun(captured, ground.angiogram, ground.origin);
+    return io::secondaryCaptureRun(std::move(captured), ground.angiogram, ground.origin);
 }
 
 }   // namespace angiopose::app

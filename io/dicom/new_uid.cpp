@@ -44,6 +44,25 @@ std::string uidOf(UuidBytes uuid, std::uint8_t version)
 
 }   // namespace
 
+bool isUid(std::string_view text)
+{
+    bool isStart = true;   // of a number
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool isDigit = text[i] >= '0' && text[i] <= '9';
+        const bool isLeadingZero = isStart && text[i] == '0' && i + 1 < text.size() && text[i + 1] != '.';
+        if (isLeadingZero || (!isDigit && (text[i] != '.' || isStart))) {
+            return false;
+        }
+        isStart = !isDigit;
+    }
+    return !text.empty() && text.size() <= 64 && !isStart;
+}
+
+std::string usableUid(const std::string& told)
+{
+    return isUid(told) ? told : uidOfContent("instead of " + told);
+}
+
 std::string newUid()
 {
     std::random_device source;

@@ -2,6 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
+#include "io/dicom/new_uid.h"
 
 #include <algorithm>
 #include <array>
@@ -97,15 +98,16 @@ std::string SourceImage::patientText(DicomTag tag) const
 SourceImage sourceImageOf(const DicomDataset& data)
 {
     SourceImage source;
-    const auto uid = [&data](DicomTag tag) { return std::string(data.text(tag)); };
+    const auto text = [&data](DicomTag tag) { return std::string(data.text(tag)); };
+    const auto uid = [&text](DicomTag tag) { return isUid(text(tag)) ? text(tag) : std::string(); };
     source.patientAndStudy = textsOf(data, patientAndStudyElements);
     source.sopClassUid = uid(0x00080016);
     source.sopInstanceUid = uid(0x00080018);
-    source.studyUid = uid(0x0020000d);
+    source.studyUid = text(0x0020000d).empty() ? std::string() : usableUid(text(0x0020000d));
     source.seriesUid = uid(0x0020000e);
     source.frameOfReferenceUid = uid(0x00200052);
-    source.modality = uid(0x00080060);
-    source.laterality = uid(0x00200060);
+    source.modality = text(0x00080060);
+    source.laterality = text(0x00200060);
     source.rows = data.integer(0x00280010).value_or(0);
     source.columns = data.integer(0x00280011).value_or(0);
     source.frames = std::max(1, data.integer(0x00280008).value_or(1));

@@ -63,7 +63,8 @@ std::string_view bytesOf(const StoredValues& stored)
 void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const StoredValues& stored)
 {
     const std::string pixels = uidOfContent(bytesOf(stored));
-    const std::string study = identity.studyUid.empty() ? uidOfContent("study " + pixels) : identity.studyUid;
+    const std::string study =
+        identity.studyUid.empty() ? uidOfContent("study " + pixels) : usableUid(identity.studyUid);
     const std::string series = identity.seriesUid.empty() ? pixels : identity.seriesUid;
     out.text(0x00080005, "CS", "ISO_IR 192");
     out.text(0x00080008, "CS", "DERIVED\\PRIMARY\\SINGLE PLANE");
@@ -85,9 +86,7 @@ void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const Stor
     out.text(0x00200010, "SH", "1");
     out.text(0x00200011, "IS", "1");
     out.text(0x00200013, "IS", "1");
-    if (!identity.laterality.empty()) {   // of paired parts alone
-        out.text(0x00200060, "CS", identity.laterality);
-    }
+    out.text(0x00200060, "CS", identity.laterality);   // empty where it is not known (type 2C)
 }
 
 /// Row direction as seen on screen: image right is (cos α, sin α, 0) in LPS when not mirrored (ALGORITHMS §5.3).

@@ -9,6 +9,13 @@ namespace {
 constexpr const char* notADevice =
     "Made by AngioPose, a program for research. It is not a medical device; not for diagnosis or treatment.";
 
+/// Where it is not known it is there and empty (PS3.3 C.7.3.1); a segment says it itself, and so does a measurement.
+bool hasLaterality(const ObjectKind& kind)
+{
+    const std::string_view modality = kind.modality;
+    return modality != "SEG" && modality != "SR";
+}
+
 }   // namespace
 
 std::string ObjectOrigin::uidFor(const std::string& role) const
@@ -49,7 +56,7 @@ void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage
     root.text(0x0020000e, "UI", origin.uidFor(std::string("series of ") + kind.role));
     root.text(0x00200011, "IS", std::to_string(kind.seriesNumber));
     root.text(0x00200013, "IS", "1");
-    if (!source.laterality.empty()) {   // of paired parts alone
+    if (hasLaterality(kind)) {
         root.text(0x00200060, "CS", source.laterality);
     }
     root.text(0x00400280, "ST", notADevice);

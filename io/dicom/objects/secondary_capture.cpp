@@ -3,6 +3,7 @@
 #include "io/messages/says_objects.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::io {
 namespace {
@@ -58,12 +59,14 @@ void addImage(DicomItem& root, const CapturedPictures& captured, const SourceIma
     root.text(0x00280301, "CS", captured.identity == BurnedInIdentity::None ? "NO" : "YES");
 }
 
-void addPixels(DicomItem& root, const std::vector<core::ColorImage>& pictures)
+/// A long run is in memory once less.
+void addPixels(DicomItem& root, std::vector<core::ColorImage> pictures)
 {
     std::string pixels;
     pixels.reserve(pictures.size() * pictures.front().rgb.size());
-    for (const core::ColorImage& picture : pictures) {
+    for (core::ColorImage& picture : pictures) {
         pixels.append(reinterpret_cast<const char*>(picture.rgb.data()), picture.rgb.size());
+        picture = {};
     }
     root.bytes(0x7fe00010, pixels);
 }
@@ -93,7 +96,7 @@ core::Result<std::string> secondaryCapture(const CapturedPictures& captured, con
     return object.content();
 }
 
-core::Result<std::string> secondaryCaptureRun(const CapturedPictures& captured, const SourceImage& source,
+core::Result<std::string> secondaryCaptureRun(CapturedPictures captured, const SourceImage& source,
                                               const ObjectOrigin& origin)
 {
     if (const auto problem = findUncapturable(captured.pictures)) {
@@ -104,7 +107,7 @@ core::Result<std::string> secondaryCaptureRun(const CapturedPictures& captured, 
     addCommonModules(root, kindFor(runKind, source), source, origin);
     addImage(root, captured, source, origin);
     addFrames(root, captured);
-    addPixels(root, captured.pictures);
+    addPixels(root, std::move(captured.pictures));
     return object.content();
 }
 

@@ -22,9 +22,9 @@ struct CapturedPictures {
 core::Result<std::string> secondaryCapture(const CapturedPictures& captured, const SourceImage& source,
                                            const ObjectOrigin& origin);
 
-/// Pictures of a run as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5). Fails where they are more than
-/// an object may hold.
-core::Result<std::string> secondaryCaptureRun(const CapturedPictures& captured, const SourceImage& source,
+/// Pictures of a run, which are let go one by one, as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5).
+/// Fails where they are more than an object may hold.
+core::Result<std::string> secondaryCaptureRun(CapturedPictures captured, const SourceImage& source,
                                               const ObjectOrigin& origin);
 
 }   // namespace angiopose::io

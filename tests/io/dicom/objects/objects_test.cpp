@@ -77,6 +77,19 @@ TEST(NewUid, IsAnotherOneEveryTimeAndFollowsFromContent)
     EXPECT_EQ(io::uidOfContent("a"), "2.25.269290709893686844195134956664967650381");
 }
 
+TEST(NewUid, TellsUidsFromOtherWords)
+{
+    for (const char* good : {"1", "1.2.840.10008.1.2", "2.25.0", "0.1"}) {
+        EXPECT_TRUE(io::isUid(good)) << good;
+        EXPECT_EQ(io::usableUid(good), good);
+    }
+    for (const char* bad : {"", ".", "1.", ".1", "1..2", "1.02", "dccc95", "1.2 ", "1,2"}) {
+        EXPECT_FALSE(io::isUid(bad)) << bad;
+        EXPECT_TRUE(io::isUid(io::usableUid(bad))) << bad;
+    }
+    EXPECT_FALSE(io::isUid("1." + std::string(63, '2')));
+}
+
 TEST_F(MadeObjects, WithoutADicomImageAreAStudyOfTheirOwn)
 {
     folder.write("plain.png", "\x89PNG\r\n\x1a\n no image");
@@ -246,6 +259,14 @@ TEST_F(MadeObjects, StateCountsPixelsFromTheCorner)
     EXPECT_EQ(window.number(0x00281051), 1001.0);
 }
 
+TEST_F(MadeObjects, StateOfAnInvertedImageStaysInverted)
+{
+    angiogram.isShownInverted = true;
+    const auto object = io::presentationState(shownState(), angiogram, origin);
+    ASSERT_TRUE(object);
+    EXPECT_EQ(parsedObject(object.value()).dataset.text(0x20500020), "INVERSE");
+}
+
 TEST_F(MadeObjects, StateCutsLinesThatAreTooLongForOneElement)
 {
     io::ShownState shown = shownState();
@@ -275,12 +296,16 @@ TEST(SourceImage, LeavesOutWhatNoReaderWouldTake)
     data.text(0x0008, 0x0020, "DA", "2024.02.29");
     data.text(0x0010, 0x0040, "CS", "FEMALE");
     data.text(0x0010, 0x1010, "AS", "74");
+    data.text(0x0020, 0x000d, "UI", "hash-of-a-uid");
+    data.text(0x0020, 0x000e, "UI", "1.2.3");
     const auto file = io::parseDicom(data.content(), "header");
     ASSERT_TRUE(file);
     const io::SourceImage source = io::sourceImageOf(file.value().dataset);
     EXPECT_EQ(source.patientText(0x00080020), "");
     EXPECT_EQ(source.patientText(0x00100040), "");
     EXPECT_EQ(source.patientText(0x00101010), "");
+    EXPECT_EQ(source.studyUid, io::usableUid("hash-of-a-uid"));
+    EXPECT_FALSE(source.canBeReferredTo());
 }
 
 }   // namespace
