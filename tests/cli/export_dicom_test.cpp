@@ -2,10 +2,15 @@
 #include "io/dicom/dicom_file.h"
 #include "io/file_hash.h"
 #include "io/pose_file.h"
+#include "io/volume_file.h"
 #include "tests/cli/run_program.h"
+#include "tests/io/series/dicom_slices.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -33,6 +38,21 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runCli(arguments);
     }
+    /// Changes the case file.
+    template <class Change>
+    void change(const Change& change) const
+    {
+        auto json = nlohmann::ordered_json::parse(test::readText(casePath_));
+        change(json);
+        test::writeText(casePath_, json.dump());
+    }
+    io::DicomDataset dataset(const std::string& name)
+    {
+        content_ = test::readText(out(name));
+        const auto file = io::parseDicom(content_, name);
+        EXPECT_TRUE(file) << name;
+        return file ? file.value().dataset : io::DicomDataset();
+    }
     std::string text(const std::string& path, io::DicomTag tag) const
     {
         const std::string content = test::readText(path);
@@ -44,6 +64,7 @@ protected:
 
     test::TemporaryFolder folder_;
     std::string casePath_;
+    std::string content_;
 };
 
 TEST_F(CliExportDicom, WritesWhatTheCaseAllowsAndSaysWhatNot)
@@ -111,6 +132,91 @@ TEST_F(CliExportDicom, WritesNothingWhereOneObjectCannotBeMade)
     const auto unknown = exported({"--objects", "sc,hologram"});
     EXPECT_EQ(unknown.exitCode, 2);
     EXPECT_NE(unknown.messages.find("sc, run, pdf, ps, reg, seg, sr"), std::string::npos) << unknown.messages;
+}
+
+TEST_F(CliExportDicom, SaysWhetherPicturesMayNameThePatient)
+{
+    const auto annotated = [this](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"--objects", "sc"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(exported(arguments).exitCode, 0);
+        return std::string(dataset("overlay.dcm").text(0x00280301));
+    };
+    EXPECT_EQ(annotated({}), "YES") << "the patient is called Simulated, and so is the case";
+    change([](auto& json) { json["title"] = "Case A"; });
+    EXPECT_EQ(annotated({}), "NO");
+    EXPECT_EQ(annotated({"--identity"}), "YES");
+}
+
+TEST_F(CliExportDicom, RunHasEveryFrame)
+{
+    ASSERT_EQ(exported({"--objects", "run"}).exitCode, 0);
+    const io::DicomDataset data = dataset("overlay-run.dcm");
+    EXPECT_EQ(data.integer(0x00280008), 8);
+    EXPECT_EQ(data.integer(0x00280011), 160);
+}
+
+/// A tree in a scan: its tubes fill the scan's own grid.
+TEST_F(CliExportDicom, SegmentationIsTheTreeInTheGridOfTheScan)
+{
+    for (int k = 0; k < 12; ++k) {
+        test::CtSlice slice;
+        slice.sopInstanceUid = "1.2.3." + std::to_string(k + 1);
+        slice.instanceNumber = k + 1;
+        slice.columns = 16;
+        slice.rows = 20;
+        slice.position = {-4.0, -7.5, 50.0 + k};
+        slice.pixels.assign(320, 0);
+        folder_.write("demo/scan/" + std::to_string(k) + ".dcm", test::ctSlice(slice));
+    }
+    test::writeText(folder_.file("demo/tree.csv"), "branch,x,y,z,radius\n1,0,0,52,1.1\n1,0,0,56,1.1\n1,0,0,59,1.1\n");
+    change([](auto& json) {
+        json["vessel"] = {{"centerline", {{"path", "tree.csv"}}}, {"volume", {{"path", "scan"}}}};
+    });
+    const auto outcome = exported({"--objects", "seg"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
+    const auto labels = io::readLabels(out("segmentation.dcm"));
+    const auto scan = io::readVolume(folder_.file("demo/scan"));
+    ASSERT_TRUE(labels && scan);
+    const core::VolumeGeometry& grid = labels.value().geometry;
+    EXPECT_EQ(grid.size, scan.value().volume.geometry.size);
+    EXPECT_LE((grid.patientFromVoxel().matrix() - scan.value().volume.geometry.patientFromVoxel().matrix())
+                  .cwiseAbs()
+                  .maxCoeff(),
+              1e-9);
+    for (std::size_t i = 0; i < labels.value().voxels.size(); ++i) {
+        const Eigen::Vector3d place = grid.patientFromVoxel() * grid.voxelAt(i).cast<double>();
+        const double across = place.head<2>().norm();
+        const double beyond = std::max({52.0 - place.z(), place.z() - 59.0, 0.0});
+        const double distance = std::hypot(across, beyond);
+        if (std::abs(distance - 1.1) > 0.1) {   // tubes are chains of balls
+            EXPECT_EQ(labels.value().voxels[i] != 0, distance < 1.1) << place.transpose();
+        }
+    }
+}
+
+/// The window of an image that is shown inverted is that of its stored values.
+TEST_F(CliExportDicom, StateOfAnInvertedImageHasTheWindowOfItsStoredValues)
+{
+    const auto shown = [this] {
+        EXPECT_EQ(exported({"--objects", "ps"}).exitCode, 0);
+        const io::DicomDataset data = dataset("presentation-state.dcm");
+        const io::DicomDataset window = data.items(0x00283110).front();
+        return std::array{window.number(0x00281050).value_or(0.0), window.number(0x00281051).value_or(0.0),
+                          data.text(0x20500020) == "INVERSE" ? 1.0 : 0.0};
+    };
+    const auto plain = shown();
+    const std::string path = folder_.file("demo/angiogram.dcm");
+    std::string bytes = test::readText(path);
+    const std::size_t at = bytes.find("MONOCHROME2");
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + 10] = '1';
+    test::writeText(path, bytes);
+    const auto inverted = shown();
+    EXPECT_EQ(plain[2], 0.0);
+    EXPECT_EQ(inverted[2], 1.0);
+    EXPECT_NEAR(inverted[0], plain[0], 0.25 * plain[1]);
+    EXPECT_NEAR(inverted[1], plain[1], 0.25 * plain[1]);
 }
 
 /// Its archive keeps both.
