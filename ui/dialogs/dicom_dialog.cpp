@@ -42,6 +42,7 @@ DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, QWidget* parent
                              "which is written beside it as camera.json."));
     auto* passedOn = roleLabel("hint", tr("Every object names the patient in its header, as its image does, whatever "
                                           "its pictures show. Each is a new instance in the study of its image."));
+    layout->addSpacing(8);
     layout->addWidget(identity_);
     for (QLabel* hint : {rigid, passedOn}) {
         hint->setWordWrap(true);
