@@ -3,6 +3,7 @@
 #include "app/preferences/renderer_choice.h"
 #include "app/preferences/theme_choice.h"
 #include "app/window_host.h"
+#include "io/support/file_limits.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -12,6 +13,7 @@ using namespace angiopose;
 
 int main(int argc, char** argv)
 {
+    io::reportFileSizeLimit();
     QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("AngioPose"));
     QApplication::setApplicationName(QStringLiteral("AngioPose"));

@@ -3,6 +3,7 @@
 #include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
 #include "io/messages/says_objects.h"
+#include "io/messages/says_keeping.h"
 
 #include <array>
 
@@ -16,6 +17,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "io/messages/deidentify.def"
 #include "io/messages/files.def"
 #include "io/messages/images.def"
+#include "io/messages/keeping.def"
 #include "io/messages/movies.def"
 #include "io/messages/objects.def"
 #include "io/messages/opening.def"

@@ -1,9 +1,12 @@
 #include "io/support/atomic_file.h"
 
 #include "io/messages/says.h"
+#include "io/messages/says_keeping.h"
 #include "io/support/file_error.h"
+#include "io/support/own_leftovers.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <cerrno>
@@ -17,7 +20,7 @@ namespace {
 
 core::Error writeError(const std::string& path)
 {
-    return fileError(path, says::fileNotWritten(std::strerror(errno)));
+    return fileError(path, errno == EFBIG ? says::fileBeyondLimit() : says::fileNotWritten(std::strerror(errno)));
 }
 
 bool writeAll(int file, std::string_view content)
@@ -97,11 +100,13 @@ core::Result<AtomicFile> AtomicFile::create(const std::string& path)
     if (unresolved || std::filesystem::is_directory(target, unresolved)) {
         return fileError(path, says::fileNoPlace());
     }
-    std::string temporary = (target.parent_path() / ("." + target.filename().string() + ".XXXXXX")).string();
-    const int file = ::mkstemp(temporary.data());
+    removeLeftoversOnce(target.parent_path().string());
+    std::string temporary = temporaryPatternFor(target.string());
+    const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
     if (file < 0) {
         return writeError(path);
     }
+    ::flock(file, LOCK_EX | LOCK_NB);   // tells others that it is no leftover
     return AtomicFile(path, target.string(), std::move(temporary), file);
 }
 

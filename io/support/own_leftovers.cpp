@@ -1,0 +1,162 @@
+#include "io/support/own_leftovers.h"
+
+#include "io/support/numbers.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <vector>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view temporaryMark = ".angiopose-";
+constexpr std::string_view lockEnding = ".angiopose-lock";
+constexpr std::size_t longestStem = 180;   // of 255 bytes that a name may have
+
+/// Eight digits that differ between machines that share a folder.
+std::string machineTag()
+{
+    std::uint32_t hash = 2166136261U;   // FNV-1a
+    for (const char letter : machineName()) {
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
+    }
+    std::array<char, 16> digits;
+    std::snprintf(digits.data(), digits.size(), "%08x", hash);
+    return digits.data();
+}
+
+bool isLockName(const fs::path& path)
+{
+    const std::string name = path.filename().string();
+    return name.starts_with('.') && name.ends_with(lockEnding);
+}
+
+bool isAlive(int process)
+{
+    return ::kill(process, 0) == 0 || errno != ESRCH;
+}
+
+/// The process of this machine that made a temporary file; 0: none.
+int makerOf(std::string_view name, std::string_view tag)
+{
+    const std::size_t at = name.rfind(temporaryMark);
+    if (!name.starts_with('.') || at == std::string_view::npos || at == 0) {
+        return 0;
+    }
+    name.remove_prefix(at + temporaryMark.size());   // tag-process-XXXXXX
+    constexpr std::size_t randomLetters = 6;
+    if (!name.starts_with(tag) || name.size() < tag.size() + randomLetters + 3 || name[tag.size()] != '-' ||
+        name[name.size() - randomLetters - 1] != '-') {
+        return 0;
+    }
+    const auto process = parseInteger(name.substr(tag.size() + 1, name.size() - tag.size() - randomLetters - 2));
+    return process && *process > 0 ? *process : 0;
+}
+
+/// Of a lock: its process is one of this machine and dead.
+bool isOfTheDead(int lockFile)
+{
+    std::array<char, 512> text{};
+    const ssize_t size = ::pread(lockFile, text.data(), text.size(), 0);
+    const auto holder = parseLock({text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))});
+    return holder && holder->machine == machineName() && !isAlive(holder->process);
+}
+
+/// True, and the file gone, where nobody holds it.
+bool removeUnheld(const fs::path& path)
+{
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (file < 0) {
+        return false;
+    }
+    const bool isUnheld = ::flock(file, LOCK_EX | LOCK_NB) == 0 && (!isLockName(path) || isOfTheDead(file));
+    const bool isGone = isUnheld && ::unlink(path.c_str()) == 0;
+    ::close(file);
+    return isGone;
+}
+
+}   // namespace
+
+std::string machineName()
+{
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
+}
+
+std::string lockText()
+{
+    return std::to_string(::getpid()) + "\n" + machineName() + "\n";
+}
+
+std::optional<LockHolder> parseLock(std::string_view text)
+{
+    const std::size_t first = text.find('\n');
+    const std::size_t second = first == std::string_view::npos ? first : text.find('\n', first + 1);
+    const auto process = second == std::string_view::npos ? std::nullopt : parseInteger(text.substr(0, first));
+    return process && *process > 0
+               ? std::optional(LockHolder{*process, std::string(text.substr(first + 1, second - first - 1))})
+               : std::nullopt;
+}
+
+std::string temporaryPatternFor(const std::string& target)
+{
+    const fs::path path(target);
+    const std::string stem = path.filename().string().substr(0, longestStem);
+    return (path.parent_path() /
+            ("." + stem + std::string(temporaryMark) + machineTag() + "-" + std::to_string(::getpid()) + "-XXXXXX"))
+        .string();
+}
+
+std::string lockPathOf(const std::string& casePath)
+{
+    std::error_code unresolved;
+    fs::path path = fs::weakly_canonical(casePath, unresolved);   // one lock, by whatever links it is opened
+    path = unresolved ? fs::path(casePath) : path;
+    return (path.parent_path() / ("." + path.filename().string() + std::string(lockEnding))).string();
+}
+
+int removeLeftovers(const std::string& folder)
+{
+    const std::string tag = machineTag();
+    std::vector<fs::path> leftovers;
+    std::error_code failed;
+    for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+        const std::string name = at->path().filename().string();
+        const int maker = makerOf(name, tag);
+        if (isLockName(at->path()) || (maker != 0 && !isAlive(maker))) {
+            leftovers.push_back(at->path());
+        }
+    }
+    int gone = 0;
+    for (const fs::path& path : leftovers) {
+        gone += removeUnheld(path) ? 1 : 0;
+    }
+    return gone;
+}
+
+void removeLeftoversOnce(const std::string& folder)
+{
+    static std::mutex mutex;
+    static std::set<std::string> done;
+    {
+        const std::scoped_lock lock(mutex);
+        if (!done.insert(folder).second) {
+            return;
+        }
+    }
+    removeLeftovers(folder);
+}
+
+}   // namespace angiopose::io
