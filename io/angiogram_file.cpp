@@ -64,8 +64,9 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     std::string_view content = input.value().view();
     std::string unpacked;
     if (content.starts_with("\x1f\x8b")) {   // gzip, as archives of DICOM files often are
-        auto inflatedContent = inflated(content, Packing::Gzip, maxUnpackedAngiogramBytes);
-        if (!inflatedContent || !looksLikeDicom(*inflatedContent)) {
+        auto inflatedContent =
+            holdsPackedDicom(content) ? inflated(content, Packing::Gzip, maxUnpackedAngiogramBytes) : std::nullopt;
+        if (!inflatedContent) {
             return fileError(path, says::imageGzipWithoutDicom());
         }
         unpacked = std::move(*inflatedContent);

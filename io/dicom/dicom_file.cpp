@@ -15,6 +15,7 @@ constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view bigEndianSyntax = "1.2.840.10008.1.2.2";
 constexpr std::size_t maxDatasetBytes = std::size_t{128} << 20;   // unpacked, as the next
 constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
+constexpr std::size_t packedStart = 4096;   // what begins otherwise, a scan of gigabytes, is not unpacked for a look
 constexpr DicomTag transferSyntaxTag = 0x00020010;
 
 bool hasPreamble(std::string_view content)
@@ -75,6 +76,11 @@ bool looksLikeDicom(std::string_view content)
     return hasPreamble(content) || content.starts_with(magic) || startsLikeDataset(content);
 }
 
+bool holdsPackedDicom(std::string_view content)
+{
+    return content.starts_with("\x1f\x8b") && looksLikeDicom(inflatedStart(content, packedStart));
+}
+
 core::Result<InputBytes> openDicom(const std::string& path)
 {
     auto input = openInput(path);
@@ -84,7 +90,7 @@ core::Result<InputBytes> openDicom(const std::string& path)
     if (looksLikeDicom(input.value().view())) {
         return input;
     }
-    if (input.value().view().starts_with("\x1f\x8b")) {
+    if (holdsPackedDicom(input.value().view())) {
         auto unpacked = inflated(input.value().view(), Packing::Gzip, maxFileBytes);
         if (unpacked && looksLikeDicom(*unpacked)) {
             return InputBytes(std::move(*unpacked));
@@ -96,10 +102,7 @@ core::Result<InputBytes> openDicom(const std::string& path)
 bool isDicomFile(const std::string& path)
 {
     const auto start = openInputStart(path);
-    if (start && start.value().view().starts_with("\x1f\x8b")) {
-        return static_cast<bool>(openDicom(path));
-    }
-    return start && looksLikeDicom(start.value().view());
+    return start && (looksLikeDicom(start.value().view()) || holdsPackedDicom(start.value().view()));
 }
 
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path)

@@ -21,10 +21,13 @@ struct DicomFile {
 /// True for a part-10 file, and for a bare data set that starts like one.
 bool looksLikeDicom(std::string_view content);
 
+/// True for a gzip archive whose content begins like DICOM: no more of it is unpacked to know.
+bool holdsPackedDicom(std::string_view content);
+
 /// Opens a DICOM file, also one inside a gzip archive. Fails as `openInput` does, and on content that is not DICOM.
 core::Result<InputBytes> openDicom(const std::string& path);
 
-/// True for what `openDicom` opens.
+/// True for what begins as `openDicom` wants it.
 bool isDicomFile(const std::string& path);
 
 /// Passes the gate first, then DCMTK. Fails when there is no element that can be read.

@@ -1,6 +1,7 @@
 #include "io/support/inflate.h"
 
 #include <zlib.h>
+#include <algorithm>
 #include <array>
 
 namespace angiopose::io {
@@ -27,6 +28,23 @@ std::optional<std::string> inflated(std::string_view packed, Packing packing, st
     if (status != Z_STREAM_END || content.size() > maxBytes) {
         return std::nullopt;
     }
+    return content;
+}
+
+std::string inflatedStart(std::string_view packed, std::size_t bytes)
+{
+    z_stream stream{};
+    if (inflateInit2(&stream, 15 + 16) != Z_OK) {
+        return {};
+    }
+    std::string content(bytes, '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+    stream.avail_in = static_cast<uInt>(std::min<std::size_t>(packed.size(), 2 * bytes + 4096));
+    stream.next_out = reinterpret_cast<Bytef*>(content.data());
+    stream.avail_out = static_cast<uInt>(content.size());
+    inflate(&stream, Z_SYNC_FLUSH);
+    content.resize(bytes - stream.avail_out);
+    inflateEnd(&stream);
     return content;
 }
 
