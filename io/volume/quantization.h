@@ -42,7 +42,9 @@ struct Quantization {
     std::int16_t voxel(double value) const
     {
         const double level = std::round((value - offset) / scale);
-        return static_cast<std::int16_t>(std::clamp(level, lowestStored, lowestStored + storedLevels));
+        return std::isnan(level)
+                   ? static_cast<std::int16_t>(lowestStored)
+                   : static_cast<std::int16_t>(std::clamp(level, lowestStored, lowestStored + storedLevels));
     }
 };
 

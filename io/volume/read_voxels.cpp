@@ -1,11 +1,14 @@
 #include "io/volume/read_voxels.h"
 
 #include "io/messages/says.h"
+#include "io/messages/says_keeping.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/volume/quantization.h"
+#include "io/volume/stray_values.h"
 
 #include <unistd.h>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -110,12 +113,13 @@ void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quant
 }
 
 template <class T>
-void quantize(const T* values, const Quantization& quantization, double lowest, std::vector<std::int16_t>& voxels)
+void quantize(const T* values, const Quantization& quantization, const ValueRange& range,
+              std::vector<std::int16_t>& voxels)
 {
     const bool isExact = quantization.scale == 1.0;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
         const auto raw = static_cast<double>(values[i]);
-        const double value = std::isfinite(raw) ? raw : lowest;
+        const double value = std::isfinite(raw) ? std::clamp(raw, range.low, range.high) : range.low;
         voxels[i] = isExact && value == std::trunc(value) ? static_cast<std::int16_t>(value - quantization.offset)
                                                           : quantization.voxel(value);
     }
@@ -143,16 +147,25 @@ core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserv
         return apart.error();
     }
     const T* values = apart.value().get();
-    const ValueRange range = rangeOf(values, stored.geometry.voxelCount());
-    if (range.missing == stored.geometry.voxelCount()) {
+    const std::size_t count = stored.geometry.voxelCount();
+    const ValueRange whole = rangeOf(values, count);
+    if (whole.missing == count) {
         return fileError(stored.path, says::volumeNoNumbers());
+    }
+    const auto valueAt = [values](std::size_t i) { return static_cast<double>(values[i]); };
+    const ValueRange range = usefulRange(whole, count, valueAt);
+    if (const std::size_t outside =
+            range.low > whole.low || range.high < whole.high ? countOutside(range, count, valueAt) : 0;
+        outside > 0) {
+        warnings.push_back(says::volumeStrayValues(outside, toText(stored.slope * range.low + stored.intercept),
+                                                   toText(stored.slope * range.high + stored.intercept)));
     }
     const Quantization quantization = quantizationOf(range);
     noteLosses(stored, range, quantization, warnings);
     core::Volume volume(stored.geometry);
     volume.slope = stored.slope * quantization.scale;
     volume.intercept = stored.slope * quantization.offset + stored.intercept;
-    quantize(values, quantization, range.low, volume.voxels);
+    quantize(values, quantization, range, volume.voxels);
     return volume;
 }
 

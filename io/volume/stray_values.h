@@ -1,0 +1,68 @@
+#pragma once
+
+#include "io/volume/quantization.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace angiopose::io {
+
+/// The range of values that the 65536 levels are spread over: all of `range`, but where that is more than a thousand
+/// times what nearly all values span, a few far beyond (a single 1e38 in a scan) are left out of it. `valueAt(i)` gives
+/// the i-th of `count` values.
+template <class ValueAt>
+ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
+{
+    constexpr std::size_t sampleSize = 200'000;
+    constexpr std::size_t leastSample = 100;
+    constexpr double farBeyond = 1000.0;   // nearly all would share 65 levels
+    constexpr double margin = 10.0;   // of what nearly all span, on both sides: metal and bright vessels stay
+    if (range.high - range.low <= storedLevels) {
+        return range;
+    }
+    std::vector<double> sample;
+    for (std::size_t i = 0; i < count; i += std::max<std::size_t>(1, count / sampleSize)) {
+        if (const double value = valueAt(i); std::isfinite(value)) {
+            sample.push_back(value);
+        }
+    }
+    if (sample.empty()) {
+        return range;
+    }
+    std::ranges::sort(sample);
+    const double usual = sample[sample.size() / 2];   // the background of a mask or map is no spread
+    std::erase(sample, usual);
+    if (sample.size() < leastSample) {
+        return range;
+    }
+    const double low = std::min(usual, sample[sample.size() / 200]);
+    const double high = std::max(usual, sample[sample.size() - 1 - sample.size() / 200]);
+    if (range.high - range.low <= farBeyond * (high - low)) {
+        return range;
+    }
+    ValueRange useful = range;
+    useful.low = std::numeric_limits<double>::infinity();
+    useful.high = -useful.low;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = valueAt(i);
+        if (value >= low - margin * (high - low) && value <= high + margin * (high - low)) {
+            useful.low = std::min(useful.low, value);
+            useful.high = std::max(useful.high, value);
+        }
+    }
+    return useful;
+}
+
+/// How many finite values lie outside a range.
+template <class ValueAt>
+std::size_t countOutside(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
+{
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double value = valueAt(i);
+        outside += std::isfinite(value) && (value < range.low || value > range.high) ? 1 : 0;
+    }
+    return outside;
+}
+
+}   // namespace angiopose::io
