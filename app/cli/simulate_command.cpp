@@ -4,7 +4,9 @@
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
+#include "io/case/case_lock.h"
 #include "io/centerline2d_file.h"
+#include "io/messages/says_keeping.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
 
@@ -35,6 +37,11 @@ core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, 
 
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
 {
+    const fs::path absolute = fs::absolute(folder);
+    const std::string casePath = (absolute / "case.angiopose").string();
+    if (const auto holder = io::holderOf(casePath)) {   // whoever looks at it would lose its inputs
+        return core::Error(io::says::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
+    }
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
@@ -52,8 +59,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const fs::
     if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
         return status;
     }
-    const fs::path absolute = fs::absolute(folder);
-    return io::saveCase(caseOf(simulated, absolute, seed), (absolute / "case.angiopose").string());
+    return io::saveCase(caseOf(simulated, absolute, seed), casePath);
 }
 
 }   // namespace

@@ -5,12 +5,15 @@
 #include "core/support/message.h"
 
 #include <memory>
+#include <string>
 
 namespace angiopose {
 
 struct Case::Content {
     core::Case values;
     core::Messages warnings;   ///< of reading
+    std::string path;   ///< absolute, of the case file that was read or written last; empty: none
+    std::string sha256;   ///< of what is known to lie there
 };
 
 namespace library {

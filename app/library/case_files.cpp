@@ -2,7 +2,7 @@
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
 #include "io/angiogram_file.h"
-#include "io/case/case_file.h"
+#include "io/case/save_over.h"
 #include "io/opening/assemble_case.h"
 #include "io/opening/read_case_inputs.h"
 #include "io/opening/read_inputs.h"
@@ -75,6 +75,8 @@ Case readCase(const std::string& path, const Observer& observe)
 {
     auto content = std::make_unique<Case::Content>();
     library::Relay relay(observe);
+    content->path = library::absolute(path);
+    content->sha256 = io::contentOfCaseFile(path);
     content->values = relay.take(io::openCase(path, content->warnings, relay.reading("reading")));
     return Case(std::move(content));
 }
@@ -99,8 +101,12 @@ Case readCase(const std::string& vesselPath, const std::string& imagePath, const
 
 void writeCase(Case& theCase, const std::string& path)
 {
-    library::keepInputs(theCase.content().values, path);
-    library::check(io::saveCase(theCase.content().values, path));
+    Case::Content& content = theCase.content();
+    const std::string target = library::absolute(path);
+    const std::string known = content.path == target ? content.sha256 : std::string();
+    library::keepInputs(content.values, path);
+    content.sha256 = library::valueOf(io::saveCaseOver(content.values, path, known));
+    content.path = target;
 }
 
 void writeResult(const Case& theCase, const std::string& path)

@@ -1,0 +1,42 @@
+#include "io/case/save_over.h"
+
+#include "io/case/case_file.h"
+#include "io/file_hash.h"
+#include "io/messages/says_keeping.h"
+#include "io/support/file_error.h"
+#include "io/support/folder_turn.h"
+
+#include <filesystem>
+
+namespace angiopose::io {
+
+std::string contentOfCaseFile(const std::string& path)
+{
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown)) {
+        return {};
+    }
+    const auto hash = sha256OfFile(path);
+    return hash ? hash.value() : std::string();
+}
+
+core::Result<std::string> saveCaseOver(const core::Case& theCase, const std::string& path,
+                                       const std::string& knownSha256)
+{
+    const FolderTurn turn(std::filesystem::absolute(path).parent_path().string());
+    const std::string there = knownSha256.empty() ? std::string() : contentOfCaseFile(path);
+    if (!there.empty() && there != knownSha256) {   // where it was removed it is written again
+        return fileError(path, says::caseChangedElsewhere());
+    }
+    if (const auto saved = saveCase(theCase, path); !saved) {
+        return saved.error();
+    }
+    return contentOfCaseFile(path);
+}
+
+bool isChangedElsewhere(const core::Error& error)
+{
+    return error.message.is(says::caseChangedElsewhere);
+}
+
+}   // namespace angiopose::io
