@@ -1,5 +1,6 @@
 #include "app/cli/console.h"
 
+#include "app/messages/says_keeping.h"
 #include "app/texts/number_text.h"
 #include "io/support/message_json.h"
 
@@ -8,6 +9,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 namespace angiopose::app {
@@ -44,6 +46,16 @@ int failInput(const core::Error& error, OutputFormat format)
         std::puts(json.dump(2).c_str());
     }
     return error.isStop() || isInterrupted() ? exitStopped : exitInput;
+}
+
+int finishOutput(int exitCode)
+{
+    const bool isWritten = std::cout.flush() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (isWritten) {
+        return exitCode;
+    }
+    printMessage(says::outputNotWritten().text());
+    return exitCode == exitDone ? exitInput : exitCode;
 }
 
 ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(isatty(STDERR_FILENO) == 1) {}

@@ -27,6 +27,10 @@ void printWarnings(const core::Messages& warnings);
 /// is on stdout too: `{"error": {"id": …}}`.
 int failInput(const core::Error& error, OutputFormat format = OutputFormat::Text);
 
+/// To be called last: what was printed has to arrive. The exit code, or that of a failure, which is told on stderr,
+/// where the drive or pipe behind stdout took less.
+int finishOutput(int exitCode);
+
 /// A progress line on stderr, redrawn in place; silent where stderr is not a terminal.
 class ProgressLine {
 public:

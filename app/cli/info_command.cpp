@@ -11,6 +11,7 @@
 #include "io/pose_file.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/series/slice_record.h"
+#include "io/study/read_studies.h"
 #include "io/support/input_bytes.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
@@ -219,6 +220,9 @@ void printReadable(const Json& json, int indent)
 
 int runInfo(const FileArguments& arguments)
 {
+    if (io::isDicomDirectory(arguments.path)) {
+        return runStudies(arguments);
+    }
     const auto description = describe(arguments.path);
     if (!description) {
         return failInput(description.error(), arguments.format);

@@ -7,6 +7,7 @@
 #include "app/cli/usage_help.h"
 #include "app/cli/vessel_commands.h"
 #include "app/messages/says.h"
+#include "io/support/file_limits.h"
 
 #include <CLI/CLI.hpp>
 #include <clocale>
@@ -61,8 +62,9 @@ int main(int argc, char** argv)
 {
     std::setlocale(LC_ALL, "C");
     app::catchInterrupts();
+    io::reportFileSizeLimit();
     try {
-        return parseAndRun(argc, argv);
+        return app::finishOutput(parseAndRun(argc, argv));
     } catch (const std::bad_alloc&) {
         return app::failInput(app::says::notEnoughMemory());
     } catch (const std::exception& error) {

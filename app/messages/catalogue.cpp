@@ -2,6 +2,7 @@
 
 #include "app/messages/says.h"
 #include "app/messages/says_dicom.h"
+#include "app/messages/says_keeping.h"
 
 #include <array>
 
@@ -13,6 +14,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #define MESSAGE(name, id, english) &says::name,
 #include "app/messages/commands.def"
 #include "app/messages/dicom.def"
+#include "app/messages/keeping.def"
 #include "app/messages/window.def"
 #undef MESSAGE
     });

@@ -1,0 +1,42 @@
+#include "io/case/case_lock.h"
+#include "tests/cli/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+#include <sys/wait.h>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+using namespace angiopose;
+
+namespace {
+
+TEST(Output, ThatDoesNotArriveIsAFailureWithASentence)
+{
+    const test::TemporaryFolder folder;
+    const std::string messages = folder.file("messages.txt");
+    for (const std::string arguments : {"schema", "--version", "info --help", "info --json /nowhere"}) {
+        const std::string command = std::string(CLI_PROGRAM) + " " + arguments + " > /dev/full 2> " + messages;
+        const int status = std::system(command.c_str());
+        ASSERT_TRUE(WIFEXITED(status)) << arguments;
+        EXPECT_EQ(WEXITSTATUS(status), 3) << arguments;
+        EXPECT_NE(test::readText(messages).find("did not all arrive"), std::string::npos) << arguments;
+    }
+}
+
+TEST(Simulate, LeavesACaseAloneThatIsOpenElsewhere)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write("demo/case.angiopose", "of somebody");
+    {
+        const io::CaseLock lock(path);
+        const auto run = test::runCli({"simulate", "--seed", "3", "--output", folder.file("demo")});
+        EXPECT_EQ(run.exitCode, 3);
+        EXPECT_NE(run.messages.find("open elsewhere"), std::string::npos) << run.messages;
+        EXPECT_EQ(test::readText(path), "of somebody");
+        EXPECT_FALSE(std::filesystem::exists(folder.file("demo/tree.vtp")));
+    }
+    EXPECT_EQ(test::runCli({"simulate", "--seed", "3", "--output", folder.file("demo")}).exitCode, 0);
+}
+
+}   // namespace
