@@ -12,7 +12,8 @@ using Segment = std::pair<std::size_t, std::size_t>;
 /// Segments of one id as a graph over point indices.
 class SegmentGraph {
 public:
-    explicit SegmentGraph(const std::set<Segment>& segments) : unused_(segments)
+    SegmentGraph(const std::set<Segment>& segments, const std::set<std::size_t>& meetings)
+        : unused_(segments), meetings_(meetings)
     {
         for (const auto& [from, to] : segments) {
             neighbours_[from].push_back(to);
@@ -24,7 +25,7 @@ public:
     {
         std::vector<std::vector<std::size_t>> result;
         for (const auto& [point, next] : neighbours_) {
-            if (next.size() != 2) {
+            if (isEnd(point)) {
                 for (const std::size_t second : next) {
                     follow(point, second, result);
                 }
@@ -38,15 +39,17 @@ public:
     }
 
 private:
+    bool isEnd(std::size_t point) const { return neighbours_.at(point).size() != 2 || meetings_.contains(point); }
+
     void follow(std::size_t start, std::size_t second, std::vector<std::vector<std::size_t>>& result)
     {
         std::vector<std::size_t> chain{start};
         for (std::size_t next = second; unused_.erase(std::minmax(chain.back(), next)) > 0;) {
             chain.push_back(next);
-            const std::vector<std::size_t>& around = neighbours_[next];
-            if (around.size() != 2 || next == start) {
+            if (isEnd(next) || next == start) {
                 break;
             }
+            const std::vector<std::size_t>& around = neighbours_[next];
             next = around[0] == chain[chain.size() - 2] ? around[1] : around[0];
         }
         if (chain.size() > 1) {
@@ -56,6 +59,7 @@ private:
 
     std::map<std::size_t, std::vector<std::size_t>> neighbours_;
     std::set<Segment> unused_;
+    const std::set<std::size_t>& meetings_;
 };
 
 }   // namespace
@@ -77,7 +81,7 @@ LineSet chainSegments(LineSet set)
     set.lines.clear();
     set.names.clear();
     for (const auto& [id, segments] : segmentsOfId) {
-        for (std::vector<std::size_t>& chain : SegmentGraph(segments).chains()) {
+        for (std::vector<std::size_t>& chain : SegmentGraph(segments, set.meetings).chains()) {
             set.lines.push_back(std::move(chain));
             ids.push_back(id);
         }

@@ -4,6 +4,7 @@
 #include "core/vessel/vessel_tree.h"
 
 #include <Eigen/Core>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct LineSet {
     std::vector<std::vector<std::size_t>> lines;   ///< indices into `points`
     std::vector<int> ids;   ///< one per line, may repeat; or empty
     std::vector<std::string> names;   ///< one per line, or empty
+    std::set<std::size_t> meetings;   ///< points that end branches, though no more than two lines may meet there
     bool isRas = false;   ///< +x right, +y anterior; otherwise LPS
     bool hasSurface = false;   ///< polygons were there too
 };
@@ -28,7 +30,7 @@ inline constexpr std::size_t maxCenterlineBranches = 5'000;
 /// Fails on indices out of range, NaN, no lines, or what findProblem(tree) says.
 core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path);
 
-/// Joins segments of two points into the longest runs without a bifurcation; longer lines stay as they are.
+/// Joins segments of two points into the longest runs without a bifurcation or meeting; longer lines stay as they are.
 /// Lines of different ids are never joined.
 LineSet chainSegments(LineSet set);
 

@@ -33,6 +33,9 @@ std::optional<SwcRow> parseRow(std::string_view line)
 }
 
 constexpr double touchMm = 1.5;   // as nodes join branches (core/vessel/vessel_tree.h)
+constexpr double longestGapMm = 10.0;   // bifurcations are that wide where centrelines begin at their rims
+constexpr int meetingType = 5;
+constexpr std::string_view meetingNote = "type 5 where branches meet";   // others may mean something else by it
 
 /// Where a branch end can hang: the nearest row that is written.
 struct Hook {
@@ -63,6 +66,35 @@ struct PendingBranch {
     }
 };
 
+/// A row to be written; its id is its place, from 1.
+struct WrittenRow {
+    Eigen::Vector3d point;
+    double radiusMm = 0.0;
+    int parent = -1;
+    bool isMeeting = false;   ///< of branches
+};
+
+std::string textOf(const std::vector<WrittenRow>& rows)
+{
+    std::string text = "# id type x y z radius parent; mm, patient LPS; " + std::string(meetingNote) + "\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const WrittenRow& row = rows[i];
+        text += std::to_string(i + 1) + (row.isMeeting ? " 5 " : " 0 ") + toText(row.point.x()) + " " +
+                toText(row.point.y()) + " " + toText(row.point.z()) + " " + toText(row.radiusMm) + " " +
+                std::to_string(row.parent) + "\n";
+    }
+    return text;
+}
+
+/// Whether the way from the last point to `place` goes on as the curve ends, by 60° at most.
+bool pointsTo(const std::vector<Eigen::Vector3d>& curve, const Eigen::Vector3d& place)
+{
+    constexpr double leastAgreement = 0.5;
+    const Eigen::Vector3d onward = place - curve.back();
+    const Eigen::Vector3d direction = curve.back() - curve[curve.size() - std::min<std::size_t>(curve.size(), 4)];
+    return onward.dot(direction) >= leastAgreement * onward.norm() * direction.norm();
+}
+
 class SwcWriter {
 public:
     explicit SwcWriter(const core::VesselTree& tree)
@@ -73,21 +105,61 @@ public:
         }
     }
 
-    /// Branches that touch what is written come first, in the order of the tree.
+    /// What shares a point with what is written comes first, then what touches it, then the next piece.
     std::string run()
     {
+        leadToForks();
         while (!pending_.empty()) {
-            auto next = std::find_if(pending_.begin(), pending_.end(),
-                                     [](const PendingBranch& branch) { return branch.distanceMm() <= touchMm; });
-            next = next == pending_.end() ? pending_.begin() : next;
+            auto next = std::ranges::min_element(pending_, {}, &PendingBranch::distanceMm);
+            next = next->distanceMm() <= touchMm ? next : pending_.begin();
             PendingBranch branch = std::move(*next);
             pending_.erase(next);
             write(std::move(branch));
         }
-        return std::move(text_);
+        return textOf(rows_);
     }
 
 private:
+    /// Where branches begin together and none leads there, a gap was left: an end near by leads on to them.
+    void leadToForks()
+    {
+        for (std::size_t i = 0; i < pending_.size(); ++i) {
+            const Eigen::Vector3d fork = pending_[i].branch.pointsInPatient.front();
+            const auto begins = [&](const PendingBranch& each) {
+                return (each.branch.pointsInPatient.front() - fork).norm() <= touchMm;
+            };
+            if (std::ranges::count_if(pending_, begins) < 2 || isReached(fork, begins)) {
+                continue;
+            }
+            PendingBranch* leading = nullptr;
+            double nearestMm = longestGapMm;
+            for (PendingBranch& each : pending_) {
+                const Eigen::Vector3d& end = each.branch.pointsInPatient.back();
+                const double away = (end - fork).norm();
+                if (away <= nearestMm && !begins(each) && pointsTo(each.branch.pointsInPatient, fork) &&
+                    !isReached(end, [&each](const PendingBranch& other) { return &other == &each; })) {
+                    nearestMm = away;
+                    leading = &each;
+                }
+            }
+            if (leading != nullptr) {
+                leading->branch.pointsInPatient.push_back(fork);
+                leading->branch.radiusMm.push_back(pending_[i].branch.radiusMm.front());
+            }
+        }
+    }
+
+    /// Whether a branch comes near, of those that `isOwn` is not true of.
+    template <class IsOwn>
+    bool isReached(const Eigen::Vector3d& place, const IsOwn& isOwn) const
+    {
+        return std::ranges::any_of(pending_, [&](const PendingBranch& each) {
+            return !isOwn(each) && std::ranges::any_of(each.branch.pointsInPatient, [&](const Eigen::Vector3d& point) {
+                return (point - place).norm() <= touchMm;
+            });
+        });
+    }
+
     void write(PendingBranch branch)
     {
         if (branch.back.distanceMm < branch.front.distanceMm && branch.back.distanceMm <= touchMm) {
@@ -95,6 +167,9 @@ private:
         }
         const bool isSamePoint = branch.front.distanceMm == 0.0;
         int parent = branch.front.distanceMm <= touchMm ? branch.front.row : -1;
+        if (parent > 0) {
+            rows_[static_cast<std::size_t>(parent) - 1].isMeeting = true;
+        }
         for (std::size_t i = isSamePoint ? 1 : 0; i < branch.branch.pointsInPatient.size(); ++i) {
             parent = addRow(branch.branch.pointsInPatient[i], branch.branch.radiusMm[i], parent);
         }
@@ -102,19 +177,17 @@ private:
 
     int addRow(const Eigen::Vector3d& point, double radiusMm, int parent)
     {
-        ++rows_;
-        text_ += std::to_string(rows_) + " 0 " + toText(point.x()) + " " + toText(point.y()) + " " + toText(point.z()) +
-                 " " + toText(radiusMm) + " " + std::to_string(parent) + "\n";
+        rows_.push_back({point, radiusMm, parent});
+        const int row = static_cast<int>(rows_.size());
         for (PendingBranch& branch : pending_) {
-            branch.front.consider(rows_, (branch.branch.pointsInPatient.front() - point).norm());
-            branch.back.consider(rows_, (branch.branch.pointsInPatient.back() - point).norm());
+            branch.front.consider(row, (branch.branch.pointsInPatient.front() - point).norm());
+            branch.back.consider(row, (branch.branch.pointsInPatient.back() - point).norm());
         }
-        return rows_;
+        return row;
     }
 
     std::vector<PendingBranch> pending_;
-    std::string text_ = "# id type x y z radius parent; mm, patient LPS\n";
-    int rows_ = 0;
+    std::vector<WrittenRow> rows_;
 };
 
 }   // namespace
@@ -122,6 +195,7 @@ private:
 core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::string& path)
 {
     LineSet set;
+    const bool saysMeetings = text.substr(0, text.find('\n')).find(meetingNote) != std::string_view::npos;
     std::unordered_map<long, std::size_t> indexOfId;
     std::vector<std::pair<long, int>> parents;   // of each point, with its line in the file
     for (TextLines lines(text); lines.next();) {
@@ -131,6 +205,9 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
         }
         if (!indexOfId.emplace(static_cast<long>((*row)[0]), set.points.size()).second) {
             return fileError(path, says::swcIdTwice(lines.number()));
+        }
+        if (saysMeetings && (*row)[1] == meetingType) {
+            set.meetings.insert(set.points.size());
         }
         set.points.emplace_back(unitMm * (*row)[2], unitMm * (*row)[3], unitMm * (*row)[4]);
         set.radius.push_back(unitMm * (*row)[5]);

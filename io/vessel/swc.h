@@ -10,9 +10,10 @@ namespace angiopose::io {
 /// SWC rows `id type x y z radius parent` as segments between points; lengths times `unitMm`.
 core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::string& path);
 
-/// A tree as SWC rows, in mm, type 0 (undefined). SWC knows parents only: a branch whose first or last point lies
-/// within 1.5 mm of what is written before it hangs there, others are roots; ids and names are lost. Unknown radii are
-/// 0.
+/// A tree as SWC rows, in mm, type 5 where branches meet, else 0 (undefined). SWC knows parents only: a branch whose
+/// first or last point lies within 1.5 mm of what is written before it hangs there; branches that begin together where
+/// no other reaches hang at the nearest free end of one that ends within 10 mm, which is led on to them; others are
+/// roots. Ids and names are lost. Unknown radii are 0.
 std::string swcText(const core::VesselTree& tree);
 
 }   // namespace angiopose::io
