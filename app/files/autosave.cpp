@@ -1,7 +1,10 @@
 #include "app/files/autosave.h"
 
 #include "io/case/case_file.h"
+#include "io/support/atomic_file.h"
+#include "io/support/own_leftovers.h"
 #include "io/vessel_tree_file.h"
+#include "ui/words/message_text.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -9,6 +12,7 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::app {
 namespace {
@@ -60,11 +64,24 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
         return saved.error();
     }
     QFile::remove(vesselsBeside(path));
-    QFile sidecar(sidecarOf(path));
-    if (sidecar.open(QIODevice::WriteOnly)) {
-        sidecar.write(original.toUtf8() + '\n' + QByteArray::fromStdString(snapshot.title));
+    const core::Status origin =
+        io::writeAtomically(sidecarOf(path).toStdString(), original.toStdString() + '\n' + snapshot.title);
+    return origin ? core::Result<QString>(path) : origin.error();
+}
+
+/// Half-written files and locks of sessions that were killed and left no copy; of copies the user decides.
+void removeLeftovers()
+{
+    const QDir folder = autosaveFolder();
+    io::removeLeftoversOnce(folder.path().toStdString());
+    for (const QFileInfo& lock : folder.entryInfoList({QStringLiteral("session-*.angiopose.lock")}, QDir::Files)) {
+        const QString copy = lock.dir().filePath(lock.completeBaseName());
+        if (!QFile::exists(copy) && !QFile::exists(vesselsBeside(copy))) {
+            QLockFile stale(lock.filePath());
+            stale.setStaleLockTime(0);
+            stale.tryLock(0);   // where it succeeds, the file goes with this object
+        }
     }
-    return path;
 }
 
 void removeCopy(const QString& path)
@@ -88,6 +105,12 @@ Autosave::Autosave(const CaseDocument& document, QObject* parent)
 {
     lock_->setStaleLockTime(0);
     lock_->tryLock(0);
+    files_.run(
+        []() -> core::Result<QString> {
+            removeLeftovers();
+            return QString();
+        },
+        {});
     timer_.setInterval(60s);
     connect(&timer_, &QTimer::timeout, this, &Autosave::saveSoon);
     timer_.start();
@@ -118,12 +141,21 @@ void Autosave::saveSoon()
     savedIndex_ = index;
     files_.run([snapshot = document_.current(), path = path(),
                 original = document_.path()] { return write(snapshot, path, original); },
-               [this](const core::Result<QString>& written) {
-                   if (written) {
-                       lastSaved_ = QDateTime::currentDateTime();
-                       emit saved();
-                   }
-               });
+               [this](const core::Result<QString>& written) { take(written); });
+}
+
+void Autosave::take(const core::Result<QString>& written)
+{
+    const bool wasFailing = std::exchange(isFailing_, !written);
+    if (written) {
+        lastSaved_ = QDateTime::currentDateTime();
+        emit saved();
+        return;
+    }
+    savedIndex_ = -1;   // the next minute tries again
+    if (!wasFailing) {
+        emit failed(ui::messageText(written.error().message));
+    }
 }
 
 void Autosave::discard()
@@ -134,7 +166,10 @@ void Autosave::discard()
             removeCopy(path);
             return path;
         },
-        [this](const core::Result<QString>&) { lastSaved_.reset(); });
+        [this](const core::Result<QString>&) {
+            lastSaved_.reset();
+            isFailing_ = false;
+        });
 }
 
 std::vector<LeftBehind> Autosave::leftBehind()

@@ -24,7 +24,7 @@ struct LeftBehind {
 };
 
 /// Keeps a copy of a changed case in the application's data folder, every minute and on a worker. Vessels that have no
-/// angiogram yet are kept as centrelines.
+/// angiogram yet are kept as centrelines. What cannot be written is tried again every minute.
 class Autosave : public QObject {
     Q_OBJECT
 public:
@@ -33,6 +33,7 @@ public:
     void saveSoon();   ///< for the timer and for tests
     void discard();   ///< the copy is no longer needed: saved, closed or discarded; goes once it is written
     std::optional<QDateTime> lastSaved() const { return lastSaved_; }
+    bool isFailing() const { return isFailing_; }   ///< the last try; an older copy may be there
 
     /// Copies of sessions that are not alive any more, newest first.
     static std::vector<LeftBehind> leftBehind();
@@ -42,15 +43,18 @@ public:
 
 signals:
     void saved();
+    void failed(const QString& reason);   ///< once, until it works again
 
 private:
     QString path() const;   ///< of the case; vessels alone lie beside it
     bool isWorthCopying() const;
+    void take(const core::Result<QString>& written);
 
     const CaseDocument& document_;
     QTimer timer_;
     std::unique_ptr<QLockFile> lock_;
     std::optional<QDateTime> lastSaved_;
+    bool isFailing_ = false;
     int savedIndex_ = -1;   ///< undo position that the copy holds
     FileQueue files_;
 };

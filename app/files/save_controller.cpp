@@ -5,6 +5,7 @@
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "io/case/case_file.h"
+#include "io/case/save_over.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/words/language.h"
@@ -33,9 +34,16 @@ QString suggestedCasePath(const CaseDocument& document)
 }   // namespace
 
 SaveController::SaveController(CaseDocument& document, ExportController& files, QWidget& window, QObject* parent)
-    : QObject(parent), document_(document), export_(files), window_(window), autosave_(document)
+    : QObject(parent),
+      document_(document),
+      export_(files),
+      window_(window),
+      autosave_(document),
+      keeper_(document, files_)
 {
     connect(&autosave_, &Autosave::saved, this, &SaveController::forgetRecovered);
+    connect(&autosave_, &Autosave::failed, this, &SaveController::autosaveFailed);
+    connect(&keeper_, &CaseKeeper::openElsewhere, this, &SaveController::openElsewhere);
 }
 
 void SaveController::save(const std::function<void()>& whenSaved)
@@ -57,7 +65,8 @@ SaveController::Savable SaveController::savable() const
 
 bool SaveController::holdsWork() const
 {
-    return document_.holdsWork() && !(savable() == Savable::Vessels && keptVessels_ == document_.state());
+    const bool isKept = savable() == Savable::Vessels && keptVessels_ == document_.state();
+    return document_.holdsWork() && !isKept && givenUp_ != document_.state();
 }
 
 void SaveController::saveVessels(const std::function<void()>& whenSaved)
@@ -119,7 +128,7 @@ void SaveController::saveAs(const std::function<void()>& whenSaved)
     dialog->open();
 }
 
-void SaveController::saveTo(const QString& path, const std::function<void()>& whenSaved)
+void SaveController::saveTo(const QString& path, const std::function<void()>& whenSaved, CaseKeeper::Replaced replaced)
 {
     if (document_.isInTrial()) {
         emit failed(tr("A blind trial is under way. End it before saving."));
@@ -127,9 +136,9 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
     }
     emit started();
     files_.run(
-        [snapshot = document_.current(), path,
+        [save = keeper_.saving(document_.current(), path, replaced), snapshot = document_.current(), path,
          withPicture = settings::recentPictures.read()]() -> core::Result<QString> {
-            if (const auto written = io::saveCase(snapshot, path.toStdString()); !written) {
+            if (const auto written = save(); !written) {
                 return written.error();
             }
             if (withPicture) {
@@ -138,6 +147,10 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
             return path;
         },
         [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {
+            if (!written && io::isChangedElsewhere(written.error())) {
+                askAboutChange(path, whenSaved);
+                return;
+            }
             if (!written) {
                 emit failed(ui::messageText(written.error().message));
                 return;
@@ -148,6 +161,33 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
                 whenSaved();
             }
         });
+}
+
+/// Nobody's work is written over unasked.
+void SaveController::askAboutChange(const QString& path, const std::function<void()>& whenSaved)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Changed elsewhere"),
+         tr("“%1” was saved by another window or program since it was opened here. Overwriting discards what was saved "
+            "there; reloading discards what was changed here.")
+             .arg(QFileInfo(path).fileName()),
+         {}},
+        {tr("Save as …"), tr("Overwrite"), tr("Reload"), tr("Cancel")}, &window_);
+    question->setObjectName(QStringLiteral("changedElsewhere"));
+    connect(
+        question, &ui::QuestionDialog::answered, this,
+        [this, path, whenSaved](int index) {
+            if (index == 0) {
+                saveAs(whenSaved);
+            } else if (index == 1) {
+                saveTo(path, whenSaved, CaseKeeper::Replaced::AnyContent);
+            } else if (index == 2) {
+                givenUp_ = document_.state();
+                emit reloadWanted(path);
+            }
+        },
+        Qt::QueuedConnection);   // one dialog goes, then one comes
+    question->open();
 }
 
 void SaveController::take(const QString& path, const CaseState& written)
@@ -230,6 +270,9 @@ QString SaveController::saveState() const
     }
     if (savable() == Savable::Vessels && keptVessels_ == document_.state()) {
         return tr("Vessels saved as centrelines");
+    }
+    if (autosave_.isFailing()) {
+        return tr("Not autosaved");
     }
     if (const auto when = autosave_.lastSaved()) {
         const qint64 seconds = when->secsTo(QDateTime::currentDateTime());

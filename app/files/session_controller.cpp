@@ -12,6 +12,8 @@
 #include <QFileInfo>
 #include <QProcess>
 
+#include <utility>
+
 namespace angiopose::app {
 
 SessionController::SessionController(CaseDocument& document, TargetProvider& target,
@@ -58,7 +60,15 @@ void SessionController::start(const QStringList& paths)
     if (paths.isEmpty()) {
         save_.offerRecovery();
     } else {
+        offersRecovery_ = true;   // what opening asks would lie over it
         open(paths);
+    }
+}
+
+void SessionController::offerRecoveryOnce()
+{
+    if (std::exchange(offersRecovery_, false)) {
+        save_.offerRecovery();
     }
 }
 
@@ -108,15 +118,19 @@ void SessionController::connectOpening()
         save_.noteOpened(open_.openedCopy());
         recent_.fill();
         recent_.pictureOpened();
+        openingNotes_ = notes;
         if (notes.isEmpty()) {
             notices_.showNote(tr("Opened"));
         } else {
             notices_.showWarnings(ui::joinedSentences(notes));
         }
+        offerRecoveryOnce();
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
                              paths);
+        save_.keepWork();
+        offerRecoveryOnce();
     });
 }
 
@@ -132,6 +146,14 @@ void SessionController::connectSaving()
         recent_.fill();
         notices_.showNote(tr("Saved"));
     });
+    connect(&save_, &SaveController::autosaveFailed, this, [this](const QString& reason) {
+        notices_.showWarnings(
+            tr("The automatic copy cannot be written; it is tried again every minute. %1").arg(reason));
+    });
+    connect(&save_, &SaveController::openElsewhere, this, [this](const QString& words) {
+        notices_.showWarnings(ui::joinedSentences(QStringList{words} + openingNotes_));
+    });
+    connect(&save_, &SaveController::reloadWanted, this, [this](const QString& path) { open({path}); });
     connect(&save_, &SaveController::recoveryWanted, this,
             [this](const LeftBehind& copy) { open_.openCopy(copy.path, copy.original); });
     connect(&save_, &SaveController::vesselsRecovered, this, [this](const QString& path) { open_.open({path}); });

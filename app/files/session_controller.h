@@ -68,6 +68,7 @@ private:
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
     void openNewWindow();
+    void offerRecoveryOnce();
 
     CaseDocument& document_;
     Notices& notices_;
@@ -81,6 +82,8 @@ private:
     StudyController studies_;
     CloseController close_;
     RecentController recent_;
+    bool offersRecovery_ = false;   ///< when the files of the command line are open, or could not be opened
+    QStringList openingNotes_;
 };
 
 }   // namespace angiopose::app

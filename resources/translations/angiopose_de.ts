@@ -1443,6 +1443,30 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Vessels saved as centrelines</source>
         <translation>Gefäße als Mittellinien gespeichert</translation>
     </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>Anderswo geändert</translation>
+    </message>
+    <message>
+        <source>“%1” was saved by another window or program since it was opened here. Overwriting discards what was saved there; reloading discards what was changed here.</source>
+        <translation>„%1“ wurde von einem anderen Fenster oder Programm gespeichert, seit es hier geöffnet wurde. Überschreiben verwirft, was dort gespeichert wurde; neu laden verwirft, was hier geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Not autosaved</source>
+        <translation>Nicht automatisch gesichert</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::SeriesRows</name>
@@ -1516,6 +1540,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Could not export</source>
         <translation>Export nicht möglich</translation>
+    </message>
+    <message>
+        <source>The automatic copy cannot be written; it is tried again every minute. %1</source>
+        <translation>Die automatische Sicherung lässt sich nicht schreiben; es wird jede Minute wieder versucht. %1</translation>
     </message>
 </context>
 <context>
@@ -6588,6 +6616,31 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>seen from the front, turned by %1</source>
         <comment>movie.turned</comment>
         <translation>von vorn gesehen, um %1 gedreht</translation>
+    </message>
+    <message>
+        <source>it cannot be written: it would be larger than files may be here, by a limit of the system (ulimit -f) or of the drive. Raise the limit or choose another folder.</source>
+        <comment>file.beyond-limit</comment>
+        <translation>sie lässt sich nicht schreiben: sie würde größer, als Dateien hier sein dürfen, durch eine Grenze des Systems (ulimit -f) oder des Laufwerks. Heben Sie die Grenze an oder wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>it was changed elsewhere since it was opened here. Save under another name, or open it again.</source>
+        <comment>case.changed-elsewhere</comment>
+        <translation>sie wurde anderswo geändert, seit sie hier geöffnet wurde. Speichern Sie unter anderem Namen oder öffnen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>it is open elsewhere too: process %1 on %2. Save under another name, or close it there.</source>
+        <comment>case.open-elsewhere</comment>
+        <translation>sie ist auch anderswo geöffnet: Prozess %1 auf %2. Speichern Sie unter anderem Namen oder schließen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie far beyond all others (between %2 and %3); they are taken as the lowest or highest of those.</source>
+        <comment>volume.stray-values</comment>
+        <translation>%1 Voxel liegen weit jenseits aller anderen (zwischen %2 und %3); sie gelten als kleinster oder größter Wert von diesen.</translation>
+    </message>
+    <message>
+        <source>what was printed did not all arrive: the drive or pipe behind the standard output is full or closed. Make room, or send it elsewhere.</source>
+        <comment>run.output-not-written</comment>
+        <translation>Was ausgegeben wurde, ist nicht ganz angekommen: Laufwerk oder Pipe hinter der Standardausgabe ist voll oder geschlossen. Schaffen Sie Platz, oder leiten Sie sie anderswohin.</translation>
     </message>
 </context>
 <context>

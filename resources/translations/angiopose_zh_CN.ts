@@ -1443,6 +1443,30 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Vessels saved as centrelines</source>
         <translation>血管已存为中心线</translation>
     </message>
+    <message>
+        <source>Changed elsewhere</source>
+        <translation>已在别处更改</translation>
+    </message>
+    <message>
+        <source>“%1” was saved by another window or program since it was opened here. Overwriting discards what was saved there; reloading discards what was changed here.</source>
+        <translation>“%1”在此处打开后，已被另一个窗口或程序保存。覆盖会丢弃在那里保存的内容；重新载入会丢弃在此处所做的更改。</translation>
+    </message>
+    <message>
+        <source>Save as …</source>
+        <translation>另存为…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>覆盖</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>重新载入</translation>
+    </message>
+    <message>
+        <source>Not autosaved</source>
+        <translation>未自动保存</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::SeriesRows</name>
@@ -1516,6 +1540,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Could not export</source>
         <translation>无法导出</translation>
+    </message>
+    <message>
+        <source>The automatic copy cannot be written; it is tried again every minute. %1</source>
+        <translation>无法写入自动备份；每分钟重试一次。%1</translation>
     </message>
 </context>
 <context>
@@ -6588,6 +6616,31 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>seen from the front, turned by %1</source>
         <comment>movie.turned</comment>
         <translation>从前方观察，旋转 %1</translation>
+    </message>
+    <message>
+        <source>it cannot be written: it would be larger than files may be here, by a limit of the system (ulimit -f) or of the drive. Raise the limit or choose another folder.</source>
+        <comment>file.beyond-limit</comment>
+        <translation>无法写入：它会超过此处文件允许的大小，这是系统（ulimit -f）或驱动器的限制。请提高限制，或选择另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>it was changed elsewhere since it was opened here. Save under another name, or open it again.</source>
+        <comment>case.changed-elsewhere</comment>
+        <translation>自在此处打开以来，它已在别处被更改。请以另一名称保存，或重新打开。</translation>
+    </message>
+    <message>
+        <source>it is open elsewhere too: process %1 on %2. Save under another name, or close it there.</source>
+        <comment>case.open-elsewhere</comment>
+        <translation>它也在别处打开：%2 上的进程 %1。请以另一名称保存，或在那里将其关闭。</translation>
+    </message>
+    <message>
+        <source>%1 voxels lie far beyond all others (between %2 and %3); they are taken as the lowest or highest of those.</source>
+        <comment>volume.stray-values</comment>
+        <translation>%1 个体素远离其他所有体素（介于 %2 和 %3 之间）；按其余体素的最低值或最高值处理。</translation>
+    </message>
+    <message>
+        <source>what was printed did not all arrive: the drive or pipe behind the standard output is full or closed. Make room, or send it elsewhere.</source>
+        <comment>run.output-not-written</comment>
+        <translation>输出未完整送达：标准输出所连的驱动器或管道已满或已关闭。请腾出空间，或将其发送到别处。</translation>
     </message>
 </context>
 <context>

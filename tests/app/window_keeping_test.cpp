@@ -1,0 +1,208 @@
+#include "tests/app/open_window.h"
+
+#include "app/files/autosave.h"
+#include "io/case/case_lock.h"
+#include "io/file_hash.h"
+#include "tests/support/temporary_folder.h"
+#include "ui/panels/bottom_strip.h"
+
+#include <sys/resource.h>
+#include <csignal>
+
+#include <QDir>
+#include <QStandardPaths>
+
+namespace angiopose::app {
+namespace {
+
+using test::OpenWindow;
+
+void save(OpenWindow& w, const QString& path)
+{
+    bool isSaved = false;
+    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+}
+
+bool isTold(OpenWindow& w, const QString& words)
+{
+    const auto* strip = w.window.findChild<ui::BottomStrip*>();
+    return QTest::qWaitFor(
+        [strip, &words] {
+            const auto& told = strip->told().all();
+            return std::ranges::any_of(told, [&words](const auto& each) { return each.text.contains(words); });
+        },
+        test::patienceMs);
+}
+
+QDialog* questionOf(OpenWindow& w)
+{
+    const bool isAsked = QTest::qWaitFor([&w] { return !w.dialogs("changedElsewhere").isEmpty(); }, test::patienceMs);
+    return isAsked ? w.dialogs("changedElsewhere").front() : nullptr;
+}
+
+/// A case that is open in two windows, and was saved in the first one since.
+class TwoWindows {
+public:
+    TwoWindows()
+    {
+        first.openSample();
+        path = QString::fromStdString(folder.file("study.angiopose"));
+        save(first, path);
+        second.drop({path});
+        EXPECT_TRUE(isTold(second, QStringLiteral("open elsewhere")));
+        move(first, Qt::Key_Left);
+        save(first, path);
+        hash = io::sha256OfFile(path.toStdString()).value();
+        move(second, Qt::Key_Right);
+        second.controller.saving().save();
+    }
+
+    static void move(OpenWindow& w, Qt::Key key)
+    {
+        w.window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
+        const core::RigidTransform before = w.current().shown().cameraFromPatient;
+        const auto hasMoved = [&] { return test::distance(w.current().shown().cameraFromPatient, before) > 0.0; };
+        w.press(key);
+        if (!hasMoved()) {   // not by keys yet
+            w.press(Qt::Key_N);
+            w.press(key);
+        }
+        EXPECT_TRUE(hasMoved());
+    }
+    bool isAsSavedFirst() const { return io::sha256OfFile(path.toStdString()).value() == hash; }
+
+    test::TemporaryFolder folder;
+    QString path;
+    std::string hash;
+    OpenWindow first, second;
+};
+
+TEST(WindowKeeping, NeverWritesOverWhatAnotherWindowSavedUnasked)
+{
+    TwoWindows w;
+    QDialog* question = questionOf(w.second);
+    ASSERT_TRUE(question);
+    EXPECT_TRUE(w.isAsSavedFirst());
+    OpenWindow::clickButton(question, QStringLiteral("Cancel"));
+    EXPECT_TRUE(w.isAsSavedFirst());
+    EXPECT_TRUE(w.second.controller.document().isModified());
+
+    w.second.controller.saving().save();   // still not the content that this window knows
+    question = questionOf(w.second);
+    ASSERT_TRUE(question);
+    OpenWindow::clickButton(question, QStringLiteral("Overwrite"));
+    ASSERT_TRUE(QTest::qWaitFor([&w] { return !w.second.controller.document().isModified(); }, test::patienceMs));
+    EXPECT_FALSE(w.isAsSavedFirst());
+
+    TwoWindows::move(w.second, Qt::Key_Up);   // from now on it is this window's file
+    save(w.second, w.path);
+    EXPECT_TRUE(w.second.dialogs("changedElsewhere").isEmpty());
+}
+
+TEST(WindowKeeping, ReloadsWhatAnotherWindowSaved)
+{
+    TwoWindows w;
+    QDialog* question = questionOf(w.second);
+    ASSERT_TRUE(question);
+    OpenWindow::clickButton(question, QStringLiteral("Reload"));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&w] {
+            return test::distance(w.second.current().shown().cameraFromPatient,
+                                  w.first.current().shown().cameraFromPatient) < 1e-9;
+        },
+        test::patienceMs));
+    EXPECT_TRUE(w.isAsSavedFirst());
+    EXPECT_TRUE(w.second.dialogs("questionDialog").isEmpty());   // it was asked already
+    TwoWindows::move(w.second, Qt::Key_Up);
+    save(w.second, w.path);   // it knows what it replaces
+}
+
+TEST(WindowKeeping, FreesTheCaseWhenItIsClosed)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("study.angiopose");
+    {
+        OpenWindow w;
+        w.openSample();
+        save(w, QString::fromStdString(path));
+        EXPECT_TRUE(QTest::qWaitFor([&path] { return io::holderOf(path).has_value(); }, test::patienceMs));
+    }
+    EXPECT_FALSE(io::holderOf(path));
+    EXPECT_FALSE(std::filesystem::exists(io::lockPathOf(path)));
+}
+
+/// While it lives, files cannot grow: as on a full drive.
+class FullDrive {
+public:
+    FullDrive()
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit full{1, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &full);
+    }
+    ~FullDrive() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+private:
+    rlimit before_{};
+};
+
+TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
+{
+    OpenWindow w;
+    w.openSample();
+    TwoWindows::move(w, Qt::Key_Left);
+    const auto state = [&w] { return w.controller.saving().saveState(); };
+    {
+        const FullDrive full;
+        w.controller.saving().autosaveSoon();
+        EXPECT_TRUE(isTold(w, QStringLiteral("automatic copy cannot be written")));
+        EXPECT_EQ(state(), QStringLiteral("Not autosaved"));
+    }
+    w.controller.saving().autosaveSoon();   // as the clock does, without another edit
+    EXPECT_TRUE(QTest::qWaitFor([&state] { return state().startsWith(QStringLiteral("Autosaved")); }, test::patienceMs))
+        << state().toStdString();
+}
+
+TEST(WindowKeeping, OffersRecoveryThoughAFileIsGiven)
+{
+    const test::TemporaryFolder folder;
+    const QString path = QString::fromStdString(folder.file("study.angiopose"));
+    const QDir autosaves(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                         QStringLiteral("/autosave"));
+    {
+        OpenWindow w;
+        w.openSample();
+        save(w, path);
+        ASSERT_TRUE(autosaves.mkpath(QStringLiteral(".")));
+        save(w, autosaves.filePath(QStringLiteral("session-999997.angiopose")));
+    }
+    const bool wasAccepted = settings::noticeAccepted.read();
+    settings::noticeAccepted.write(true);
+    {
+        OpenWindow w;
+        w.controller.begin({path});
+        EXPECT_TRUE(QTest::qWaitFor([&w] { return w.dialogs("recoveryDialog").size() == 1; }, test::patienceMs));
+        EXPECT_EQ(w.controller.document().path(), path);
+    }
+    settings::noticeAccepted.write(wasAccepted);
+    for (const LeftBehind& copy : Autosave::leftBehind()) {
+        Autosave::forget(copy);
+    }
+}
+
+TEST(WindowKeeping, CleansUpAfterSessionsThatWereKilled)
+{
+    const QDir autosaves(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                         QStringLiteral("/autosave"));
+    ASSERT_TRUE(autosaves.mkpath(QStringLiteral(".")));
+    const QString stale = autosaves.filePath(QStringLiteral("session-999996.angiopose.lock"));
+    test::writeText(stale.toStdString(), "999996\nangiopose\n" + QSysInfo::machineHostName().toStdString() + "\n");
+    const OpenWindow w;
+    EXPECT_TRUE(QTest::qWaitFor([&stale] { return !QFile::exists(stale); }, test::patienceMs));
+}
+
+}   // namespace
+}   // namespace angiopose::app
