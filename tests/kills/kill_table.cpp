@@ -82,7 +82,7 @@ void killDuring(const std::string& job, int kills, core::CounterRandom& random)
     std::size_t leftInTheEnd = 0;
     for (int i = 0; i < kills; ++i) {
         const pid_t child = start(job, folder);
-        std::this_thread::sleep_for(std::chrono::microseconds(static_cast<int>(1000 + 60'000 * random.uniform())));
+        std::this_thread::sleep_for(std::chrono::microseconds(static_cast<int>(1000 + 150'000 * random.uniform())));
         ::kill(child, SIGKILL);
         unexpected += endOf(child) == -SIGKILL ? 0 : 1;
         left += hiddenFilesIn(written);
