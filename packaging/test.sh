@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and passes the tests. With `full` also the sanitizers and clang-tidy.
+# Installs what is missing, builds, and passes the tests. With `full` also the sanitizers, a minute of fuzzing and clang-tidy.
 # Usage: test.sh [full]
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -32,6 +32,8 @@ if [ "$mode" = full ]; then
     cmake --preset tsan >/dev/null
     cmake --build build/tsan --target job_test
     ctest --preset tsan -R '^app\.jobs'
+    step "Fuzzing: a minute"
+    "$here/fuzz.sh" 60
     step "clang-tidy"
     "$here/check_tidy.sh"
 fi

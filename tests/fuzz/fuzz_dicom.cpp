@@ -1,0 +1,21 @@
+#include "io/angiogram_file.h"
+#include "io/dicom_series.h"
+#include "io/series/dicom_segmentation.h"
+#include "io/series/slice_record.h"
+#include "io/study/dicom_directory.h"
+#include "tests/fuzz/input_file.h"
+
+using namespace angiopose;
+
+// Data sets with their pixels, as run, as slices, as segmentation and as the directory of a disc.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    const std::string path = fuzz::inputFile("image.dcm", fuzz::viewOf(data, size));
+    (void)io::readAngiogram(path);
+    (void)io::readSliceRecords(path);
+    if (io::isDicomSegmentation(path)) {
+        (void)io::listSegments(path);
+    }
+    (void)io::readDicomDirectory(path);
+    return 0;
+}

@@ -1,0 +1,93 @@
+#include "tests/mutants/mutate.h"
+#include "tests/mutants/small_files.h"
+
+#include <cstdio>
+
+// fuzz_seeds FOLDER [DATA]: a folder of small sound files for every harness, made by the program's own writers, and
+// small real ones out of DATA where that is there.
+
+using namespace angiopose;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largestSeed = 200'000;
+
+constexpr const char* caseText = R"({"format": "angiopose-case", "version": 1,
+"vessel": {"centerline": {"path": "in/tree.csv"}}, "angiogram": {"image": {"path": "in/image.png"}, "frame": 0},
+"geometry": {"camera": {"fx": -2000, "fy": 2000, "cx": 7.5, "cy": 5.5, "width": 16, "height": 12}},
+"pose": {"initial": {"cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,740],[0,0,0,1]]}}})";
+
+constexpr const char* carmCaseText = R"({"format": "angiopose-case", "version": 1, "title": "x",
+"vessel": {"centerline": {"path": "in/tree.csv"}, "excludedBranchIds": [2]},
+"angiogram": {"image": {"path": "in/image.png"}, "frame": 0, "polarity": "dark"},
+"geometry": {"sourceToDetectorMm": 1000, "sourceToIsocentreMm": 750, "primaryAngleDeg": -30, "secondaryAngleDeg": 20,
+"pixelSpacingMm": [0.2, 0.2]}, "method": {"id": "angiopose", "options": {}}})";
+
+/// Which harness reads a file, and the byte by which it tells the format; "" for what none reads.
+std::pair<std::string, std::string> placeOf(const std::string& name)
+{
+    const auto ends = [&name](const char* ending) { return name.ends_with(ending); };
+    if (ends(".nii") || ends(".nrrd") || ends(".mha") || ends(".nii.gz")) {
+        return {"volume", ""};
+    }
+    if (ends(".dcm") || name == "DICOMDIR") {
+        return {"dicom", ""};
+    }
+    if (ends(".png") || ends(".jpg") || ends(".tiff") || ends(".tif")) {
+        return {"picture", ""};
+    }
+    const std::pair<const char*, std::pair<const char*, char>> formats[] = {
+        {".vtp", {"tree", 0}},   {".mrk.json", {"tree", 3}}, {".csv", {"tree", 1}},
+        {".swc", {"tree", 2}},   {".stl", {"surface", 0}},   {".obj", {"surface", 1}},
+        {".json", {"table", 3}}, {".tfm", {"table", 4}},     {".mat", {"table", 4}}};
+    for (const auto& [ending, place] : formats) {
+        if (ends(ending)) {
+            return {place.first, std::string(1, place.second)};
+        }
+    }
+    return {};
+}
+
+void keep(const fs::path& root, const std::string& harness, const std::string& name, const std::string& content)
+{
+    if (!harness.empty()) {
+        fs::create_directories(root / harness);
+        test::writeText(root / harness / name, content);
+    }
+}
+
+}   // namespace
+
+int main(int count, char** values)
+{
+    if (count < 2) {
+        std::puts("Usage: fuzz_seeds FOLDER [DATA]");
+        return 2;
+    }
+    const fs::path root(values[1]);
+    const std::string data = count > 2 ? values[2] : "";
+    const test::TemporaryFolder scratch;
+    for (const test::SmallFile& file : test::smallFiles(data, scratch)) {
+        const auto [harness, kind] = placeOf(file.name);
+        keep(root, harness, file.name, kind + (file.isGzip ? test::gzipped(file.content) : file.content));
+    }
+    keep(root, "case", "camera.angiopose", caseText);
+    keep(root, "case", "carm.angiopose", carmCaseText);
+    keep(root, "table", "curves.csv", std::string(1, '\0') + "x,y,curve\n1,2,1\n3,4,1\n5,6,2\n7,9,2\n");
+    keep(root, "table", "cases.csv", std::string(1, '\1') + "case,method\na.angiopose,angiopose\nb.angiopose,\n");
+    keep(root, "table", "pose.json",
+         std::string(1, '\3') + R"({"cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,740],[0,0,0,1]]})");
+    if (!data.empty() && fs::exists(data)) {
+        int number = 0;
+        for (const auto& entry : fs::recursive_directory_iterator(data)) {
+            if (entry.is_regular_file() && entry.file_size() <= largestSeed) {
+                const std::string name = entry.path().filename().string();
+                const auto [harness, kind] = placeOf(name);
+                keep(root, harness, std::to_string(++number) + "-" + name, kind + test::readText(entry.path()));
+            }
+        }
+    }
+    return 0;
+}

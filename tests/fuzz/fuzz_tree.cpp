@@ -1,0 +1,30 @@
+#include "io/vessel_tree_file.h"
+#include "tests/fuzz/input_file.h"
+
+#include <array>
+#include <cstdlib>
+
+using namespace angiopose;
+
+// Centrelines; the first byte chooses the format. What is read is written and read again.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    constexpr std::array names = {"tree.vtp", "tree.csv", "tree.swc", "tree.mrk.json"};
+    const std::string_view content = fuzz::viewOf(data, size);
+    if (content.empty() || content.substr(1).starts_with("# vtk DataFile")) {   // decoded by a process of its own
+        return 0;
+    }
+    const std::string name = names[data[0] % names.size()];
+    const auto tree = io::readVesselTree(fuzz::inputFile(name, content.substr(1)));
+    if (!tree) {
+        return 0;
+    }
+    if (core::findProblem(tree.value())) {
+        std::abort();
+    }
+    const std::string again = (fuzz::folder() / ("again-" + name)).string();
+    if (tree.value().pointCount() < 2000 && io::writeVesselTree(tree.value(), again) && !io::readVesselTree(again)) {
+        std::abort();
+    }
+    return 0;
+}
