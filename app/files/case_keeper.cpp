@@ -31,6 +31,19 @@ std::function<core::Status()> CaseKeeper::saving(core::Case snapshot, const QStr
     };
 }
 
+void CaseKeeper::expectUnchangedSince(const QDateTime& when)
+{
+    files_.run(
+        [kept = kept_, when]() -> core::Result<QString> {
+            const QFileInfo file(QString::fromStdString(kept->path));
+            if (!kept->sha256.empty() && file.lastModified() > when) {
+                kept->sha256 = "changed since";   // the hash of nothing
+            }
+            return file.filePath();
+        },
+        {});
+}
+
 /// Another case, or another file of this one.
 void CaseKeeper::follow()
 {

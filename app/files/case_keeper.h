@@ -5,6 +5,7 @@
 #include "core/support/result.h"
 #include "io/case/case_lock.h"
 
+#include <QDateTime>
 #include <QObject>
 
 #include <memory>
@@ -23,6 +24,9 @@ public:
 
     /// Writes a case, when the queue comes to it: fails, nothing written, where another program has changed the file.
     std::function<core::Status()> saving(core::Case snapshot, const QString& path, Replaced replaced) const;
+
+    /// The open case comes from a copy of that time: what was saved over its file later, this session does not know.
+    void expectUnchangedSince(const QDateTime& when);
 
 signals:
     void openElsewhere(const QString& words);   ///< the case that was just opened, saved or recovered

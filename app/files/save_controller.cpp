@@ -245,6 +245,7 @@ void SaveController::noteOpened(const QString& copy)
     const auto wanted = std::exchange(wanted_, std::nullopt);
     recovered_ = wanted && wanted->path == copy ? wanted : std::nullopt;
     if (recovered_) {
+        keeper_.expectUnchangedSince(recovered_->when);
         autosave_.saveSoon();
     }
     const QString vessels = std::exchange(recoveredVessels_, {});

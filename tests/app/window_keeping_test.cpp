@@ -193,6 +193,36 @@ TEST(WindowKeeping, OffersRecoveryThoughAFileIsGiven)
     }
 }
 
+TEST(WindowKeeping, AsksWhereTheCaseOfARecoveredCopyWasSavedSince)
+{
+    const test::TemporaryFolder folder;
+    const QString path = QString::fromStdString(folder.file("study.angiopose"));
+    const QDir autosaves(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                         QStringLiteral("/autosave"));
+    ASSERT_TRUE(autosaves.mkpath(QStringLiteral(".")));
+    const QString copy = autosaves.filePath(QStringLiteral("session-999998.angiopose"));
+    {
+        OpenWindow w;
+        w.openSample();
+        save(w, copy);
+        test::writeText((copy + QStringLiteral(".origin")).toStdString(), path.toStdString() + "\nSample");
+        QTest::qWait(1100);   // file systems that count seconds
+        save(w, path);
+    }
+    const std::string later = test::readText(path.toStdString());
+    OpenWindow w;
+    w.controller.saving().offerRecovery();
+    ASSERT_EQ(w.dialogs("recoveryDialog").size(), 1);
+    OpenWindow::clickButton(w.dialogs("recoveryDialog").front(), QStringLiteral("Recover"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return w.controller.document().path() == path; }, test::patienceMs));
+    w.controller.saving().save();
+    ASSERT_TRUE(questionOf(w));
+    EXPECT_EQ(test::readText(path.toStdString()), later);
+    for (const LeftBehind& left : Autosave::leftBehind()) {
+        Autosave::forget(left);
+    }
+}
+
 TEST(WindowKeeping, CleansUpAfterSessionsThatWereKilled)
 {
     const QDir autosaves(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
