@@ -95,8 +95,7 @@ VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& s
     const VoxelPlaces between = cutInDepth(mask, cut, sides, halfOf(cut.slice));
     found.insert(found.end(), between.begin(), between.end());
     std::ranges::sort(found);
-    const auto twice = std::ranges::unique(found);
-    found.erase(twice.begin(), twice.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -23,8 +23,7 @@ std::size_t MaskChange::voxelCount() const
 MaskChange changeOf(VoxelPlaces voxels)
 {
     std::ranges::sort(voxels);
-    const auto twice = std::ranges::unique(voxels);
-    voxels.erase(twice.begin(), twice.end());
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
     MaskChange change;
     for (const std::uint32_t voxel : voxels) {
         if (!change.runs.empty() && change.runs.back().first + change.runs.back().count == voxel) {

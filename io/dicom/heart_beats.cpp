@@ -68,8 +68,7 @@ std::vector<int> rWaveFramesOf(const DicomDataset& data, int frameCount, double 
         frames = framesOfTimes(data, frameCount, frameTimeMs);
     }
     std::ranges::sort(frames);
-    const auto repeated = std::ranges::unique(frames);
-    frames.erase(repeated.begin(), repeated.end());
+    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     return frames;
 }
 
