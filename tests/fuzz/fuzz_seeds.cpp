@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t largestSeed = 200'000;
+constexpr std::uintmax_t largestSeed = 40'000;
 
 constexpr const char* caseText = R"({"format": "angiopose-case", "version": 1,
 "vessel": {"centerline": {"path": "in/tree.csv"}}, "angiogram": {"image": {"path": "in/image.png"}, "frame": 0},
