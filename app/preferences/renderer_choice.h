@@ -8,7 +8,10 @@ namespace angiopose::app {
 /// `--renderer=auto|vtk|painter`: who draws the angiogram's overlay.
 QCommandLineOption rendererOption();
 
-/// Follows what the command line says; ends the program with a sentence when it names no renderer.
-void applyRenderer(const QCommandLineParser& parser);
+/// What the command line says of it.
+QString rendererIn(const QCommandLineParser& parser);
+
+/// Follows it; false when it names no renderer.
+bool applyRenderer(const QCommandLineParser& parser);
 
 }   // namespace angiopose::app

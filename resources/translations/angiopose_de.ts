@@ -6661,6 +6661,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>No renderer is called “%1”: auto, vtk or painter.</source>
         <translation>Kein Renderer heißt „%1“: auto, vtk oder painter.</translation>
     </message>
+    <message>
+        <source>There is no display to show the window on. angiopose-cli does the same work without one.</source>
+        <translation>Es gibt keine Anzeige, auf der das Fenster erscheinen kann. angiopose-cli leistet dasselbe ohne.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::AngiogramAnnotations</name>

@@ -6661,6 +6661,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>No renderer is called “%1”: auto, vtk or painter.</source>
         <translation>没有名为“%1”的渲染器：可用 auto、vtk 或 painter。</translation>
     </message>
+    <message>
+        <source>There is no display to show the window on. angiopose-cli does the same work without one.</source>
+        <translation>没有可显示窗口的显示器。angiopose-cli 无需显示器即可完成同样的工作。</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::AngiogramAnnotations</name>

@@ -1,0 +1,141 @@
+#include "app/start/start_words.h"
+
+#include "app/preferences/language_choice.h"
+#include "app/preferences/renderer_choice.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+namespace angiopose::app {
+namespace {
+
+constexpr int exitNoDisplay = 1;
+constexpr int exitWrongUsage = 2;
+
+struct ToolkitOption {
+    std::string_view name;
+    int values = 0;
+};
+
+/// Those that QGuiApplication and QApplication take out of the command line, with one dash or two.
+constexpr std::array toolkitOptions{
+    ToolkitOption{"platform", 1},    ToolkitOption{"platformpluginpath", 1},
+    ToolkitOption{"plugin", 1},      ToolkitOption{"platformtheme", 1},
+    ToolkitOption{"style", 1},       ToolkitOption{"stylesheet", 1},
+    ToolkitOption{"display", 1},     ToolkitOption{"geometry", 1},
+    ToolkitOption{"session", 1},     ToolkitOption{"qwindowgeometry", 1},
+    ToolkitOption{"qwindowicon", 1}, ToolkitOption{"qwindowtitle", 1},
+    ToolkitOption{"reverse", 0},     ToolkitOption{"widgetcount", 0},
+    ToolkitOption{"nograb", 0},      ToolkitOption{"dograb", 0},
+    ToolkitOption{"sync", 0},
+};
+
+/// How many words from here on are the toolkit's.
+int toolkitWords(std::string_view word)
+{
+    const std::string_view name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
+    for (const ToolkitOption& option : toolkitOptions) {
+        if (word.starts_with('-') && name == option.name) {
+            return 1 + option.values;
+        }
+        if (word.starts_with('-') && name.starts_with(option.name) &&
+            name.substr(option.name.size()).starts_with('=')) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/// Qt ends the program with a signal where no display can be reached.
+bool lacksDisplay()
+{
+#ifdef Q_OS_LINUX
+    return !qEnvironmentVariableIsSet("DISPLAY") && !qEnvironmentVariableIsSet("WAYLAND_DISPLAY") &&
+           !qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+#else
+    return false;
+#endif
+}
+
+QStringList ownWords(int argc, char** argv)
+{
+    QStringList words;
+    for (int i = 0; i < argc;) {
+        const int foreign = i == 0 ? 0 : toolkitWords(argv[i]);
+        if (foreign == 0) {
+            words << QString::fromLocal8Bit(argv[i]);
+        }
+        i += std::max(foreign, 1);
+    }
+    return words;
+}
+
+void describeOptions(QCommandLineParser& parser)
+{
+    parser.setApplicationDescription(QCoreApplication::translate(
+        "main", "Finds the pose of a 3-D vessel tree in a 2-D angiogram. Not for clinical use."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("files"),
+                                 QCoreApplication::translate("main", "A case, or a centreline and an angiogram."),
+                                 QStringLiteral("[case|files…]"));
+    parser.addOption(rendererOption());
+}
+
+int say(std::FILE* stream, const QString& text, int exitCode)
+{
+    std::fputs(text.toLocal8Bit().constData(), stream);
+    return exitCode;
+}
+
+/// In the chosen language, for which Qt wants an application, though none with windows.
+int answer(int argc, char** argv, const QStringList& words)
+{
+    const QCoreApplication application(argc, argv);
+    applyChosenLanguage();
+    QCommandLineParser parser;
+    describeOptions(parser);
+    if (!parser.parse(words)) {
+        return say(stderr, parser.errorText() + QLatin1String("\nangiopose --help\n"), exitWrongUsage);
+    }
+    if (parser.isSet(QStringLiteral("version"))) {
+        return say(stdout, QStringLiteral("AngioPose " ANGIOPOSE_VERSION "\n"), 0);
+    }
+    if (parser.isSet(QStringLiteral("help")) || parser.isSet(QStringLiteral("help-all"))) {
+        return say(stdout, parser.helpText(), 0);
+    }
+    if (!applyRenderer(parser)) {
+        const QString text = QCoreApplication::translate("main", "No renderer is called “%1”: auto, vtk or painter.")
+                                 .arg(rendererIn(parser));
+        return say(stderr, text + QLatin1Char('\n'), exitWrongUsage);
+    }
+    const QString text = QCoreApplication::translate(
+        "main", "There is no display to show the window on. angiopose-cli does the same work without one.");
+    return say(stderr, text + QLatin1Char('\n'), exitNoDisplay);
+}
+
+}   // namespace
+
+StartWords readStartWords(int argc, char** argv)
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("AngioPose"));   // below which the language is kept
+    QCoreApplication::setApplicationName(QStringLiteral("AngioPose"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(ANGIOPOSE_VERSION));
+    const QStringList words = ownWords(argc, argv);
+    QCommandLineParser parser;
+    describeOptions(parser);
+    const bool isAsked = !parser.parse(words) || parser.isSet(QStringLiteral("version")) ||
+                         parser.isSet(QStringLiteral("help")) || parser.isSet(QStringLiteral("help-all"));
+    const bool hasToolkitWords = words.size() < argc;   // perhaps of another platform
+    if (isAsked || !applyRenderer(parser) || (lacksDisplay() && !hasToolkitWords)) {
+        return {{}, answer(argc, argv, words)};
+    }
+    return {parser.positionalArguments()};
+}
+
+}   // namespace angiopose::app
