@@ -1,9 +1,11 @@
 #include "app/cli/case_commands.h"
 #include "app/cli/console.h"
 #include "app/cli/export_dicom_command.h"
+#include "app/cli/description/add_description.h"
 #include "app/cli/file_commands.h"
 #include "app/cli/pack_command.h"
 #include "app/cli/study_commands.h"
+#include "app/cli/thumbnail_command.h"
 #include "app/cli/usage_help.h"
 #include "app/cli/vessel_commands.h"
 #include "app/messages/says.h"
@@ -47,6 +49,8 @@ int parseAndRun(int argc, char** argv)
     addInfo(app, exitCode);
     addValidate(app, exitCode);
     addSchema(app, exitCode);
+    addThumbnail(app, exitCode);
+    addDescription(app, exitCode);
     app.failure_message(usageHelp);
     try {
         app.parse(asOptions({argv + 1, argv + argc}));

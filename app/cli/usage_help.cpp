@@ -11,7 +11,9 @@ std::vector<std::string> commandNames(const CLI::App& app)
 {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) {
-        names.push_back(command->get_name());
+        if (!command->get_group().empty()) {   // those without are for packages
+            names.push_back(command->get_name());
+        }
     }
     return names;
 }

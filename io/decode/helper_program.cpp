@@ -34,7 +34,9 @@ std::string helperProgram(const std::string& name)
             return candidate;
         }
     }
-    return fs::path(ANGIOPOSE_INSTALLED_HELPERS) / name;
+    // A package of the library alone keeps its own beside it.
+    const fs::path beside = folder / "angiopose" / name;
+    return ::access(beside.c_str(), X_OK) == 0 ? beside : fs::path(ANGIOPOSE_INSTALLED_HELPERS) / name;
 }
 
 }   // namespace angiopose::io

@@ -1,0 +1,80 @@
+#include "app/cli/thumbnail_command.h"
+
+#include "app/cli/console.h"
+#include "app/texts/overlay_picture.h"
+#include "io/image_file.h"
+#include "io/opening/read_case_inputs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+namespace angiopose::app {
+namespace {
+
+struct ThumbnailArguments {
+    std::string casePath;
+    std::string outputPath;
+    int sizePx = 256;
+    double limitSeconds = 8.0;
+};
+
+using Clock = std::chrono::steady_clock;
+
+/// Answers with Stop from `end` on. Inputs that take longer, as scans to trace do, are not worth a small picture.
+io::ReadObserver untilTime(Clock::time_point end)
+{
+    return [end](double) {
+        return Clock::now() >= end || isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    };
+}
+
+/// Its longer side has the size asked for.
+int thumbnailWidth(const core::Case& theCase, int sizePx)
+{
+    const auto& angiogram = theCase.shown().angiogram;
+    if (!angiogram || angiogram->frames.empty()) {
+        return sizePx;
+    }
+    const core::ImageF& frame = angiogram->frames.front();
+    return std::max(1, sizePx * frame.width / std::max({frame.width, frame.height, 1}));
+}
+
+/// Neither the picture nor its file tells a name: other programs keep it.
+int runThumbnail(const ThumbnailArguments& arguments)
+{
+    const std::chrono::duration<double> limit(arguments.limitSeconds);
+    const io::ReadObserver inTime = untilTime(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
+    core::Messages nobodyReads;
+    const auto theCase = io::openCase(arguments.casePath, nobodyReads, inTime);
+    if (inTime(1.0) == core::Verdict::Stop) {
+        return exitStopped;
+    }
+    if (!theCase) {
+        return failInput(theCase.error());
+    }
+    const auto picture = drawThumbnail(theCase.value(), thumbnailWidth(theCase.value(), arguments.sizePx));
+    if (!picture) {
+        return failInput(picture.error());
+    }
+    const core::Status written = io::writePng(picture.value(), arguments.outputPath);
+    return written ? exitDone : failInput(written.error());
+}
+
+}   // namespace
+
+void addThumbnail(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("thumbnail", "Draw a case small and without words, as file managers show it");
+    auto arguments = std::make_shared<ThumbnailArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("PICTURE", arguments->outputPath, "Picture to write, .png")->required();
+    command->add_option("--size", arguments->sizePx, "Pixels of its longer side (default: 256)")
+        ->check(CLI::Range(16, 1024));
+    command->add_option("--limit", arguments->limitSeconds, "Seconds for reading, then there is none (default: 8)")
+        ->check(CLI::Range(0.0, 600.0));
+    command->footer("Example: angiopose-cli thumbnail case.angiopose case.png --size 128");
+    command->callback([arguments, &exitCode] { exitCode = runThumbnail(*arguments); });
+}
+
+}   // namespace angiopose::app
