@@ -3,8 +3,7 @@
 #include "app/messages/says_keeping.h"
 #include "app/texts/number_text.h"
 #include "io/support/message_json.h"
-
-#include <unistd.h>
+#include "io/support/system/own_process.h"
 
 #include <atomic>
 #include <csignal>
@@ -58,7 +57,7 @@ int finishOutput(int exitCode)
     return exitCode == exitDone ? exitInput : exitCode;
 }
 
-ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(io::isTerminal(stderr)) {}
 
 ProgressLine::~ProgressLine()
 {

@@ -1,8 +1,7 @@
 #include "app/decode/helper_session.h"
 
-#include <malloc.h>
-#include <sys/resource.h>
-#include <unistd.h>
+#include "io/support/system/process_limits.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <new>
@@ -13,42 +12,10 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)   // their shadow takes terabytes
-constexpr rlim_t spareMemory = rlim_t{256} << 20;
-constexpr rlim_t memoryPerByte = 64;
-
-/// Libraries included.
-rlim_t addressSpaceNow()
-{
-    unsigned long pages = 1 << 18;
-    if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
-        if (std::fscanf(file, "%lu", &pages) != 1) {
-            pages = 1 << 18;
-        }
-        std::fclose(file);
-    }
-    return static_cast<rlim_t>(pages) * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE));
-}
-#endif
-
-void limit(decltype(RLIMIT_CORE) what, rlim_t most)
-{
-    const rlimit both{most, most};
-    ::setrlimit(what, &both);
-}
-
 /// False when nobody listens any more.
 bool write(const char* bytes, std::size_t size)
 {
-    while (size > 0) {
-        const ssize_t written = ::write(STDOUT_FILENO, bytes, size);
-        if (written <= 0) {
-            return false;
-        }
-        bytes += written;
-        size -= static_cast<std::size_t>(written);
-    }
-    return true;
+    return std::fwrite(bytes, 1, size, stdout) == size && std::fflush(stdout) == 0;
 }
 
 DecoderReply replyOf(const std::function<DecoderReply()>& work)
@@ -66,16 +33,11 @@ DecoderReply replyOf(const std::function<DecoderReply()>& work)
 
 void limitProcess(std::size_t fileSize)
 {
-    constexpr rlim_t spareSeconds = 5, bytesPerSecond = 2'000'000;
-    const rlim_t seconds = spareSeconds + fileSize / bytesPerSecond;
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, 0);
-    limit(RLIMIT_CPU, seconds);
-    ::alarm(static_cast<unsigned int>(std::min<rlim_t>(20 * seconds, 86'400)));   // one that only waits
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    ::mallopt(M_ARENA_MAX, 1);   // every further one takes 64 MB of address space
-    limit(RLIMIT_AS, addressSpaceNow() + spareMemory + memoryPerByte * fileSize);
-#endif
+    constexpr std::uint64_t spareSeconds = 5, bytesPerSecond = 2'000'000;
+    constexpr std::uint64_t spareMemory = std::uint64_t{256} << 20, memoryPerByte = 64;
+    const std::uint64_t seconds = spareSeconds + fileSize / bytesPerSecond;
+    io::limitOwnProcess(
+        {seconds, std::min<std::uint64_t>(20 * seconds, 86'400), spareMemory + memoryPerByte * fileSize});
 }
 
 void sayProgress(double fraction)

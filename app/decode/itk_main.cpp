@@ -4,12 +4,12 @@
 #include <itkCompositeTransform.h>
 #include <itkHDF5TransformIO.h>
 #include <itkTransformFactoryBase.h>
-#include <unistd.h>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 // angiopose-decode-itk read FILE: the transform of an HDF5 file of ITK, as three rows of four numbers. Refuses files
 // without one transform (the reply is empty) and transforms that are not linear (their type).
@@ -23,27 +23,28 @@ using TransformIo = itk::HDF5TransformIOTemplate<double>;
 using Transform = itk::Transform<double, 3, 3>;
 using Rows = std::array<double, 12>;   // row by row
 
-/// A file of this process that goes with it.
+/// A file of this process that goes with it, in a folder that only its user may enter.
 class TemporaryFile {
 public:
-    TemporaryFile() : path_((std::filesystem::temp_directory_path() / "angiopose-XXXXXX").string())
+    TemporaryFile()
     {
-        const int file = ::mkstemp(path_.data());
-        ::close(file);
-        std::filesystem::rename(path_, path_ + ".h5");   // ITK goes by the extension
-        path_ += ".h5";
+        std::random_device chance;
+        do {
+            folder_ = std::filesystem::temp_directory_path() / ("angiopose-" + std::to_string(chance()));
+        } while (!std::filesystem::create_directory(folder_));
+        std::filesystem::permissions(folder_, std::filesystem::perms::owner_all);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
     ~TemporaryFile()
     {
         std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
+        std::filesystem::remove_all(folder_, ignored);
     }
-    const std::string& path() const { return path_; }
+    std::string path() const { return (folder_ / "transform.h5").string(); }   // ITK goes by the extension
 
 private:
-    std::string path_;
+    std::filesystem::path folder_;
 };
 
 /// The one transform of the file: the first alone, or a composite with those that follow it.

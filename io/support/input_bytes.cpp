@@ -3,15 +3,10 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/read_error.h"
+#include "io/support/system/files.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -20,41 +15,23 @@
 namespace angiopose::io {
 namespace {
 
-/// Closes the descriptor on every way out.
-class Descriptor {
-public:
-    explicit Descriptor(int value) : value_(value) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor()
-    {
-        if (value_ >= 0) {
-            ::close(value_);
-        }
-    }
-    int value() const { return value_; }
-
-private:
-    int value_;
-};
-
 /// Why this is no file to read. Asked before opening: opening a pipe would wait for ever.
 std::optional<core::Message> findObstacle(const std::string& path)
 {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) {
-        return errno == ENOENT ? says::fileMissing() : says::fileUnreachable(std::strerror(errno));
+    const FileFacts facts = factsOf(path);
+    switch (facts.kind) {
+        case FileKind::Missing:
+            return says::fileMissing();
+        case FileKind::Unreachable:
+            return says::fileUnreachable(facts.problem);
+        case FileKind::Folder:
+            return says::fileIsFolder();
+        case FileKind::Other:
+            return says::fileNotRegular();
+        case FileKind::Regular:
+            break;
     }
-    if (S_ISDIR(status.st_mode)) {
-        return says::fileIsFolder();
-    }
-    if (!S_ISREG(status.st_mode)) {
-        return says::fileNotRegular();
-    }
-    if (status.st_size == 0) {
-        return says::fileEmpty();
-    }
-    return {};
+    return facts.size == 0 ? std::optional(says::fileEmpty()) : std::nullopt;
 }
 
 core::Result<InputBytes> openFirst(const std::string& path, std::size_t wanted)
@@ -62,17 +39,16 @@ core::Result<InputBytes> openFirst(const std::string& path, std::size_t wanted)
     if (const auto obstacle = findObstacle(path)) {
         return fileError(path, *obstacle);
     }
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat status {};
-    if (file.value() < 0 || ::fstat(file.value(), &status) != 0) {
-        return fileError(path, says::fileNotOpened(std::strerror(errno)));
+    ReadHandle file(path);
+    if (!file.isOpen()) {
+        return fileError(path, says::fileNotOpened(file.problem()));
     }
-    const auto size = static_cast<std::size_t>(status.st_size);
-    void* mapping = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.value(), 0);
-    if (mapping == MAP_FAILED) {
-        return fileError(path, says::fileNotRead(std::strerror(errno)));
+    const std::size_t size = file.size();
+    const char* const mapping = file.map();
+    if (!mapping) {
+        return fileError(path, says::fileNotRead(file.problem()));
     }
-    InputBytes content(static_cast<const char*>(mapping), size);
+    InputBytes content(mapping, size);
     if (const auto problem = findReadError(content.view().data(), std::min(size, wanted))) {
         return fileError(path, *problem);
     }
@@ -134,7 +110,7 @@ InputBytes& InputBytes::operator=(InputBytes&& other) noexcept
 InputBytes::~InputBytes()
 {
     if (mapping_) {
-        ::munmap(const_cast<char*>(mapping_), size_);
+        unmap(mapping_, size_);
     }
 }
 

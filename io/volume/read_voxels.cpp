@@ -4,10 +4,10 @@
 #include "io/messages/says_keeping.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/support/system/own_process.h"
 #include "io/volume/quantization.h"
 #include "io/volume/stray_values.h"
 
-#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -18,11 +18,6 @@
 
 namespace angiopose::io {
 namespace {
-
-double memoryBytes()
-{
-    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
 
 core::Error tooLarge(const StoredVolume& stored)
 {

@@ -1,0 +1,88 @@
+#include "io/support/system/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+namespace angiopose::io {
+
+ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> arguments)
+{
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+        return;
+    }
+    output_ = ends[0];
+    posix_spawn_file_actions_t files;
+    ::posix_spawn_file_actions_init(&files);
+    ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_adddup2(&files, ends[1], STDOUT_FILENO);
+    ::posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    ::posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    ::posix_spawnattr_setsigdefault(&attributes, &all);
+    // A group of its own: Ctrl+C is for the program that asks, which then stops the helper.
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    std::vector<char*> words{const_cast<char*>(program.c_str())};
+    for (std::string& argument : arguments) {
+        words.push_back(argument.data());
+    }
+    words.push_back(nullptr);
+    if (::posix_spawn(&id_, program.c_str(), &files, &attributes, words.data(), environ) != 0) {
+        id_ = -1;
+    }
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&files);
+    ::close(ends[1]);
+}
+
+ChildProcess::~ChildProcess()
+{
+    if (output_ >= 0) {
+        ::close(output_);
+    }
+    if (id_ > 0) {
+        ::kill(id_, SIGKILL);
+        waitForEnd();
+    }
+}
+
+ChildProcess::Output ChildProcess::listen(std::span<char> place, int milliseconds) const
+{
+    pollfd ready{output_, POLLIN, 0};
+    if (::poll(&ready, 1, milliseconds) <= 0) {
+        return {};
+    }
+    const ssize_t count = ::read(output_, place.data(), place.size());
+    if (count > 0) {
+        return {Heard::Bytes, static_cast<std::size_t>(count)};
+    }
+    return {count == 0 || errno != EINTR ? Heard::End : Heard::Nothing, 0};
+}
+
+ChildProcess::Ending ChildProcess::waitForEnd()
+{
+    int status = 0;
+    pid_t ended = 0;
+    do {
+        ended = ::waitpid(id_, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+    id_ = -1;
+    if (ended <= 0 || !WIFSIGNALED(status)) {
+        return Ending::ItsOwn;
+    }
+    const int signal = WTERMSIG(status);
+    return signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL ? Ending::OutOfTime : Ending::Fault;
+}
+
+}   // namespace angiopose::io

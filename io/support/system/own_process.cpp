@@ -1,0 +1,36 @@
+#include "io/support/system/own_process.h"
+
+#include <dlfcn.h>
+#include <link.h>
+#include <unistd.h>
+
+namespace angiopose::io {
+
+std::filesystem::path ownBinary()
+{
+    namespace fs = std::filesystem;
+    Dl_info info{};
+    link_map* map = nullptr;
+    const bool isFound = ::dladdr1(reinterpret_cast<const void*>(&ownBinary), &info, reinterpret_cast<void**>(&map),
+                                   RTLD_DL_LINKMAP) != 0;
+    const bool isLibrary = isFound && map != nullptr && map->l_name[0] != '\0';   // a program has no name there
+    std::error_code ignored;
+    return isLibrary ? fs::canonical(map->l_name, ignored) : fs::read_symlink("/proc/self/exe", ignored);
+}
+
+bool isExecutable(const std::filesystem::path& file)
+{
+    return ::access(file.c_str(), X_OK) == 0;
+}
+
+double memoryBytes()
+{
+    return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+bool isTerminal(std::FILE* stream)
+{
+    return ::isatty(::fileno(stream)) == 1;
+}
+
+}   // namespace angiopose::io

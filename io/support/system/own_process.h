@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+
+namespace angiopose::io {
+
+/// The program or the shared library that this code is part of; empty where the system does not tell.
+std::filesystem::path ownBinary();
+
+bool isExecutable(const std::filesystem::path& file);
+
+/// Of the whole machine, bytes.
+double memoryBytes();
+
+/// Whether a person watches what is written there.
+bool isTerminal(std::FILE* stream);
+
+}   // namespace angiopose::io
