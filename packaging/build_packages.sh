@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds the Debian packages of the last commit: angiopose, libangiopose, libangiopose-dev, python3-angiopose, angiopose-doc.
 # Usage: build_packages.sh [--use FOLDER]
-#   --use FOLDER   takes what is built in FOLDER (it is configured anew for /usr); otherwise everything is built from
-#                  the commit's files in a tree of its own, with Debian's hardening
+#   --use FOLDER   takes what is built in FOLDER (it is configured for /usr meanwhile); otherwise everything is built
+#                  from the commit's files in a tree of its own, with Debian's hardening
 # The packages are put into build/packages. The same commit gives the same bytes: times are the commit's, and neither
 # folder names nor the user come in.
 set -euo pipefail
@@ -45,6 +45,16 @@ angiopose ($version-1) bookworm; urgency=medium
 
  -- AngioPose maintainers <$maintainer>  $(LC_ALL=C date -u -R -d "@$SOURCE_DATE_EPOCH")
 END
+
+# Whoever lent the folder gets it back as it was.
+give_back() {
+    mv "$out/lent-cache" "$ANGIOPOSE_BUILD/CMakeCache.txt"
+    cmake "$ANGIOPOSE_BUILD" >/dev/null 2>&1
+}
+if [ -n "${ANGIOPOSE_BUILD:-}" ]; then
+    cp "$ANGIOPOSE_BUILD/CMakeCache.txt" "$out/lent-cache"
+    trap give_back EXIT
+fi
 
 cd "$tree"
 export SOURCE_DATE_EPOCH LC_ALL=C.UTF-8 TZ=UTC

@@ -44,7 +44,7 @@ new_root program 'angiopose_*.deb'
 say "installing, with downloads" "$(seconds install_all)"
 in_root dpkg-query -W -f '${Package}\n' | sort >"$work/after"
 comm -13 "$work/before" "$work/after" >"$work/new"
-sizes=$(in_root dpkg-query -W -f '${Installed-Size}\n' $(cat "$work/new") | awk '{sum += $1} END {printf "%d MB", sum / 1024}')
+sizes=$(xargs -a "$work/new" env -i PATH="$PATH" chroot "$root" dpkg-query -W -f '${Installed-Size}\n' | awk '{sum += $1} END {printf "%d MB", sum / 1024}')
 say "packages that came" "$(wc -l <"$work/new"), $sizes"
 developing=$(grep -E -- '-dev$|^gcc|^g\+\+|^cmake' "$work/new" | grep -vE '^gcc-[0-9]+-base$' || true)
 say "of them for developing" "${developing:-none}"

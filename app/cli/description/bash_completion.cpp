@@ -59,11 +59,11 @@ void writeBashFlags(std::ostream& out, const CommandWords& command)
 
 constexpr const char* beginOfFunction = R"(_angiopose_cli()
 {
-    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command= options= operands= i
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command='' options='' operands='' i
     local values=files commands='%COMMANDS%'
     if [[ $current == = ]]; then
         current=
-    elif [[ $previous == = && COMP_CWORD -gt 1 ]]; then
+    elif [[ $previous == = && $COMP_CWORD -gt 1 ]]; then
         previous=${COMP_WORDS[COMP_CWORD-2]}
     fi
     COMPREPLY=()

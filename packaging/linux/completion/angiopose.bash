@@ -4,7 +4,7 @@ _angiopose()
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}
     if [[ $current == = ]]; then
         current=
-    elif [[ $previous == = && COMP_CWORD -gt 1 ]]; then
+    elif [[ $previous == = && $COMP_CWORD -gt 1 ]]; then
         previous=${COMP_WORDS[COMP_CWORD-2]}
     fi
     if [[ $previous == --renderer ]]; then
