@@ -1,58 +1,28 @@
 #include "io/case/case_lock.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-#include <algorithm>
-#include <array>
-#include <cerrno>
+#include "io/support/system/own_process.h"
+
 #include <filesystem>
 #include <utility>
 
 namespace angiopose::io {
-namespace {
-
-/// Whether the open file is still the one that the path leads to: another program may just have removed it.
-bool isStillAt(int file, const std::string& path)
-{
-    struct stat opened {};
-    struct stat there {};
-    return ::fstat(file, &opened) == 0 && ::stat(path.c_str(), &there) == 0 && opened.st_ino == there.st_ino &&
-           opened.st_dev == there.st_dev;
-}
-
-bool saysWho(int file)
-{
-    const std::string text = lockText();
-    return ::ftruncate(file, 0) == 0 &&
-           ::pwrite(file, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-}
-
-}   // namespace
 
 CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
     constexpr int tries = 3;   // each is lost only where another program removes its lock at that moment
-    for (int i = 0; i < tries && file_ < 0; ++i) {
-        const int file = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (file < 0) {
+    for (int i = 0; i < tries && !file_.isOpen(); ++i) {
+        HeldFile file(path_, HeldFile::Way::Write);
+        if (!file.isOpen() || file.holdAlone() != HeldFile::Held::Mine) {
             return;
         }
-        if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
-            ::close(file);
-            return;
-        }
-        if (isStillAt(file, path_)) {
-            saysWho(file);   // on a full drive it stays without a name
-            file_ = file;
-        } else {
-            ::close(file);
+        if (file.isStillAt(path_)) {
+            file.setText(lockText());   // on a full drive it stays without a name
+            file_ = std::move(file);
         }
     }
 }
 
-CaseLock::CaseLock(CaseLock&& other) noexcept : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+CaseLock::CaseLock(CaseLock&& other) noexcept : path_(std::move(other.path_)), file_(std::move(other.file_)) {}
 
 CaseLock& CaseLock::operator=(CaseLock&& other) noexcept
 {
@@ -63,27 +33,20 @@ CaseLock& CaseLock::operator=(CaseLock&& other) noexcept
 
 CaseLock::~CaseLock()
 {
-    if (file_ >= 0) {
-        ::unlink(path_.c_str());   // while it is held: nobody takes over what goes
-        ::close(file_);
+    if (file_.isOpen()) {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);   // while it is held: nobody takes over what goes
     }
 }
 
 std::optional<LockHolder> holderOf(const std::string& casePath)
 {
-    const int file = ::open(lockPathOf(casePath).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-    if (file < 0) {
+    const HeldFile file(lockPathOf(casePath), HeldFile::Way::Read);
+    if (!file.isOpen() || file.holdWithOthers() != HeldFile::Held::ByAnother) {
         return std::nullopt;
     }
-    std::optional<LockHolder> holder;
-    if (::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-        std::array<char, 512> text{};
-        const ssize_t size = ::pread(file, text.data(), text.size(), 0);
-        holder = parseLock({text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))});
-        holder = holder ? holder : LockHolder{0, machineName()};
-    }
-    ::close(file);
-    return holder;
+    const std::optional<LockHolder> holder = parseLock(file.text());
+    return holder ? holder : LockHolder{0, machineName()};
 }
 
 }   // namespace angiopose::io

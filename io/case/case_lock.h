@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/support/own_leftovers.h"
+#include "io/support/system/held_file.h"
 
 #include <optional>
 #include <string>
@@ -18,11 +19,11 @@ public:
     CaseLock& operator=(CaseLock&& other) noexcept;
     ~CaseLock();
 
-    bool isHeld() const { return file_ >= 0; }
+    bool isHeld() const { return file_.isOpen(); }
 
 private:
     std::string path_;
-    int file_ = -1;
+    HeldFile file_;
 };
 
 /// Who else has a case open: another program, or another `CaseLock` of this one. Nobody where a lock is stale.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "io/support/system/held_file.h"
+
 #include <string>
 
 namespace angiopose::io {
@@ -9,12 +11,9 @@ namespace angiopose::io {
 class FolderTurn {
 public:
     explicit FolderTurn(const std::string& folder);
-    FolderTurn(const FolderTurn&) = delete;
-    FolderTurn& operator=(const FolderTurn&) = delete;
-    ~FolderTurn();
 
 private:
-    int folder_ = -1;
+    HeldFile folder_;
 };
 
 }   // namespace angiopose::io

@@ -1,14 +1,10 @@
 #include "io/support/own_leftovers.h"
 
 #include "io/support/numbers.h"
+#include "io/support/system/held_file.h"
+#include "io/support/system/own_process.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -43,11 +39,6 @@ bool isLockName(const fs::path& path)
     return name.starts_with('.') && name.ends_with(lockEnding);
 }
 
-bool isAlive(int process)
-{
-    return ::kill(process, 0) == 0 || errno != ESRCH;
-}
-
 /// The process of this machine that made a temporary file; 0: none.
 int makerOf(std::string_view name, std::string_view tag)
 {
@@ -66,38 +57,27 @@ int makerOf(std::string_view name, std::string_view tag)
 }
 
 /// Of a lock: its process is one of this machine and dead.
-bool isOfTheDead(int lockFile)
+bool isOfTheDead(const HeldFile& lockFile)
 {
-    std::array<char, 512> text{};
-    const ssize_t size = ::pread(lockFile, text.data(), text.size(), 0);
-    const auto holder = parseLock({text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))});
+    const auto holder = parseLock(lockFile.text());
     return holder && holder->machine == machineName() && !isAlive(holder->process);
 }
 
 /// True, and the file gone, where nobody holds it.
 bool removeUnheld(const fs::path& path)
 {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-    if (file < 0) {
-        return false;
-    }
-    const bool isUnheld = ::flock(file, LOCK_EX | LOCK_NB) == 0 && (!isLockName(path) || isOfTheDead(file));
-    const bool isGone = isUnheld && ::unlink(path.c_str()) == 0;
-    ::close(file);
-    return isGone;
+    const HeldFile file(path.string(), HeldFile::Way::Read);
+    const bool isUnheld =
+        file.isOpen() && file.holdAlone() == HeldFile::Held::Mine && (!isLockName(path) || isOfTheDead(file));
+    std::error_code failed;
+    return isUnheld && fs::remove(path, failed);
 }
 
 }   // namespace
 
-std::string machineName()
-{
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
-}
-
 std::string lockText()
 {
-    return std::to_string(::getpid()) + "\n" + machineName() + "\n";
+    return std::to_string(ownProcessId()) + "\n" + machineName() + "\n";
 }
 
 std::optional<LockHolder> parseLock(std::string_view text)
@@ -115,7 +95,7 @@ std::string temporaryPatternFor(const std::string& target)
     const fs::path path(target);
     const std::string stem = path.filename().string().substr(0, longestStem);
     return (path.parent_path() /
-            ("." + stem + std::string(temporaryMark) + machineTag() + "-" + std::to_string(::getpid()) + "-XXXXXX"))
+            ("." + stem + std::string(temporaryMark) + machineTag() + "-" + std::to_string(ownProcessId()) + "-XXXXXX"))
         .string();
 }
 

@@ -17,9 +17,6 @@ int removeLeftovers(const std::string& folder);
 /// The same, once for every folder that this process writes to.
 void removeLeftoversOnce(const std::string& folder);
 
-/// Name of this machine, for locks.
-std::string machineName();
-
 /// Who a lock names.
 struct LockHolder {
     int process = 0;

@@ -3,6 +3,9 @@
 #include <dlfcn.h>
 #include <link.h>
 #include <unistd.h>
+#include <array>
+#include <cerrno>
+#include <csignal>
 
 namespace angiopose::io {
 
@@ -26,6 +29,22 @@ bool isExecutable(const std::filesystem::path& file)
 double memoryBytes()
 {
     return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+int ownProcessId()
+{
+    return ::getpid();
+}
+
+bool isAlive(int process)
+{
+    return ::kill(process, 0) == 0 || errno != ESRCH;
+}
+
+std::string machineName()
+{
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 && name[0] != '\0' ? name.data() : "localhost";
 }
 
 bool isTerminal(std::FILE* stream)

@@ -1,5 +1,7 @@
 #include "io/case/case_lock.h"
 
+#include "io/support/system/own_process.h"
+
 #include "io/support/own_leftovers.h"
 #include "tests/support/temporary_folder.h"
 
