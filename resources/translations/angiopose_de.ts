@@ -3008,6 +3008,126 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>messages</name>
     <message>
+        <source>the system gives no random numbers, so that nothing could be kept secret.</source>
+        <comment>deidentify.no-random-key</comment>
+        <translation>das System gibt keine Zufallszahlen, sodass nichts geheim bliebe.</translation>
+    </message>
+    <message>
+        <source>Letters are drawn into the picture, at column %1, row %2 and elsewhere: read them, or have them blacked out.</source>
+        <comment>deidentify.letters-stay</comment>
+        <translation>In das Bild sind Buchstaben gezeichnet, bei Spalte %1, Zeile %2 und anderswo: lesen oder schwärzen lassen.</translation>
+    </message>
+    <message>
+        <source>Letters drawn into the picture were blacked out (%1 % of its area). Look whether all are gone.</source>
+        <comment>deidentify.letters-blacked-out</comment>
+        <translation>In das Bild gezeichnete Buchstaben wurden geschwärzt (%1 % seiner Fläche). Prüfen, ob alle weg sind.</translation>
+    </message>
+    <message>
+        <source>The header says that identity is drawn into the picture, and no letters were found in it: look at every frame.</source>
+        <comment>deidentify.letters-declared</comment>
+        <translation>Laut Kopfdaten steht eine Identität im Bild, doch Buchstaben wurden nicht gefunden: jedes Einzelbild ansehen.</translation>
+    </message>
+    <message>
+        <source>The colours became grey, as the program shows them.</source>
+        <comment>deidentify.colour-dropped</comment>
+        <translation>Die Farben wurden grau, wie das Programm sie zeigt.</translation>
+    </message>
+    <message>
+        <source>Damaged frames were stored as they could be decoded: %1 of %2.</source>
+        <comment>deidentify.frames-damaged</comment>
+        <translation>Beschädigte Einzelbilder wurden gespeichert, soweit sie zu decodieren waren: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Files that hold no image were left out: %1 of %2.</source>
+        <comment>deidentify.files-left-out</comment>
+        <translation>Dateien ohne Bild wurden ausgelassen: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>a segmentation names its parts in free words. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
+        <comment>deidentify.segmentation</comment>
+        <translation>eine Segmentierung benennt ihre Teile in freien Worten. In .nii.gz oder .nrrd umwandeln: Dort haben Label keine Namen.</translation>
+    </message>
+    <message>
+        <source>its compressed pixels of 32 bits cannot be stored again. Convert it to .nii.gz or .nrrd.</source>
+        <comment>deidentify.pixels-too-wide</comment>
+        <translation>ihre komprimierten Pixel mit 32 Bit lassen sich nicht neu speichern. In .nii.gz oder .nrrd umwandeln.</translation>
+    </message>
+    <message>
+        <source>only PNG, JPEG and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
+        <comment>deidentify.picture</comment>
+        <translation>nur PNG-, JPEG- und DICOM-Bilder lassen sich von dem befreien, was neben den Pixeln steht. Als PNG speichern.</translation>
+    </message>
+    <message>
+        <source>the folder is not empty. Choose a new one, so that nothing else is handed on with it.</source>
+        <comment>deidentify.output-not-empty</comment>
+        <translation>der Ordner ist nicht leer. Einen neuen wählen, damit nichts anderes mitgegeben wird.</translation>
+    </message>
+    <message>
+        <source>it holds no DICOM image. Choose the folder of one study.</source>
+        <comment>deidentify.nothing</comment>
+        <translation>es enthält kein DICOM-Bild. Den Ordner einer Studie wählen.</translation>
+    </message>
+    <message>
+        <source>an input of the case could not be read and is not in the archive: %1</source>
+        <comment>pack.input-missing</comment>
+        <translation>eine Eingabe des Falls war nicht lesbar und fehlt im Archiv: %1</translation>
+    </message>
+    <message>
+        <source>a case is packed as .zip. Give the file that ending.</source>
+        <comment>pack.format</comment>
+        <translation>ein Fall wird als .zip gepackt. Der Datei diese Endung geben.</translation>
+    </message>
+    <message>
+        <source>the archive cannot be written (%1). Choose another folder or make room.</source>
+        <comment>pack.not-written</comment>
+        <translation>das Archiv lässt sich nicht schreiben (%1). Einen anderen Ordner wählen oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>Names, notes and texts typed by hand were taken out: %1. Numbers stand in their places.</source>
+        <comment>pack.texts-cleared</comment>
+        <translation>Von Hand geschriebene Namen, Notizen und Texte wurden entfernt: %1. An ihrer Stelle stehen Nummern.</translation>
+    </message>
+    <message>
+        <source>the packed case does not open as the one it came from: %1 Nothing was written.</source>
+        <comment>pack.differs</comment>
+        <translation>der gepackte Fall öffnet sich nicht wie der ursprüngliche: %1 Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Branches keep their names: look whether they name anatomy alone.</source>
+        <comment>pack.branch-names</comment>
+        <translation>Äste behalten ihre Namen: prüfen, ob sie nur Anatomie benennen.</translation>
+    </message>
+    <message>
+        <source>a view is missing.</source>
+        <comment>pack.views</comment>
+        <translation>eine Ansicht fehlt.</translation>
+    </message>
+    <message>
+        <source>the pixels of an image differ.</source>
+        <comment>pack.pixels</comment>
+        <translation>die Pixel eines Bildes weichen ab.</translation>
+    </message>
+    <message>
+        <source>a result does not hold.</source>
+        <comment>pack.results</comment>
+        <translation>ein Ergebnis gilt nicht.</translation>
+    </message>
+    <message>
+        <source>the vessels differ.</source>
+        <comment>pack.vessels</comment>
+        <translation>die Gefäße weichen ab.</translation>
+    </message>
+    <message>
+        <source>a key needs at least 16 bytes. Make one: head -c 32 /dev/urandom &gt; key</source>
+        <comment>deidentify.key-too-short</comment>
+        <translation>ein Schlüssel braucht mindestens 16 Byte. Einen erzeugen: head -c 32 /dev/urandom &gt; key</translation>
+    </message>
+    <message>
+        <source>without identity this input becomes a file with the ending %1, or, for a folder, a folder. Name OUT so.</source>
+        <comment>deidentify.kind</comment>
+        <translation>ohne Identität wird diese Eingabe zu einer Datei mit der Endung %1, ein Ordner zu einem Ordner. OUT so benennen.</translation>
+    </message>
+    <message>
         <source>It may as well take %1 (%2).</source>
         <comment>wire.may-follow</comment>
         <translation>Ebenso kann er %1 nehmen (%2).</translation>

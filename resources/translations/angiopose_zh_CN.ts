@@ -3008,6 +3008,126 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>messages</name>
     <message>
+        <source>the system gives no random numbers, so that nothing could be kept secret.</source>
+        <comment>deidentify.no-random-key</comment>
+        <translation>系统没有提供随机数，因此无法保密。</translation>
+    </message>
+    <message>
+        <source>Letters are drawn into the picture, at column %1, row %2 and elsewhere: read them, or have them blacked out.</source>
+        <comment>deidentify.letters-stay</comment>
+        <translation>图像中绘有文字（第 %1 列、第 %2 行及其他位置）：请阅读，或将其涂黑。</translation>
+    </message>
+    <message>
+        <source>Letters drawn into the picture were blacked out (%1 % of its area). Look whether all are gone.</source>
+        <comment>deidentify.letters-blacked-out</comment>
+        <translation>图像中绘入的文字已涂黑（占面积的 %1 %）。请检查是否全部去除。</translation>
+    </message>
+    <message>
+        <source>The header says that identity is drawn into the picture, and no letters were found in it: look at every frame.</source>
+        <comment>deidentify.letters-declared</comment>
+        <translation>文件头称图像中绘有身份信息，但未找到文字：请查看每一帧。</translation>
+    </message>
+    <message>
+        <source>The colours became grey, as the program shows them.</source>
+        <comment>deidentify.colour-dropped</comment>
+        <translation>颜色已变为灰度，与程序的显示一致。</translation>
+    </message>
+    <message>
+        <source>Damaged frames were stored as they could be decoded: %1 of %2.</source>
+        <comment>deidentify.frames-damaged</comment>
+        <translation>损坏的帧按可解码的程度保存：%1 / %2。</translation>
+    </message>
+    <message>
+        <source>Files that hold no image were left out: %1 of %2.</source>
+        <comment>deidentify.files-left-out</comment>
+        <translation>不含图像的文件未写出：%1 / %2。</translation>
+    </message>
+    <message>
+        <source>a segmentation names its parts in free words. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
+        <comment>deidentify.segmentation</comment>
+        <translation>分割用自由文字命名其各部分。请转换为 .nii.gz 或 .nrrd：其中标签没有名称。</translation>
+    </message>
+    <message>
+        <source>its compressed pixels of 32 bits cannot be stored again. Convert it to .nii.gz or .nrrd.</source>
+        <comment>deidentify.pixels-too-wide</comment>
+        <translation>其 32 位压缩像素无法重新保存。请转换为 .nii.gz 或 .nrrd。</translation>
+    </message>
+    <message>
+        <source>only PNG, JPEG and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
+        <comment>deidentify.picture</comment>
+        <translation>只有 PNG、JPEG 和 DICOM 图像可以去除像素以外写入的内容。请另存为 PNG。</translation>
+    </message>
+    <message>
+        <source>the folder is not empty. Choose a new one, so that nothing else is handed on with it.</source>
+        <comment>deidentify.output-not-empty</comment>
+        <translation>该文件夹不为空。请选择新文件夹，以免其他内容一并交出。</translation>
+    </message>
+    <message>
+        <source>it holds no DICOM image. Choose the folder of one study.</source>
+        <comment>deidentify.nothing</comment>
+        <translation>其中没有 DICOM 图像。请选择一次检查的文件夹。</translation>
+    </message>
+    <message>
+        <source>an input of the case could not be read and is not in the archive: %1</source>
+        <comment>pack.input-missing</comment>
+        <translation>病例的一个输入无法读取，未放入归档：%1</translation>
+    </message>
+    <message>
+        <source>a case is packed as .zip. Give the file that ending.</source>
+        <comment>pack.format</comment>
+        <translation>病例打包为 .zip。请使用该扩展名。</translation>
+    </message>
+    <message>
+        <source>the archive cannot be written (%1). Choose another folder or make room.</source>
+        <comment>pack.not-written</comment>
+        <translation>无法写入归档（%1）。请选择其他文件夹或腾出空间。</translation>
+    </message>
+    <message>
+        <source>Names, notes and texts typed by hand were taken out: %1. Numbers stand in their places.</source>
+        <comment>pack.texts-cleared</comment>
+        <translation>手工输入的名称、备注和文字已去除：%1。以编号代替。</translation>
+    </message>
+    <message>
+        <source>the packed case does not open as the one it came from: %1 Nothing was written.</source>
+        <comment>pack.differs</comment>
+        <translation>打包的病例打开后与原病例不同：%1 未写出任何内容。</translation>
+    </message>
+    <message>
+        <source>Branches keep their names: look whether they name anatomy alone.</source>
+        <comment>pack.branch-names</comment>
+        <translation>分支保留其名称：请检查其是否仅为解剖名称。</translation>
+    </message>
+    <message>
+        <source>a view is missing.</source>
+        <comment>pack.views</comment>
+        <translation>缺少一个视图。</translation>
+    </message>
+    <message>
+        <source>the pixels of an image differ.</source>
+        <comment>pack.pixels</comment>
+        <translation>一幅图像的像素不同。</translation>
+    </message>
+    <message>
+        <source>a result does not hold.</source>
+        <comment>pack.results</comment>
+        <translation>一个结果不再有效。</translation>
+    </message>
+    <message>
+        <source>the vessels differ.</source>
+        <comment>pack.vessels</comment>
+        <translation>血管不同。</translation>
+    </message>
+    <message>
+        <source>a key needs at least 16 bytes. Make one: head -c 32 /dev/urandom &gt; key</source>
+        <comment>deidentify.key-too-short</comment>
+        <translation>密钥至少需要 16 字节。可这样生成：head -c 32 /dev/urandom &gt; key</translation>
+    </message>
+    <message>
+        <source>without identity this input becomes a file with the ending %1, or, for a folder, a folder. Name OUT so.</source>
+        <comment>deidentify.kind</comment>
+        <translation>去除身份后，此输入成为扩展名为 %1 的文件；文件夹成为文件夹。请如此命名 OUT。</translation>
+    </message>
+    <message>
         <source>It may as well take %1 (%2).</source>
         <comment>wire.may-follow</comment>
         <translation>它也可能走 %1（%2）。</translation>
