@@ -18,11 +18,11 @@ struct PackArguments {
 core::Result<core::Messages> pack(const PackArguments& arguments, const io::Pseudonyms& pseudonyms)
 {
     ProgressLine progress("packing");
-    return io::packCase(arguments.casePath, arguments.archivePath,
-                        {deidentificationOf(*arguments.identity), pseudonyms}, [&progress](double fraction) {
-                            progress.show(fraction, "");
-                            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
-                        });
+    return io::packCaseFile(arguments.casePath, arguments.archivePath,
+                            {deidentificationOf(*arguments.identity), pseudonyms}, [&progress](double fraction) {
+                                progress.show(fraction, "");
+                                return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+                            });
 }
 
 int runPack(const PackArguments& arguments)

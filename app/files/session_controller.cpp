@@ -27,6 +27,7 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       export_(document, target, preview, ui.view, ui.dialogParent),
       report_(document, target, export_, ui.dialogParent),
       dicom_(document, target, export_, ui.dialogParent),
+      pack_(document, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
       studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
@@ -38,6 +39,7 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
     connectSaving();
     connectExporting();
     connectDicom();
+    connectPacking();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
     connect(&close_, &CloseController::windowMayClose, this, &SessionController::windowMayClose);
 }
@@ -197,6 +199,23 @@ void SessionController::connectDicom()
     });
     connect(&dicom_, &DicomController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
+}
+
+void SessionController::connectPacking()
+{
+    connect(ui_.actions[ui::Command::PackCase], &QAction::triggered, &pack_, &PackController::ask);
+    connect(&pack_, &PackController::started, this, [this] { notices_.showNote(tr("Packing …")); });
+    connect(&pack_, &PackController::written, this, [this](const QString& path, const QStringList& notes) {
+        const QString there = tr("Case packed: %1").arg(QFileInfo(path).fileName());
+        if (notes.isEmpty()) {
+            notices_.showNote(there);
+        } else {
+            notices_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
+        }
+        emit exported();
+    });
+    connect(&pack_, &PackController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("Could not pack the case"), reason); });
 }
 
 /// A process of its own: what happens to one case cannot touch another.

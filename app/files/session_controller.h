@@ -6,6 +6,7 @@
 #include "app/files/export_controller.h"
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
+#include "app/files/pack_controller.h"
 #include "app/files/recent_controller.h"
 #include "app/files/report_controller.h"
 #include "app/files/save_controller.h"
@@ -65,6 +66,7 @@ private:
     void connectSaving();
     void connectExporting();
     void connectDicom();
+    void connectPacking();
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
     void openNewWindow();
@@ -77,6 +79,7 @@ private:
     ExportController export_;
     ReportController report_;
     DicomController dicom_;
+    PackController pack_;
     SaveController save_;
     OpenDialogs dialogs_;
     StudyController studies_;

@@ -53,6 +53,14 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& wished)
     root.text(0x00280303, "CS", areShifted ? "MODIFIED" : "REMOVED");
 }
 
+/// One value of at most 64 letters, as names and IDs may have.
+std::string asOneValue(const std::string& wished)
+{
+    std::string value = shortened(wished, 64);
+    std::erase_if(value, [](char c) { return c == '\\' || static_cast<unsigned char>(c) < ' '; });
+    return value;
+}
+
 /// The ID tells patients apart; where there is none, the name.
 std::string patientOf(const DicomDataset& data)
 {
@@ -76,7 +84,7 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
         return copied.error();
     }
     const std::string patient =
-        wished.patientName.empty() ? pseudonyms.patient(replacements.patient) : wished.patientName;
+        wished.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(wished.patientName);
     root.text(0x00080005, "CS", "ISO_IR 192");
     root.text(0x00100010, "PN", patient);
     root.text(0x00100020, "LO", patient);

@@ -64,46 +64,59 @@ std::optional<core::Message> difference(const core::Case& from, const core::Case
 
 }   // namespace
 
-core::Result<core::Messages> packCase(const std::string& casePath, const std::string& archivePath, const CopyWish& wish,
+core::Result<core::Messages> packCase(const core::Case& theCase, const std::string& archivePath, const CopyWish& wish,
                                       const ReadObserver& observe)
 {
     if (extensionOf(archivePath) != ".zip") {
         return fileError(archivePath, says::packedFormat());
     }
-    core::Messages warnings;
-    const auto loaded = loadCase(casePath, warnings, partOf(observe, 0.0, 0.4));
-    if (!loaded) {
-        return loaded.error();
-    }
     const ScratchFolder scratch(archivePath);
     if (const auto made = scratch.make(); !made) {
         return made.error();
     }
-    core::Case packed = loaded.value();
-    const auto copied = copyInputs(packed, scratch.path(), wish, partOf(observe, 0.4, 0.6));
+    core::Case packed = theCase;
+    auto copied = copyInputs(packed, scratch.path(), wish, partOf(observe, 0.0, 0.4));
     if (!copied) {
         return copied.error();
     }
-    warnings.insert(warnings.end(), copied.value().begin(), copied.value().end());
+    core::Messages warnings = std::move(copied).value();
     if (wish.deidentified) {
-        warnings.push_back(says::textsCleared(clearTexts(packed)));
+        if (const std::size_t count = clearTexts(packed); count > 0) {
+            warnings.push_back(says::textsCleared(count));
+        }
     }
     const std::string packedPath = (scratch.path() / "case.angiopose").string();
     if (const auto saved = saveCase(packed, packedPath); !saved) {
         return saved.error();
     }
     core::Messages ofPacked;
-    const auto reopened = loadCase(packedPath, ofPacked, partOf(observe, 0.6, 0.95));
+    const auto reopened = loadCase(packedPath, ofPacked, partOf(observe, 0.4, 0.95));
     if (!reopened) {
         return reopened.isStopped() ? reopened.error()
                                     : fileError(archivePath, says::packedDiffers(reopened.error().message));
     }
     const bool mayPixelsDiffer = wish.deidentified && wish.deidentified->letters == DrawnLetters::BlackedOut;
-    if (const auto differs = difference(loaded.value(), reopened.value(), mayPixelsDiffer)) {
+    if (const auto differs = difference(theCase, reopened.value(), mayPixelsDiffer)) {
         return fileError(archivePath, says::packedDiffers(*differs));
     }
     const auto written = writeZip(scratch.path().string(), archivePath);
     return written ? core::Result<core::Messages>(std::move(warnings)) : written.error();
+}
+
+core::Result<core::Messages> packCaseFile(const std::string& casePath, const std::string& archivePath,
+                                          const CopyWish& wish, const ReadObserver& observe)
+{
+    core::Messages warnings;
+    const auto loaded = loadCase(casePath, warnings, partOf(observe, 0.0, 0.4));
+    if (!loaded) {
+        return loaded.error();
+    }
+    auto packed = packCase(loaded.value(), archivePath, wish, partOf(observe, 0.4, 1.0));
+    if (!packed) {
+        return packed.error();
+    }
+    warnings.insert(warnings.end(), packed.value().begin(), packed.value().end());
+    return warnings;
 }
 
 }   // namespace angiopose::io

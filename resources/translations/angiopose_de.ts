@@ -1478,6 +1478,18 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
+        <source>Packing …</source>
+        <translation>Packen …</translation>
+    </message>
+    <message>
+        <source>Case packed: %1</source>
+        <translation>Fall gepackt: %1</translation>
+    </message>
+    <message>
+        <source>Could not pack the case</source>
+        <translation>Der Fall ließ sich nicht packen</translation>
+    </message>
+    <message>
         <source>DICOM objects written: %1</source>
         <translation>DICOM-Objekte geschrieben: %1</translation>
     </message>
@@ -7404,6 +7416,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Pack case for others …</source>
+        <translation>Fall für andere packen …</translation>
+    </message>
+    <message>
         <source>Export DICOM objects …</source>
         <translation>DICOM-Objekte exportieren …</translation>
     </message>
@@ -11872,6 +11888,60 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Folder for the DICOM objects</source>
         <translation>Ordner für die DICOM-Objekte</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PackController</name>
+    <message>
+        <source>There is nothing to pack yet. Open a vessel tree and an angiogram first.</source>
+        <translation>Noch gibt es nichts zu packen. Zuerst einen Gefäßbaum und ein Angiogramm öffnen.</translation>
+    </message>
+    <message>
+        <source>Pack case for others</source>
+        <translation>Fall für andere packen</translation>
+    </message>
+    <message>
+        <source>Archives (*.zip)</source>
+        <translation>Archive (*.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PackDialog</name>
+    <message>
+        <source>Without identity</source>
+        <translation>Ohne Identität</translation>
+    </message>
+    <message>
+        <source>Dates shifted instead of removed</source>
+        <translation>Daten verschoben statt entfernt</translation>
+    </message>
+    <message>
+        <source>Black out letters in the pictures</source>
+        <translation>Buchstaben in den Bildern schwärzen</translation>
+    </message>
+    <message>
+        <source>Pack case for others</source>
+        <translation>Fall für andere packen</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>erfunden</translation>
+    </message>
+    <message>
+        <source>Name instead</source>
+        <translation>Name stattdessen</translation>
+    </message>
+    <message>
+        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are others. Names of branches stay. Look at every picture before you hand it on.</source>
+        <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. Ohne Identität: keine Namen, IDs, Daten, privaten Elemente und Notizen; UIDs sind andere. Namen von Ästen bleiben. Vor dem Weitergeben jedes Bild ansehen.</translation>
+    </message>
+    <message>
+        <source>Pack …</source>
+        <translation>Packen …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 </TS>

@@ -1478,6 +1478,18 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
+        <source>Packing …</source>
+        <translation>正在打包…</translation>
+    </message>
+    <message>
+        <source>Case packed: %1</source>
+        <translation>病例已打包：%1</translation>
+    </message>
+    <message>
+        <source>Could not pack the case</source>
+        <translation>无法打包病例</translation>
+    </message>
+    <message>
         <source>DICOM objects written: %1</source>
         <translation>已写出 DICOM 对象：%1</translation>
     </message>
@@ -7404,6 +7416,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Pack case for others …</source>
+        <translation>打包病例给他人…</translation>
+    </message>
+    <message>
         <source>Export DICOM objects …</source>
         <translation>导出 DICOM 对象……</translation>
     </message>
@@ -11871,6 +11887,60 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Folder for the DICOM objects</source>
         <translation>DICOM 对象的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PackController</name>
+    <message>
+        <source>There is nothing to pack yet. Open a vessel tree and an angiogram first.</source>
+        <translation>尚无可打包的内容。请先打开血管树和造影图像。</translation>
+    </message>
+    <message>
+        <source>Pack case for others</source>
+        <translation>打包病例给他人</translation>
+    </message>
+    <message>
+        <source>Archives (*.zip)</source>
+        <translation>归档 (*.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PackDialog</name>
+    <message>
+        <source>Without identity</source>
+        <translation>去除身份</translation>
+    </message>
+    <message>
+        <source>Dates shifted instead of removed</source>
+        <translation>日期平移而非删除</translation>
+    </message>
+    <message>
+        <source>Black out letters in the pictures</source>
+        <translation>涂黑图像中的文字</translation>
+    </message>
+    <message>
+        <source>Pack case for others</source>
+        <translation>打包病例给他人</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>自动生成</translation>
+    </message>
+    <message>
+        <source>Name instead</source>
+        <translation>替代姓名</translation>
+    </message>
+    <message>
+        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are others. Names of branches stay. Look at every picture before you hand it on.</source>
+        <translation>一个归档，包含病例、其输入和结果。去除身份：不含姓名、编号、日期、私有元素和备注；UID 被替换。分支名称保留。交出之前请查看每幅图像。</translation>
+    </message>
+    <message>
+        <source>Pack …</source>
+        <translation>打包…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 </TS>

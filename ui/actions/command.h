@@ -21,6 +21,7 @@ enum class Command {
     ExportBent,
     ExportReport,
     ExportDicom,
+    PackCase,
     ExportFollowed,
     ExportMeasurements,
     ExportCheckPoints,

@@ -25,6 +25,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportMovie, QT_TR_NOOP("Export movie …"), "Ctrl+Shift+E"},
         {Command::ExportReport, QT_TR_NOOP("Export report …")},
         {Command::ExportDicom, QT_TR_NOOP("Export DICOM objects …")},
+        {Command::PackCase, QT_TR_NOOP("Pack case for others …")},
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},

@@ -41,7 +41,7 @@ protected:
     std::string unpacked(const std::optional<io::Deidentification>& wished)
     {
         const std::string archive = small.path("pack.zip");
-        const auto packed = io::packCase(casePath(), archive, {wished, pseudonyms});
+        const auto packed = io::packCaseFile(casePath(), archive, {wished, pseudonyms});
         EXPECT_TRUE(packed) << packed.error().message.text();
         const std::string folder = small.path("unpacked");
         fs::remove_all(folder);
@@ -92,25 +92,25 @@ TEST_F(PackCase, WithoutIdentityHoldsNoWordOfIt)
 
 TEST_F(PackCase, SameCaseSameBytes)
 {
-    ASSERT_TRUE(io::packCase(casePath(), small.path("a.zip"), {io::Deidentification{}, pseudonyms}));
-    ASSERT_TRUE(io::packCase(casePath(), small.path("b.zip"), {io::Deidentification{}, pseudonyms}));
+    ASSERT_TRUE(io::packCaseFile(casePath(), small.path("a.zip"), {io::Deidentification{}, pseudonyms}));
+    ASSERT_TRUE(io::packCaseFile(casePath(), small.path("b.zip"), {io::Deidentification{}, pseudonyms}));
     EXPECT_EQ(test::readText(small.path("a.zip")), test::readText(small.path("b.zip")));
 }
 
 TEST_F(PackCase, SaysWhyItCannot)
 {
-    const auto wrongEnding = io::packCase(casePath(), small.path("pack.rar"), {{}, pseudonyms});
+    const auto wrongEnding = io::packCaseFile(casePath(), small.path("pack.rar"), {{}, pseudonyms});
     ASSERT_FALSE(wrongEnding);
     EXPECT_EQ(wrongEnding.error().message.id(), "pack.format");
     fs::remove(small.path("in/image.png"));
-    EXPECT_FALSE(io::packCase(casePath(), small.path("pack.zip"), {{}, pseudonyms}));
+    EXPECT_FALSE(io::packCaseFile(casePath(), small.path("pack.zip"), {{}, pseudonyms}));
     EXPECT_FALSE(fs::exists(small.path("pack.zip")));
 }
 
 TEST_F(PackCase, StopLeavesNothing)
 {
-    const auto stopped =
-        io::packCase(casePath(), small.path("pack.zip"), {{}, pseudonyms}, [](double) { return core::Verdict::Stop; });
+    const auto stopped = io::packCaseFile(casePath(), small.path("pack.zip"), {{}, pseudonyms},
+                                          [](double) { return core::Verdict::Stop; });
     EXPECT_TRUE(stopped.isStopped());
     EXPECT_FALSE(fs::exists(small.path("pack.zip")));
 }
@@ -123,7 +123,7 @@ TEST(PackPhantom, RealCaseGoesWithoutIdentity)
     }
     const test::TemporaryFolder folder;
     const io::Pseudonyms pseudonyms("a key of more than sixteen bytes");
-    const auto packed = io::packCase(path.string(), folder.file("p.zip"), {io::Deidentification{}, pseudonyms});
+    const auto packed = io::packCaseFile(path.string(), folder.file("p.zip"), {io::Deidentification{}, pseudonyms});
     ASSERT_TRUE(packed) << packed.error().message.text();
     EXPECT_GT(fs::file_size(folder.file("p.zip")), 10'000U);
 }
