@@ -1,3 +1,4 @@
+#include "app/cli/archive_commands.h"
 #include "app/cli/case_commands.h"
 #include "app/cli/console.h"
 #include "app/cli/export_dicom_command.h"
@@ -51,6 +52,7 @@ int parseAndRun(int argc, char** argv)
     addSchema(app, exitCode);
     addThumbnail(app, exitCode);
     addDescription(app, exitCode);
+    addArchive(app, exitCode);
     app.failure_message(usageHelp);
     try {
         app.parse(asOptions({argv + 1, argv + argc}));

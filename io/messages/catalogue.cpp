@@ -4,6 +4,7 @@
 #include "io/messages/says_deidentify.h"
 #include "io/messages/says_objects.h"
 #include "io/messages/says_keeping.h"
+#include "io/messages/says_archive.h"
 
 #include <array>
 
@@ -13,6 +14,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 {
     static constexpr auto entries = std::to_array<const core::MessageEntry*>({
 #define MESSAGE(name, id, english) &says::name,
+#include "io/messages/archive.def"
 #include "io/messages/case.def"
 #include "io/messages/deidentify.def"
 #include "io/messages/files.def"

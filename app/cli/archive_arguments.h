@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/cli/console.h"
+#include "io/archive/archive.h"
+#include "io/archive/dimse/receiver.h"
+#include "io/archive/node_file.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace angiopose::app {
+
+/// What every archive command takes.
+struct ArchiveArguments {
+    std::string nodeFile;   ///< empty: the user's
+    std::string nodeName;
+    io::ArchiveWay way = io::ArchiveWay::Usual;
+    OutputFormat format = OutputFormat::Text;
+};
+
+struct ArchiveFindArguments {
+    ArchiveArguments common;
+    io::ArchiveQuery query;
+    std::string dates;   ///< as written
+};
+
+struct ArchiveRetrieveArguments {
+    ArchiveArguments common;
+    io::RetrieveWish wish;
+    std::string folder;   ///< empty: the cache
+    double mostObjectGb = 4.0;
+};
+
+struct ArchiveSendArguments {
+    ArchiveArguments common;
+    std::vector<std::string> paths;
+};
+
+struct ArchiveReceiveArguments {
+    io::ReceiverOptions options;
+    std::string folder;
+    double mostObjectGb = 4.0;
+    double mostGb = 0.0;   ///< of the folder; 0: as much as the disk takes
+    std::size_t count = 0;   ///< ends after so many objects; 0: never
+    OutputFormat format = OutputFormat::Text;
+};
+
+struct ArchiveNodeArguments {
+    ArchiveArguments common;
+    io::ArchiveNode node;
+    bool isHostUnchecked = false;
+};
+
+struct ArchiveCacheArguments {
+    ArchiveArguments common;
+    std::optional<double> limitGb;
+};
+
+int runArchiveEcho(const ArchiveArguments& arguments);
+int runArchiveFind(const ArchiveFindArguments& arguments);
+int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments);
+int runArchiveSend(const ArchiveSendArguments& arguments);
+int runArchiveReceive(const ArchiveReceiveArguments& arguments);
+int runArchiveNodes(const ArchiveArguments& arguments);
+int runArchiveAdd(const ArchiveNodeArguments& arguments);
+int runArchiveRemove(const ArchiveArguments& arguments);
+int runArchiveCacheList(const ArchiveCacheArguments& arguments);
+int runArchiveCacheEmpty(const ArchiveCacheArguments& arguments);
+
+}   // namespace angiopose::app

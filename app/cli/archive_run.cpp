@@ -1,0 +1,246 @@
+#include "app/cli/add_warnings.h"
+#include "app/cli/archive_arguments.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::app {
+namespace {
+
+using ArchiveJson = nlohmann::ordered_json;
+
+std::string listOf(const ArchiveArguments& arguments)
+{
+    return arguments.nodeFile.empty() ? io::defaultNodeFile() : arguments.nodeFile;
+}
+
+core::Result<io::ArchiveNode> nodeOf(const ArchiveArguments& arguments)
+{
+    const auto settings = io::readArchiveSettings(listOf(arguments));
+    return settings ? io::findNode(settings.value(), arguments.nodeName, listOf(arguments))
+                    : core::Result<io::ArchiveNode>(settings.error());
+}
+
+core::Verdict stopVerdict()
+{
+    return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+}
+
+void printArchiveJson(const ArchiveJson& json)
+{
+    std::puts(json.dump(2, ' ', false, ArchiveJson::error_handler_t::replace).c_str());
+}
+
+ArchiveJson matchJson(const io::ArchiveMatch& match, io::ArchiveLevel level)
+{
+    ArchiveJson json{{"patientName", match.patientName},
+                     {"patientId", match.patientId},
+                     {"birthDate", match.birthDate},
+                     {"studyUid", match.studyUid},
+                     {"studyDate", match.studyDate},
+                     {"studyTime", match.studyTime},
+                     {"studyDescription", match.studyDescription},
+                     {"accessionNumber", match.accessionNumber},
+                     {"modalities", match.modalities},
+                     {"objects", match.objects}};
+    if (level == io::ArchiveLevel::Series) {
+        json["seriesUid"] = match.seriesUid;
+        json["seriesNumber"] = match.seriesNumber;
+        json["seriesDescription"] = match.seriesDescription;
+        json["bodyPart"] = match.bodyPart;
+    }
+    return json;
+}
+
+void printMatch(const io::ArchiveMatch& match, io::ArchiveLevel level)
+{
+    const std::string count = match.objects > 0 ? "  " + std::to_string(match.objects) + " objects" : "";
+    if (level == io::ArchiveLevel::Study) {
+        std::printf("%s  %s  %s  %s  %s%s\n  study %s\n", match.studyDate.c_str(), match.patientName.c_str(),
+                    match.patientId.c_str(), match.modalities.c_str(), match.studyDescription.c_str(), count.c_str(),
+                    match.studyUid.c_str());
+        return;
+    }
+    std::printf("%s  %s  %s  %d  %s%s\n  study %s\n  series %s\n", match.studyDate.c_str(), match.patientName.c_str(),
+                match.modalities.c_str(), match.seriesNumber, match.seriesDescription.c_str(), count.c_str(),
+                match.studyUid.c_str(), match.seriesUid.c_str());
+}
+
+ArchiveJson reportJson(const io::TransferReport& report)
+{
+    ArchiveJson json{{"objects", report.all},
+                     {"transferred", report.transferred},
+                     {"alreadyThere", report.duplicates},
+                     {"failed", report.failed},
+                     {"bytes", report.bytes}};
+    if (!report.folders.empty()) {
+        json["folders"] = report.folders;
+    }
+    if (report.end) {
+        json["error"] = ArchiveJson::parse(io::messageJson(report.end->message));
+    }
+    addWarnings(json, report.problems);
+    return json;
+}
+
+/// Says what became of a transfer; its exit code.
+int finishTransfer(const io::TransferReport& report, const char* done, OutputFormat format)
+{
+    printWarnings(report.problems);
+    if (report.end) {
+        printMessage(report.end->message.text());
+    }
+    if (format == OutputFormat::Json) {
+        printArchiveJson(reportJson(report));
+    } else {
+        for (const std::string& folder : report.folders) {
+            std::printf("%s\n", folder.c_str());
+        }
+        std::printf("%zu objects %s (%s), %zu were there already, %zu failed\n", report.transferred, done,
+                    io::sizeText(report.bytes).c_str(), report.duplicates, report.failed);
+    }
+    if (report.end) {
+        return report.end->isStop() ? exitStopped : exitInput;
+    }
+    return report.failed > 0 ? exitInput : exitDone;
+}
+
+io::ArchiveObserver showing(ProgressLine& line)
+{
+    return [&line](const io::ArchiveProgress& progress) {
+        if (progress.all > 0) {
+            line.show(static_cast<double>(progress.objects) / static_cast<double>(progress.all),
+                      std::to_string(progress.objects) + " of " + std::to_string(progress.all) + " objects, " +
+                          io::sizeText(progress.bytes));
+        }
+        return stopVerdict();
+    };
+}
+
+std::uint64_t bytesOf(double gigabytes)
+{
+    return static_cast<std::uint64_t>(gigabytes * 1e9);
+}
+
+}   // namespace
+
+int runArchiveEcho(const ArchiveArguments& arguments)
+{
+    const auto node = nodeOf(arguments);
+    if (!node) {
+        return failInput(node.error(), arguments.format);
+    }
+    const auto answered = io::echoArchive(node.value(), arguments.way, [](const auto&) { return stopVerdict(); });
+    if (!answered) {
+        return failInput(answered.error(), arguments.format);
+    }
+    const core::Messages notes = io::connectionNotes(node.value());
+    printWarnings(notes);
+    if (arguments.format == OutputFormat::Json) {
+        ArchiveJson json{{"archive", node.value().name}, {"answers", true}};
+        addWarnings(json, notes);
+        printArchiveJson(json);
+    } else {
+        std::printf("%s answers\n", node.value().name.c_str());
+    }
+    return exitDone;
+}
+
+int runArchiveFind(const ArchiveFindArguments& arguments)
+{
+    const OutputFormat format = arguments.common.format;
+    const auto node = nodeOf(arguments.common);
+    const auto dates = io::queryDates(arguments.dates);
+    if (!node || !dates) {
+        return failInput(node ? dates.error() : node.error(), format);
+    }
+    io::ArchiveQuery query = arguments.query;
+    query.dates = dates.value();
+    const auto found =
+        io::findInArchive(node.value(), arguments.common.way, query, [](const auto&) { return stopVerdict(); });
+    if (!found) {
+        return failInput(found.error(), format);
+    }
+    printWarnings(found.value().warnings);
+    if (format == OutputFormat::Json) {
+        ArchiveJson json{{"matches", ArchiveJson::array()}};
+        for (const io::ArchiveMatch& match : found.value().found) {
+            json["matches"].push_back(matchJson(match, query.level));
+        }
+        addWarnings(json, found.value().warnings);
+        printArchiveJson(json);
+    } else {
+        for (const io::ArchiveMatch& match : found.value().found) {
+            printMatch(match, query.level);
+        }
+        std::printf("%zu found\n", found.value().found.size());
+    }
+    return exitDone;
+}
+
+int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
+{
+    const OutputFormat format = arguments.common.format;
+    const auto settings = io::readArchiveSettings(listOf(arguments.common));
+    const auto node = nodeOf(arguments.common);
+    if (!settings || !node) {
+        return failInput(settings ? node.error() : settings.error(), format);
+    }
+    const bool isCache = arguments.folder.empty();
+    const auto store =
+        io::ObjectStore::open(isCache ? settings.value().cache() : arguments.folder, bytesOf(arguments.mostObjectGb));
+    if (!store) {
+        return failInput(store.error(), format);
+    }
+    io::StoreLimit limit;
+    limit.mostBytes = isCache ? settings.value().cacheBytes : 0;
+    ProgressLine line("retrieving");
+    const auto report = io::retrieveFromArchive(node.value(), arguments.common.way, arguments.wish, store.value(),
+                                                limit, showing(line));
+    return finishTransfer(report, "came", format);
+}
+
+int runArchiveSend(const ArchiveSendArguments& arguments)
+{
+    const auto node = nodeOf(arguments.common);
+    if (!node) {
+        return failInput(node.error(), arguments.common.format);
+    }
+    ProgressLine line("sending");
+    const auto report = io::sendToArchive(node.value(), arguments.common.way, arguments.paths, showing(line));
+    return finishTransfer(report, "sent", arguments.common.format);
+}
+
+int runArchiveReceive(const ArchiveReceiveArguments& arguments)
+{
+    const auto store = io::ObjectStore::open(arguments.folder, bytesOf(arguments.mostObjectGb));
+    if (!store) {
+        return failInput(store.error(), arguments.format);
+    }
+    io::ReceiverOptions options = arguments.options;
+    options.isTls = !options.tls.certificateFile.empty();
+    auto listening = io::Receiver::listen(options);
+    if (!listening) {
+        return failInput(listening.error(), arguments.format);
+    }
+    io::Receiver receiver = std::move(listening).value();
+    printMessage("listening on port " + std::to_string(options.port) + ", Ctrl+C ends it");
+    io::TransferReport report;
+    const io::ArchiveObserver observer;
+    const io::StoreLimit limit{bytesOf(arguments.mostGb), io::StoreLimit::WhenFull::Refuse};
+    io::Arrivals arrivals(store.value(), limit, report, observer);
+    if (arguments.format == OutputFormat::Text) {
+        arrivals.tell([](const io::StoredObject& object) {
+            std::printf("%s\n", object.path.c_str());
+            std::fflush(stdout);
+        });
+    }
+    receiver.serve(arrivals, [&arguments, &report] {
+        const std::size_t came = report.transferred + report.duplicates;
+        return isInterrupted() || (arguments.count > 0 && came >= arguments.count);
+    });
+    report.end = receiver.failure();
+    return finishTransfer(report, "came", arguments.format);
+}
+
+}   // namespace angiopose::app

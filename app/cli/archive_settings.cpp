@@ -1,0 +1,157 @@
+#include "app/cli/archive_arguments.h"
+#include "io/archive/store/cache.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::app {
+namespace {
+
+using SettingsJson = nlohmann::ordered_json;
+
+std::string nodeFileOf(const ArchiveArguments& arguments)
+{
+    return arguments.nodeFile.empty() ? io::defaultNodeFile() : arguments.nodeFile;
+}
+
+/// Reads the list, lets `change` alter it, and writes it.
+template <class Change>
+int changeSettings(const ArchiveArguments& arguments, const Change& change)
+{
+    auto settings = io::readArchiveSettings(nodeFileOf(arguments));
+    if (!settings) {
+        return failInput(settings.error(), arguments.format);
+    }
+    io::ArchiveSettings changed = std::move(settings).value();
+    if (auto done = change(changed); !done) {
+        return failInput(done.error(), arguments.format);
+    }
+    if (auto written = io::writeArchiveSettings(changed, nodeFileOf(arguments)); !written) {
+        return failInput(written.error(), arguments.format);
+    }
+    return exitDone;
+}
+
+void printSettingsJson(const SettingsJson& json)
+{
+    std::puts(json.dump(2, ' ', false, SettingsJson::error_handler_t::replace).c_str());
+}
+
+void dropNode(std::vector<io::ArchiveNode>& nodes, const std::string& name)
+{
+    std::erase_if(nodes, [&name](const io::ArchiveNode& node) { return node.name == name; });
+}
+
+}   // namespace
+
+int runArchiveNodes(const ArchiveArguments& arguments)
+{
+    const auto settings = io::readArchiveSettings(nodeFileOf(arguments));
+    if (!settings) {
+        return failInput(settings.error(), arguments.format);
+    }
+    SettingsJson json{{"file", nodeFileOf(arguments)}, {"archives", SettingsJson::array()}};
+    for (const io::ArchiveNode& node : settings.value().nodes) {
+        const std::string address = node.host.empty() ? "" : io::addressOf(node) + " " + node.title;
+        json["archives"].push_back(
+            {{"name", node.name}, {"address", address}, {"tls", node.isTls}, {"url", node.webUrl}});
+        if (arguments.format == OutputFormat::Text) {
+            std::printf("%s  %s%s  %s\n", node.name.c_str(), address.c_str(), node.isTls ? " TLS" : "",
+                        node.webUrl.c_str());
+        }
+    }
+    if (arguments.format == OutputFormat::Json) {
+        printSettingsJson(json);
+    }
+    return exitDone;
+}
+
+int runArchiveAdd(const ArchiveNodeArguments& arguments)
+{
+    io::ArchiveNode node = arguments.node;
+    node.checksHost = !arguments.isHostUnchecked;
+    const int exitCode = changeSettings(arguments.common, [&node](io::ArchiveSettings& settings) {
+        dropNode(settings.nodes, node.name);
+        settings.nodes.push_back(node);
+        return core::Status(core::Done{});
+    });
+    if (exitCode == exitDone) {
+        printWarnings(io::connectionNotes(node));
+    }
+    return exitCode;
+}
+
+int runArchiveRemove(const ArchiveArguments& arguments)
+{
+    return changeSettings(arguments, [&arguments](io::ArchiveSettings& settings) -> core::Status {
+        if (auto found = io::findNode(settings, arguments.nodeName, nodeFileOf(arguments)); !found) {
+            return found.error();
+        }
+        dropNode(settings.nodes, arguments.nodeName);
+        return core::Done{};
+    });
+}
+
+int runArchiveCacheList(const ArchiveCacheArguments& arguments)
+{
+    const auto settings = io::readArchiveSettings(nodeFileOf(arguments.common));
+    if (!settings) {
+        return failInput(settings.error(), arguments.common.format);
+    }
+    std::uint64_t limit = settings.value().cacheBytes;
+    const std::string folder = settings.value().cache();
+    if (arguments.limitGb) {
+        limit = static_cast<std::uint64_t>(*arguments.limitGb * 1e9);
+        const int exitCode = changeSettings(arguments.common, [limit](io::ArchiveSettings& changed) {
+            changed.cacheBytes = limit;
+            return core::Status(core::Done{});
+        });
+        if (exitCode != exitDone) {
+            return exitCode;
+        }
+        io::shrinkCache(folder, limit);
+    }
+    SettingsJson json{{"folder", folder}, {"limitBytes", limit}, {"series", SettingsJson::array()}};
+    std::uint64_t bytes = 0;
+    for (const io::CachedSeries& series : io::cachedSeries(folder)) {
+        bytes += series.bytes;
+        json["series"].push_back({{"studyUid", series.studyUid},
+                                  {"seriesUid", series.seriesUid},
+                                  {"folder", series.folder},
+                                  {"objects", series.objects},
+                                  {"bytes", series.bytes},
+                                  {"whole", series.isWhole}});
+        if (arguments.common.format == OutputFormat::Text) {
+            std::printf("%s  %zu objects  %s%s\n", series.folder.c_str(), series.objects,
+                        io::sizeText(series.bytes).c_str(), series.isWhole ? "" : "  not whole");
+        }
+    }
+    if (arguments.common.format == OutputFormat::Json) {
+        printSettingsJson(json);
+    } else {
+        std::printf("%s of at most %s in %s\n", io::sizeText(bytes).c_str(), io::sizeText(limit).c_str(),
+                    folder.c_str());
+    }
+    return exitDone;
+}
+
+int runArchiveCacheEmpty(const ArchiveCacheArguments& arguments)
+{
+    const auto settings = io::readArchiveSettings(nodeFileOf(arguments.common));
+    if (!settings) {
+        return failInput(settings.error(), arguments.common.format);
+    }
+    const auto dropped = io::emptyCache(settings.value().cache());
+    if (!dropped) {
+        return failInput(dropped.error(), arguments.common.format);
+    }
+    if (arguments.common.format == OutputFormat::Json) {
+        printSettingsJson({{"dropped", dropped.value()}});
+    } else {
+        std::printf("%zu objects dropped\n", dropped.value());
+    }
+    return exitDone;
+}
+
+}   // namespace angiopose::app

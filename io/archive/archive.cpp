@@ -1,0 +1,212 @@
+#include "io/archive/archive.h"
+
+#include "io/archive/dimse/dimse_send.h"
+#include "io/archive/dimse/dimse_source.h"
+#include "io/archive/dimse/find.h"
+#include "io/archive/store/cache.h"
+#include "io/archive/web/web_archive.h"
+#include "io/messages/says_archive.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace angiopose::io {
+namespace {
+
+StopQuestion stopQuestion(const ArchiveObserver& observe)
+{
+    return [&observe] { return observe && observe({}) == core::Verdict::Stop; };
+}
+
+/// Files of folders too, in the order of their names.
+std::vector<std::string> filesOf(const std::vector<std::string>& paths)
+{
+    namespace fs = std::filesystem;
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        std::error_code failed;
+        if (!fs::is_directory(path, failed)) {
+            files.push_back(path);
+            continue;
+        }
+        const std::size_t first = files.size();
+        for (fs::recursive_directory_iterator each(path, failed), end; !failed && each != end; each.increment(failed)) {
+            std::error_code unknown;
+            if (each->is_regular_file(unknown) && !each->path().filename().string().starts_with('.')) {
+                files.push_back(each->path().string());
+            }
+        }
+        std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
+    }
+    return files;
+}
+
+/// Fetches series after series.
+class Retrieval {
+public:
+    Retrieval(SeriesSource& source, const ArchiveNode& node, Arrivals& arrivals, TransferReport& report)
+        : source_(source), node_(node), arrivals_(arrivals), report_(report)
+    {
+    }
+
+    core::Status run(const RetrieveWish& wish)
+    {
+        std::vector<std::string> series = wish.seriesUids;
+        if (series.empty()) {
+            auto found = source_.seriesOf(wish.studyUid);
+            if (!found) {
+                return found.error();
+            }
+            series = std::move(found).value();
+        }
+        if (series.empty()) {
+            return core::Error(says::archiveNothingThere(wish.studyUid).about(node_.name));
+        }
+        if (auto planned = plan(wish.studyUid, series); !planned) {
+            return planned;
+        }
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            if (auto fetched = fetch(wish.studyUid, series[i], objects_[i]); !fetched) {
+                return fetched;
+            }
+        }
+        return core::Done{};
+    }
+
+private:
+    /// What is to come, before anything does: so that progress is told of the whole.
+    core::Status plan(const std::string& studyUid, const std::vector<std::string>& series)
+    {
+        std::size_t all = 0;
+        for (const std::string& uid : series) {
+            auto found = source_.objectsOf(studyUid, uid);
+            if (!found) {
+                return found.error();
+            }
+            if (found.value().empty()) {
+                return core::Error(says::archiveNothingThere(uid).about(node_.name));
+            }
+            all += found.value().size();
+            objects_.push_back(std::move(found).value());
+        }
+        report_.all = all;
+        return core::Done{};
+    }
+
+    core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
+                       const std::vector<ArchiveObject>& objects)
+    {
+        const std::string folder = arrivals_.store().seriesFolder(studyUid, seriesUid);
+        report_.folders.push_back(folder);
+        if (isThere(studyUid, seriesUid, objects)) {
+            arrivals_.addKnown(objects.size());
+            markSeriesWhole(folder);
+            return core::Done{};
+        }
+        markSeriesBegun(folder);
+        const std::size_t before = report_.transferred + report_.duplicates;
+        if (auto fetched = source_.fetch(studyUid, seriesUid, objects, arrivals_); !fetched) {
+            return fetched;
+        }
+        if (!isThere(studyUid, seriesUid, objects)) {
+            const std::size_t came = report_.transferred + report_.duplicates - before;
+            report_.failed += report_.failed == 0 ? objects.size() - std::min(came, objects.size()) : 0;
+            report_.note(says::archiveNotAllCame(came, objects.size(), seriesUid).about(node_.name));
+            return core::Done{};
+        }
+        markSeriesWhole(folder);
+        return core::Done{};
+    }
+
+    bool isThere(const std::string& studyUid, const std::string& seriesUid,
+                 const std::vector<ArchiveObject>& objects) const
+    {
+        return std::ranges::all_of(objects, [&](const ArchiveObject& object) {
+            return arrivals_.store().sizeOf({studyUid, seriesUid, object.sopInstance}).has_value();
+        });
+    }
+
+    SeriesSource& source_;
+    const ArchiveNode& node_;
+    Arrivals& arrivals_;
+    TransferReport& report_;
+    std::vector<std::vector<ArchiveObject>> objects_;   ///< by series
+};
+
+std::optional<std::string> wrongUid(const RetrieveWish& wish)
+{
+    if (!isUid(wish.studyUid)) {
+        return wish.studyUid;
+    }
+    const auto wrong = std::ranges::find_if_not(wish.seriesUids, isUid);
+    return wrong == wish.seriesUids.end() ? std::nullopt : std::optional(*wrong);
+}
+
+}   // namespace
+
+ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay wished)
+{
+    if (wished != ArchiveWay::Usual) {
+        return wished;
+    }
+    return node.host.empty() ? ArchiveWay::Web : ArchiveWay::Dimse;
+}
+
+core::Status echoArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveObserver& observe)
+{
+    return wayTo(node, way) == ArchiveWay::Web ? webEcho(node, stopQuestion(observe))
+                                               : dimseEcho(node, stopQuestion(observe));
+}
+
+core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveQuery& query,
+                                           const ArchiveObserver& observe)
+{
+    if (!query.studyUid.empty() && !isUid(query.studyUid)) {
+        return core::Error(says::archiveBadUid(query.studyUid));
+    }
+    return wayTo(node, way) == ArchiveWay::Web ? webFind(node, query, stopQuestion(observe))
+                                               : dimseFind(node, query, stopQuestion(observe));
+}
+
+TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveWish& wish,
+                                   const ObjectStore& store, const StoreLimit& limit, const ArchiveObserver& observe)
+{
+    TransferReport report;
+    if (const auto wrong = wrongUid(wish)) {
+        report.end = core::Error(says::archiveBadUid(*wrong));
+        return report;
+    }
+    const auto isStopWished = stopQuestion(observe);
+    const auto source =
+        wayTo(node, way) == ArchiveWay::Web ? makeWebSource(node, isStopWished) : makeDimseSource(node, isStopWished);
+    Arrivals arrivals(store, limit, report, observe);
+    if (auto run = Retrieval(*source, node, arrivals, report).run(wish); !run) {
+        report.end = run.error();
+    }
+    return report;
+}
+
+TransferReport sendToArchive(const ArchiveNode& node, ArchiveWay way, const std::vector<std::string>& paths,
+                             const ArchiveObserver& observe)
+{
+    TransferReport report;
+    std::vector<SendableFile> files;
+    for (const std::string& path : filesOf(paths)) {
+        auto read = readSendableFile(path);
+        ++report.all;
+        if (read) {
+            files.push_back(std::move(read).value());
+        } else {
+            ++report.failed;
+            report.note(read.error().message);
+        }
+    }
+    if (wayTo(node, way) == ArchiveWay::Web) {
+        webSend(node, files, observe, report);
+    } else {
+        dimseSend(node, files, observe, report);
+    }
+    return report;
+}
+
+}   // namespace angiopose::io

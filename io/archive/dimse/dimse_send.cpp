@@ -1,0 +1,155 @@
+#include "io/archive/dimse/dimse_send.h"
+
+#include "io/archive/dimse/link.h"
+#include "io/archive/dimse/storage_classes.h"
+#include "io/messages/says_archive.h"
+
+#include <fstream>
+#include <set>
+#include <span>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+using Encoding = std::pair<std::string, std::string>;   ///< class and transfer syntax
+
+/// As many of the files as one association has contexts for.
+std::span<const SendableFile> nextBatch(std::span<const SendableFile> files, std::set<Encoding>& encodings)
+{
+    std::size_t count = 0;
+    for (const SendableFile& file : files) {
+        const Encoding encoding(file.sopClass, file.transferSyntax);
+        if (!encodings.contains(encoding) && encodings.size() == mostContexts) {
+            break;
+        }
+        encodings.insert(encoding);
+        ++count;
+    }
+    return files.first(count);
+}
+
+class Sending {
+public:
+    Sending(const ArchiveNode& node, const ArchiveObserver& observe, TransferReport& report)
+        : node_(node), observe_(observe), report_(report)
+    {
+    }
+
+    bool isStopWished() const
+    {
+        const std::size_t done = report_.transferred + report_.duplicates + report_.failed;
+        return observe_ && observe_({done, report_.all, bytes_}) == core::Verdict::Stop;
+    }
+
+    core::Status sendBatch(std::span<const SendableFile> files, const std::set<Encoding>& encodings)
+    {
+        std::vector<ProposedContext> contexts;
+        for (const auto& [sopClass, syntax] : encodings) {
+            contexts.push_back({sopClass, {syntax}});
+        }
+        auto opened = DimseLink::open(node_, contexts, [this] { return isStopWished(); });
+        if (!opened) {
+            return opened.error();
+        }
+        DimseLink link = std::move(opened).value();
+        for (const SendableFile& file : files) {
+            if (auto sent = sendFile(link, file); !sent) {
+                return sent;
+            }
+        }
+        link.release();
+        return core::Done{};
+    }
+
+private:
+    void fail(const SendableFile& file, const core::Message& why)
+    {
+        ++report_.failed;
+        report_.note(why.about(file.path));
+    }
+
+    core::Status sendFile(DimseLink& link, const SendableFile& file)
+    {
+        const auto context = link.contextFor(file.sopClass, file.transferSyntax);
+        if (!context) {
+            fail(file, says::archiveNotTaken(file.sopClass, file.transferSyntax));
+            return core::Done{};
+        }
+        DimseCommand request(DimseKind::StoreRequest, ++messageId_, file.sopClass);
+        request.setNumber(DimseCommand::priority, 0);
+        request.setText(DimseCommand::affectedInstance, file.sopInstance);
+        request.setHasData();
+        if (auto sent = link.send(context->id, request); !sent) {
+            return sent;
+        }
+        if (auto sent = sendDataset(link, context->id, file); !sent) {
+            return sent;
+        }
+        return settle(link, file);
+    }
+
+    core::Status sendDataset(DimseLink& link, std::uint8_t context, const SendableFile& file)
+    {
+        std::ifstream stream(file.path, std::ios::binary);
+        stream.seekg(static_cast<std::streamoff>(file.dataset));
+        std::uint64_t left = file.bytes - file.dataset;
+        std::string block;
+        return link.sendPieces(context, [&](std::size_t mostBytes) -> core::Result<DimseLink::Piece> {
+            block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, mostBytes & ~std::size_t{1})));
+            if (!stream.read(block.data(), static_cast<std::streamsize>(block.size()))) {
+                return core::Error(says::archiveNotSendable().about(file.path));
+            }
+            left -= block.size();
+            bytes_ += block.size();
+            return DimseLink::Piece{block, left == 0};
+        });
+    }
+
+    core::Status settle(DimseLink& link, const SendableFile& file)
+    {
+        auto received = link.receive();
+        if (!received) {
+            return received.error();
+        }
+        if (!received.value() || received.value()->command.kind() != DimseKind::StoreResponse) {
+            return core::Error(says::archiveNonsense("C-STORE").about(node_.name));
+        }
+        const DimseCommand& answer = received.value()->command;
+        const bool isWarning = (answer.status() & 0xf000U) == 0xb000U;   // stored, with elements coerced
+        if (answer.status() == dimse::duplicateInstance) {
+            ++report_.duplicates;
+        } else if (answer.status() == dimse::success || isWarning) {
+            ++report_.transferred;
+            report_.bytes += file.bytes;
+        } else {
+            fail(file, says::archiveStoreRefused(statusText(answer)));
+        }
+        return core::Done{};
+    }
+
+    const ArchiveNode& node_;
+    const ArchiveObserver& observe_;
+    TransferReport& report_;
+    std::uint64_t bytes_ = 0;
+    std::uint16_t messageId_ = 0;
+};
+
+}   // namespace
+
+void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
+               TransferReport& report)
+{
+    Sending sending(node, observe, report);
+    for (std::span<const SendableFile> left(files); !left.empty();) {
+        std::set<Encoding> encodings;
+        const auto batch = nextBatch(left, encodings);
+        if (auto sent = sending.sendBatch(batch, encodings); !sent) {
+            report.end = sent.error();
+            return;
+        }
+        left = left.subspan(batch.size());
+    }
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "io/archive/dimse/link.h"
+#include "io/archive/model/query.h"
+
+#include <string>
+#include <vector>
+
+namespace angiopose::io {
+
+/// C-ECHO: whether the archive answers to its name.
+core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopWished);
+
+/// C-FIND, study root.
+core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
+                                       const StopQuestion& isStopWished);
+
+/// An association for C-FIND.
+core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopWished);
+
+core::Result<std::vector<std::string>> findSeries(DimseLink& link, const ArchiveNode& node,
+                                                  const std::string& studyUid);
+core::Result<std::vector<ArchiveObject>> findObjects(DimseLink& link, const ArchiveNode& node,
+                                                     const std::string& studyUid, const std::string& seriesUid);
+
+}   // namespace angiopose::io

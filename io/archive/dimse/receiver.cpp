@@ -1,0 +1,247 @@
+#include "io/archive/dimse/receiver.h"
+
+#include "io/archive/dimse/association_failure.h"
+#include "io/archive/dimse/storage_classes.h"
+#include "io/archive/dimse/take_object.h"
+#include "io/messages/says_archive.h"
+
+#include <dcmtk/config/osconfig.h>
+// DCMTK's macros first.
+#include <dcmtk/dcmnet/assoc.h>
+#include <dcmtk/dcmnet/dul.h>
+#include <algorithm>
+#include <array>
+
+namespace angiopose::io {
+namespace {
+
+/// Who asks for an association.
+struct Caller {
+    std::string title;
+    std::string calledTitle;
+    std::string address;
+};
+
+std::string unpadded(std::string text)
+{
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text;
+}
+
+Caller callerOf(T_ASC_Association* association)
+{
+    std::array<char, 128> calling{}, called{}, responding{}, from{}, to{};
+    ASC_getAPTitles(association->params, calling.data(), calling.size(), called.data(), called.size(),
+                    responding.data(), responding.size());
+    ASC_getPresentationAddresses(association->params, from.data(), from.size(), to.data(), to.size());
+    return {unpadded(calling.data()), unpadded(called.data()), from.data()};
+}
+
+bool isListed(const std::vector<std::string>& allowed, const std::string& value)
+{
+    return allowed.empty() || std::ranges::find(allowed, value) != allowed.end();
+}
+
+void reject(T_ASC_Association* association, T_ASC_RejectParametersReason reason)
+{
+    T_ASC_RejectParameters parameters{ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER, reason};
+    ASC_rejectAssociation(association, &parameters);
+}
+
+/// The first of the proposed encodings that we take; null for none.
+const char* takenSyntaxOf(const T_ASC_PresentationContext& context)
+{
+    for (int i = 0; i < context.transferSyntaxCount; ++i) {
+        for (const char* syntax : takenTransferSyntaxes()) {
+            if (std::string_view(syntax) == context.proposedTransferSyntaxes[i]) {
+                return syntax;
+            }
+        }
+    }
+    return nullptr;
+}
+
+void answerContexts(T_ASC_Association* association)
+{
+    const int count = ASC_countPresentationContexts(association->params);
+    for (int i = 0; i < count; ++i) {
+        T_ASC_PresentationContext context{};
+        if (ASC_getPresentationContext(association->params, i, &context).bad()) {
+            continue;
+        }
+        const std::string_view wanted = context.abstractSyntax;
+        const bool isServed = wanted == sop::verification || wanted.starts_with(sop::storagePrefix);
+        const char* syntax = takenSyntaxOf(context);
+        if (isServed && syntax != nullptr) {
+            ASC_acceptPresentationContext(association->params, context.presentationContextID, syntax);
+        } else {
+            ASC_refusePresentationContext(
+                association->params, context.presentationContextID,
+                isServed ? ASC_P_TRANSFERSYNTAXESNOTSUPPORTED : ASC_P_ABSTRACTSYNTAXNOTSUPPORTED);
+        }
+    }
+}
+
+/// Whether an end of service is due to what can be taken, and not to one peer.
+bool isOurs(const core::Error& error)
+{
+    const core::Message& message = error.message;
+    return message.is(says::archiveCacheTooSmall) || message.is(says::archiveNoFolder) ||
+           std::string_view(message.id()).starts_with("file.");
+}
+
+}   // namespace
+
+struct Receiver::Parts {
+    ReceiverOptions options;
+    TransportLayer tls;
+    T_ASC_Network* network = nullptr;
+    std::optional<core::Error> failure;
+
+    Parts() = default;
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+    ~Parts()
+    {
+        if (network != nullptr) {
+            ASC_dropNetwork(&network);
+        }
+    }
+
+    core::Status begin();
+    std::optional<DimseLink> welcome(Arrivals& arrivals, const StopQuestion& isStopWished);
+    std::optional<DimseLink> judge(T_ASC_Association* association, Arrivals& arrivals,
+                                   const StopQuestion& isStopWished);
+    core::Status takeAll(DimseLink& link, Arrivals& arrivals) const;
+};
+
+core::Status Receiver::Parts::begin()
+{
+    prepareNetwork(options.answerSeconds);
+    const OFCondition made = ASC_initializeNetwork(NET_ACCEPTOR, options.port, options.answerSeconds, &network);
+    if (made.bad()) {
+        return core::Error(says::archivePortTaken(options.port, made.text()));
+    }
+    if (options.isTls) {
+        auto layer = makeTlsLayer(options.tls, TlsRole::IsAsked);
+        if (!layer) {
+            return layer.error();
+        }
+        tls = std::move(layer).value();
+        ASC_setTransportLayer(network, tls.get(), 0);
+    }
+    return core::Done{};
+}
+
+/// The next association, if it is one that may be; nothing after a second without any.
+std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const StopQuestion& isStopWished)
+{
+    if (!ASC_associationWaiting(network, 1)) {
+        return std::nullopt;
+    }
+    T_ASC_Association* association = nullptr;
+    const OFCondition came =
+        ASC_receiveAssociation(network, &association, ASC_MAXIMUMPDUSIZE, nullptr, nullptr,
+                               options.isTls ? OFTrue : OFFalse, DUL_NOBLOCK, std::min(options.answerSeconds, 10));
+    if (came.good()) {
+        return judge(association, arrivals, isStopWished);
+    }
+    arrivals.warn(says::archiveRefused(came.text()));
+    if (association != nullptr) {
+        ASC_dropAssociation(association);
+        ASC_destroyAssociation(&association);
+    }
+    return std::nullopt;
+}
+
+std::optional<DimseLink> Receiver::Parts::judge(T_ASC_Association* association, Arrivals& arrivals,
+                                                const StopQuestion& isStopWished)
+{
+    const Caller caller = callerOf(association);
+    const bool isCalledRight = options.ownTitle.empty() || caller.calledTitle == options.ownTitle;
+    if (!isCalledRight || !isListed(options.titles, caller.title) || !isListed(options.hosts, caller.address)) {
+        arrivals.warn(says::archiveTitleTurnedAway(caller.address, caller.title));
+        reject(association,
+               isCalledRight ? ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED : ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED);
+        ASC_dropAssociation(association);
+        ASC_destroyAssociation(&association);
+        return std::nullopt;
+    }
+    answerContexts(association);
+    if (ASC_acknowledgeAssociation(association).bad()) {
+        ASC_dropAssociation(association);
+        ASC_destroyAssociation(&association);
+        return std::nullopt;
+    }
+    ArchiveNode peer;
+    peer.name = caller.title;
+    peer.host = caller.address;
+    peer.title = caller.title;
+    peer.answerSeconds = options.answerSeconds;
+    return DimseLink::accepted(association, peer, isStopWished);
+}
+
+core::Status Receiver::Parts::takeAll(DimseLink& link, Arrivals& arrivals) const
+{
+    for (;;) {
+        auto received = link.receive();
+        if (!received) {
+            return received.error();
+        }
+        if (!received.value()) {
+            return core::Done{};
+        }
+        const DimseLink::Received& message = *received.value();
+        core::Status done = core::Done{};
+        if (message.command.kind() == DimseKind::EchoRequest) {
+            done = link.send(message.context, message.command.response(dimse::success));
+        } else if (message.command.kind() == DimseKind::StoreRequest) {
+            done = takeObject(link, message, options.expected, arrivals);
+        } else {
+            done = core::Error(says::archiveNonsense("C-STORE"));
+        }
+        if (!done) {
+            return done;
+        }
+    }
+}
+
+Receiver::Receiver(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Receiver::Receiver(Receiver&&) noexcept = default;
+Receiver::~Receiver() = default;
+
+core::Result<Receiver> Receiver::listen(const ReceiverOptions& options)
+{
+    auto parts = std::make_unique<Parts>();
+    parts->options = options;
+    if (auto begun = parts->begin(); !begun) {
+        return begun.error();
+    }
+    return Receiver(std::move(parts));
+}
+
+void Receiver::serve(Arrivals& arrivals, const StopQuestion& isStopWished)
+{
+    while (!isStopWished() && !parts_->failure) {
+        auto link = parts_->welcome(arrivals, isStopWished);
+        if (!link) {
+            continue;
+        }
+        const auto taken = parts_->takeAll(*link, arrivals);
+        if (taken || taken.error().isStop()) {
+            continue;
+        }
+        if (isOurs(taken.error())) {
+            parts_->failure = taken.error();
+        } else {
+            arrivals.miss(taken.error().message);
+        }
+    }
+}
+
+const std::optional<core::Error>& Receiver::failure() const
+{
+    return parts_->failure;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,79 @@
+#include "io/archive/model/query.h"
+
+#include "io/messages/says_archive.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace angiopose::io {
+namespace {
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/// "2024-01-31" or "20240131" as the latter; empty for anything else.
+std::string plainDate(std::string text)
+{
+    if (text.size() == 10 && text[4] == '-' && text[7] == '-') {
+        text = text.substr(0, 4) + text.substr(5, 2) + text.substr(8, 2);
+    }
+    if (text.size() != 8 || !std::ranges::all_of(text, isDigit)) {
+        return {};
+    }
+    const int month = std::stoi(text.substr(4, 2)), day = std::stoi(text.substr(6, 2));
+    return month >= 1 && month <= 12 && day >= 1 && day <= 31 ? text : std::string();
+}
+
+/// Whether one of the values between backslashes is `wanted`.
+bool hasValue(const std::string& values, const std::string& wanted)
+{
+    return ("\\" + values + "\\").find("\\" + wanted + "\\") != std::string::npos;
+}
+
+}   // namespace
+
+core::Result<std::string> queryDates(const std::string& text)
+{
+    const std::size_t dots = text.find("..");
+    if (dots == std::string::npos) {
+        const std::string date = plainDate(text);
+        return date.empty() && !text.empty() ? core::Result<std::string>(core::Error(says::archiveBadDate(text)))
+                                             : core::Result<std::string>(date);
+    }
+    const std::string first = text.substr(0, dots), last = text.substr(dots + 2);
+    const std::string from = plainDate(first), to = plainDate(last);
+    const bool isWrong =
+        (from.empty() && !first.empty()) || (to.empty() && !last.empty()) || (from.empty() && to.empty());
+    if (isWrong) {
+        return core::Error(says::archiveBadDate(text));
+    }
+    return from + "-" + to;
+}
+
+bool isUid(const std::string& text)
+{
+    const bool isPlain = std::ranges::all_of(text, [](char c) { return isDigit(c) || c == '.'; });
+    return isPlain && !text.empty() && text.size() <= 64 && isDigit(text.front()) && isDigit(text.back()) &&
+           text.find("..") == std::string::npos;
+}
+
+std::string namePattern(const std::string& patientName)
+{
+    const bool isPattern = patientName.empty() || patientName.find_first_of("*?") != std::string::npos;
+    return isPattern ? patientName : patientName + "*";
+}
+
+void settleMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found)
+{
+    std::erase_if(found, [&query](const ArchiveMatch& match) {
+        return !query.modality.empty() && !match.modalities.empty() && !hasValue(match.modalities, query.modality);
+    });
+    std::ranges::stable_sort(found, [](const ArchiveMatch& a, const ArchiveMatch& b) {
+        return std::tie(b.studyDate, b.studyTime, a.studyUid, a.seriesNumber, a.seriesUid) <
+               std::tie(a.studyDate, a.studyTime, b.studyUid, b.seriesNumber, b.seriesUid);
+    });
+}
+
+}   // namespace angiopose::io

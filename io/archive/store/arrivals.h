@@ -1,0 +1,68 @@
+#pragma once
+
+#include "io/archive/model/transfer.h"
+#include "io/archive/store/object_store.h"
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+#include <string>
+
+namespace angiopose::io {
+
+/// What a store may hold, and what is done about more.
+struct StoreLimit {
+    enum class WhenFull { DropOldest, Refuse };
+
+    std::uint64_t mostBytes = 0;   ///< 0: as much as the disk takes
+    WhenFull whenFull = WhenFull::DropOldest;
+};
+
+/// Objects that come one after another into a store: counted, told of, within its limit. One thread may take them while
+/// another asks how far it is.
+class Arrivals {
+public:
+    using Told = std::function<void(const StoredObject&)>;
+
+    Arrivals(const ObjectStore& store, const StoreLimit& limit, TransferReport& report, const ArchiveObserver& observe);
+
+    const ObjectStore& store() const { return *store_; }
+
+    /// Asked for whatever is kept or there already.
+    void tell(Told told) { told_ = std::move(told); }
+
+    /// Of the whole that is awaited, this much was there before.
+    void addKnown(std::size_t objects);
+
+    core::Result<IncomingObject> begin() const { return store_->begin(); }
+    /// Writes a piece, and counts it.
+    core::Status write(IncomingObject& object, std::string_view piece);
+
+    enum class Fate { Kept, Differs, Refused };
+    /// Puts the object in its place. What is wrong with it alone is noted; fails where nothing more can be taken.
+    core::Result<Fate> take(IncomingObject object, const ExpectedObject& expected);
+
+    /// An object of the awaited ones did not come.
+    void miss(const core::Message& why);
+
+    /// What is worth knowing, though no object is missing for it.
+    void warn(const core::Message& what);
+
+    bool isStopWished() const;
+    std::uint64_t bytesSoFar() const { return bytes_; }
+
+private:
+    core::Status makeRoom(const StoredObject& stored);
+    core::Status count(const StoredObject& stored);
+
+    const ObjectStore* store_;
+    StoreLimit limit_;
+    TransferReport* report_;
+    const ArchiveObserver* observe_;
+    Told told_;
+    std::atomic<std::uint64_t> bytes_ = 0;   ///< of whole and begun objects; asked by another thread
+    std::uint64_t held_ = 0;   ///< by the store
+    mutable std::mutex reporting_;   ///< around the report
+};
+
+}   // namespace angiopose::io

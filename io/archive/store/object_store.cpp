@@ -1,0 +1,198 @@
+#include "io/archive/store/object_store.h"
+
+#include "io/archive/model/query.h"
+#include "io/archive/model/transfer.h"
+#include "io/messages/says_archive.h"
+#include "io/study/study_file.h"
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <system_error>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::hours staleAfter{6};   // no object takes that long to come
+
+core::Error noFolder(const std::string& path, const std::error_code& why)
+{
+    return says::archiveNoFolder(why.message()).about(path);
+}
+
+std::string randomName()
+{
+    std::random_device device;
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string name;
+    for (int i = 0; i < 16; ++i) {
+        name += digits.at(device() % digits.size());
+    }
+    return name;
+}
+
+/// Patients' images: for the owner alone.
+core::Status makePrivateFolder(const fs::path& path)
+{
+    std::error_code failed;
+    if (fs::is_directory(path, failed)) {
+        return core::Done{};
+    }
+    fs::create_directories(path, failed);
+    if (!failed) {
+        fs::permissions(path, fs::perms::owner_all, failed);
+    }
+    return failed ? core::Status(noFolder(path.string(), failed)) : core::Status(core::Done{});
+}
+
+void dropStaleFiles(const fs::path& folder)
+{
+    std::error_code ignored;
+    const auto now = fs::file_time_type::clock::now();
+    for (fs::directory_iterator each(folder, ignored), end; !ignored && each != end; each.increment(ignored)) {
+        std::error_code unknown;
+        const auto written = fs::last_write_time(each->path(), unknown);
+        if (!unknown && now - written > staleAfter) {
+            fs::remove(each->path(), unknown);
+        }
+    }
+}
+
+bool isSameContent(const fs::path& one, const fs::path& other)
+{
+    std::ifstream a(one, std::ios::binary), b(other, std::ios::binary);
+    std::array<char, 1 << 16> left{}, right{};
+    while (a && b) {
+        a.read(left.data(), left.size());
+        b.read(right.data(), right.size());
+        if (a.gcount() != b.gcount() || !std::equal(left.begin(), left.begin() + a.gcount(), right.begin())) {
+            return false;
+        }
+    }
+    return a.eof() && b.eof();
+}
+
+/// Removes the file unless it was moved away.
+class Remover {
+public:
+    explicit Remover(fs::path path) : path_(std::move(path)) {}
+    Remover(const Remover&) = delete;
+    Remover& operator=(const Remover&) = delete;
+    ~Remover()
+    {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+
+private:
+    fs::path path_;
+};
+
+/// What is wrong with an object that was to be another; nothing when it fits.
+std::optional<core::Message> mismatchOf(const core::StudyIdentity& came, const ExpectedObject& expected)
+{
+    const bool isOther = (!expected.studyUid.empty() && came.studyUid != expected.studyUid) ||
+                         (!expected.seriesUid.empty() && came.seriesUid != expected.seriesUid) ||
+                         (!expected.sopInstance.empty() && came.sopInstanceUid != expected.sopInstance);
+    if (isOther) {
+        return says::archiveObjectForeign(came.sopInstanceUid);
+    }
+    if (!isUid(came.studyUid) || !isUid(came.seriesUid) || !isUid(came.sopInstanceUid)) {
+        return says::archiveObjectUnreadable();
+    }
+    return std::nullopt;
+}
+
+}   // namespace
+
+IncomingObject::IncomingObject(std::string root, std::string temporary, AtomicFile file, std::uint64_t mostBytes)
+    : root_(std::move(root)), temporary_(std::move(temporary)), file_(std::move(file)), mostBytes_(mostBytes)
+{
+}
+
+core::Result<IncomingObject> IncomingObject::begin(const std::string& root, std::uint64_t mostBytes)
+{
+    const std::string temporary = (fs::path(root) / incomingFolder / randomName()).string();
+    auto file = AtomicFile::create(temporary);
+    if (!file) {
+        return file.error();
+    }
+    return IncomingObject(root, temporary, std::move(file).value(), mostBytes);
+}
+
+core::Status IncomingObject::write(std::string_view bytes)
+{
+    if (bytes.size() > mostBytes_ - bytes_) {
+        isTooLarge_ = true;
+        return core::Error(says::archiveObjectTooLarge(sizeText(mostBytes_)));
+    }
+    bytes_ += bytes.size();
+    return file_.write(bytes);
+}
+
+core::Result<StoredObject> IncomingObject::finish(const ExpectedObject& expected) &&
+{
+    if (auto committed = file_.commit(); !committed) {
+        return committed.error();
+    }
+    const Remover remover(temporary_);
+    const auto read = readStudyFile(temporary_);
+    if (!read || !read.value()) {
+        return core::Error(says::archiveObjectUnreadable());
+    }
+    const core::StudyIdentity& identity = read.value()->images.identity;
+    if (const auto mismatch = mismatchOf(identity, expected)) {
+        return core::Error(*mismatch);
+    }
+    StoredObject stored;
+    stored.bytes = bytes_;
+    const fs::path folder = fs::path(root_) / identity.studyUid / identity.seriesUid;
+    stored.folder = folder.string();
+    stored.path = (folder / (identity.sopInstanceUid + ".dcm")).string();
+    std::error_code failed;
+    if (fs::exists(stored.path, failed)) {
+        stored.kind =
+            isSameContent(stored.path, temporary_) ? StoredObject::Kind::Duplicate : StoredObject::Kind::Conflict;
+        return stored;
+    }
+    fs::create_directories(folder, failed);
+    if (!failed) {
+        fs::rename(temporary_, stored.path, failed);
+    }
+    return failed ? core::Result<StoredObject>(noFolder(stored.folder, failed)) : core::Result<StoredObject>(stored);
+}
+
+core::Result<ObjectStore> ObjectStore::open(const std::string& root, std::uint64_t mostObjectBytes)
+{
+    std::error_code unknown;
+    const fs::path absolute = fs::absolute(root, unknown);
+    if (unknown || root.empty()) {
+        return noFolder(root, unknown);
+    }
+    for (const fs::path& folder : {absolute, absolute / incomingFolder}) {
+        if (auto made = makePrivateFolder(folder); !made) {
+            return made.error();
+        }
+    }
+    dropStaleFiles(absolute / incomingFolder);
+    return ObjectStore(absolute.string(), mostObjectBytes);
+}
+
+std::string ObjectStore::seriesFolder(const std::string& studyUid, const std::string& seriesUid) const
+{
+    return (fs::path(root_) / studyUid / seriesUid).string();
+}
+
+std::optional<std::uint64_t> ObjectStore::sizeOf(const ExpectedObject& object) const
+{
+    std::error_code missing;
+    const auto size = fs::file_size(
+        fs::path(seriesFolder(object.studyUid, object.seriesUid)) / (object.sopInstance + ".dcm"), missing);
+    return missing ? std::nullopt : std::optional<std::uint64_t>(size);
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,62 @@
+#include "io/archive/store/sendable_file.h"
+
+#include "io/archive/model/query.h"
+#include "io/dicom/dicom_gate.h"
+#include "io/messages/says_archive.h"
+#include "io/study/file_start.h"
+#include "io/study/study_file.h"
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t metaBegin = 132;
+constexpr std::size_t mostMetaBytes = std::size_t{64} << 10;
+
+/// Behind the preamble and the file meta information; 0 where there is none.
+std::size_t datasetBegin(std::string_view start)
+{
+    if (start.size() < metaBegin || start.substr(metaBegin - 4, 4) != "DICM") {
+        return 0;
+    }
+    std::size_t at = metaBegin;
+    while (const auto head = readHead(start.substr(at), DicomEncoding())) {
+        if (head->tag >> 16U != 0x0002) {
+            return at;
+        }
+        if (head->length > start.size() - at - head->size) {
+            return 0;
+        }
+        at += head->size + head->length;
+    }
+    return 0;
+}
+
+}   // namespace
+
+core::Result<SendableFile> readSendableFile(const std::string& path)
+{
+    const auto start = readStart(path, mostMetaBytes);
+    if (!start) {
+        return start.error();
+    }
+    const auto read = readStudyFile(path);
+    if (!read || !read.value()) {
+        return core::Error(says::archiveNotSendable().about(path));
+    }
+    const DicomImages& images = read.value()->images;
+    SendableFile file;
+    file.path = path;
+    file.sopClass = images.sopClassUid;
+    file.sopInstance = images.identity.sopInstanceUid;
+    file.studyUid = images.identity.studyUid;
+    file.transferSyntax = read.value()->transferSyntax;
+    file.dataset = datasetBegin(start.value().bytes);
+    file.bytes = start.value().fileSize;
+    const bool isWhole = file.dataset > 0 && !images.damage && (file.bytes - file.dataset) % 2 == 0;
+    if (!isWhole || !isUid(file.sopClass) || !isUid(file.sopInstance) || !isUid(file.transferSyntax)) {
+        return core::Error(says::archiveNotSendable().about(path));
+    }
+    return file;
+}
+
+}   // namespace angiopose::io

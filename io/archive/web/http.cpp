@@ -1,0 +1,266 @@
+#include "io/archive/web/http.h"
+
+#include "io/archive/model/transfer.h"
+#include "io/messages/says_archive.h"
+#include "io/support/input_bytes.h"
+
+#include <curl/curl.h>
+#include <array>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t mostBodyBytes = std::size_t{64} << 20;
+constexpr long connectMilliseconds = 5000;
+
+struct FreeList {
+    void operator()(curl_slist* list) const { curl_slist_free_all(list); }
+};
+using HeaderList = std::unique_ptr<curl_slist, FreeList>;
+
+void addHeader(HeaderList& list, const std::string& header)
+{
+    list.reset(curl_slist_append(list.release(), header.c_str()));
+}
+
+/// The first line of the file, which is sent and kept nowhere.
+core::Result<std::string> authorizationOf(const ArchiveNode& node)
+{
+    if (node.authorizationFile.empty()) {
+        return std::string();
+    }
+    const auto input = openInput(node.authorizationFile);
+    if (!input) {
+        return input.error();
+    }
+    const std::string_view text = input.value().view();
+    return std::string(text.substr(0, text.find_first_of("\r\n")));
+}
+
+}   // namespace
+
+struct HttpConnection::Parts {
+    ArchiveNode node;
+    StopQuestion isStopWished;
+    std::string authorization;
+    CURL* handle = nullptr;
+    std::array<char, CURL_ERROR_SIZE> errorText{};
+
+    // Of the transfer that is on.
+    HttpReply reply;
+    const Sink* sink = nullptr;
+    const Source* source = nullptr;
+    std::optional<core::Error> failure;
+
+    Parts() = default;
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+    ~Parts() { curl_easy_cleanup(handle); }
+
+    void prepare(const std::string& url);
+    core::Result<HttpReply> perform();
+    core::Error failureOf(CURLcode code) const;
+    bool take(std::string_view piece);
+
+    static std::size_t onBody(char* bytes, std::size_t, std::size_t size, void* self)
+    {
+        return static_cast<Parts*>(self)->take({bytes, size}) ? size : 0;
+    }
+    static std::size_t onSend(char* buffer, std::size_t unit, std::size_t count, void* self)
+    {
+        const auto given = (*static_cast<Parts*>(self)->source)(buffer, unit * count);
+        return given.value_or(CURL_READFUNC_ABORT);
+    }
+    static int onProgress(void* self, curl_off_t, curl_off_t, curl_off_t, curl_off_t)
+    {
+        return static_cast<Parts*>(self)->isStopWished() ? 1 : 0;
+    }
+};
+
+void HttpConnection::Parts::prepare(const std::string& url)
+{
+    reply = {};
+    sink = nullptr;
+    source = nullptr;
+    failure.reset();
+    errorText.front() = '\0';
+    curl_easy_reset(handle);
+    const auto set = [this](CURLoption option, auto value) { curl_easy_setopt(handle, option, value); };
+    set(CURLOPT_URL, url.c_str());
+    set(CURLOPT_PROTOCOLS_STR, "http,https");
+    set(CURLOPT_FOLLOWLOCATION, 0L);
+    set(CURLOPT_NOSIGNAL, 1L);
+    set(CURLOPT_NETRC, static_cast<long>(CURL_NETRC_IGNORED));
+    set(CURLOPT_CONNECTTIMEOUT_MS, connectMilliseconds);
+    set(CURLOPT_LOW_SPEED_LIMIT, 1L);
+    set(CURLOPT_LOW_SPEED_TIME, static_cast<long>(node.answerSeconds));
+    set(CURLOPT_SSL_VERIFYPEER, 1L);
+    set(CURLOPT_SSL_VERIFYHOST, node.checksHost ? 2L : 0L);
+    set(CURLOPT_SSLVERSION, static_cast<long>(CURL_SSLVERSION_TLSv1_2));
+    if (!node.caFile.empty()) {
+        set(CURLOPT_CAINFO, node.caFile.c_str());
+        set(CURLOPT_CAPATH, static_cast<const char*>(nullptr));
+    }
+    if (!node.certificateFile.empty()) {
+        set(CURLOPT_SSLCERT, node.certificateFile.c_str());
+        set(CURLOPT_SSLKEY, node.keyFile.c_str());
+        set(CURLOPT_KEYPASSWD, "");
+    }
+    set(CURLOPT_ERRORBUFFER, errorText.data());
+    set(CURLOPT_NOPROGRESS, 0L);
+    set(CURLOPT_XFERINFOFUNCTION, &Parts::onProgress);
+    set(CURLOPT_XFERINFODATA, this);
+    set(CURLOPT_WRITEFUNCTION, &Parts::onBody);
+    set(CURLOPT_WRITEDATA, this);
+}
+
+bool HttpConnection::Parts::take(std::string_view piece)
+{
+    if (reply.contentType.empty()) {
+        const char* type = nullptr;
+        curl_easy_getinfo(handle, CURLINFO_CONTENT_TYPE, &type);
+        curl_easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &reply.status);
+        reply.contentType = type != nullptr ? type : "";
+    }
+    if (sink != nullptr && *sink && reply.status == 200) {
+        auto taken = (*sink)(piece, reply.contentType);
+        if (!taken) {
+            failure = taken.error();
+        }
+        return static_cast<bool>(taken);
+    }
+    if (reply.body.size() + piece.size() > mostBodyBytes) {
+        failure = core::Error(says::archiveHttpTooLarge(sizeText(mostBodyBytes)).about(node.name));
+        return false;
+    }
+    reply.body += piece;
+    return true;
+}
+
+core::Error HttpConnection::Parts::failureOf(CURLcode code) const
+{
+    const std::string why = errorText.front() != '\0' ? errorText.data() : curl_easy_strerror(code);
+    const auto about = [this](const core::Message& problem) { return core::Error(problem.about(node.name)); };
+    switch (code) {
+        case CURLE_ABORTED_BY_CALLBACK:
+            return core::Error(core::Stopped{says::archiveStopped()}).about(node.name);
+        case CURLE_COULDNT_RESOLVE_HOST:
+        case CURLE_COULDNT_RESOLVE_PROXY:
+        case CURLE_COULDNT_CONNECT:
+            return about(says::archiveNoConnection(node.webUrl, why));
+        case CURLE_OPERATION_TIMEDOUT: {
+            double connected = 0.0;
+            curl_easy_getinfo(handle, CURLINFO_CONNECT_TIME, &connected);
+            return about(connected > 0.0 ? says::archiveNoAnswer(core::Quantity{double(node.answerSeconds), 0, "s"})
+                                         : says::archiveNoConnection(node.webUrl, why));
+        }
+        case CURLE_PEER_FAILED_VERIFICATION:
+        case CURLE_SSL_CONNECT_ERROR:
+        case CURLE_SSL_CERTPROBLEM:
+        case CURLE_SSL_CACERT_BADFILE:
+        case CURLE_SSL_ISSUER_ERROR:
+        case CURLE_SSL_CIPHER:
+            return about(says::archiveTlsRefused(why));
+        default:
+            return about(says::archiveBroken(why));
+    }
+}
+
+core::Result<HttpReply> HttpConnection::Parts::perform()
+{
+    const CURLcode code = curl_easy_perform(handle);
+    if (failure) {
+        return *failure;
+    }
+    if (code != CURLE_OK) {
+        return failureOf(code);
+    }
+    curl_easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &reply.status);
+    if (reply.status == 401 || reply.status == 403) {
+        return core::Error(says::archiveHttpForbidden(reply.status).about(node.name));
+    }
+    return std::move(reply);
+}
+
+HttpConnection::HttpConnection(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+HttpConnection::HttpConnection(HttpConnection&&) noexcept = default;
+HttpConnection::~HttpConnection() = default;
+
+core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQuestion isStopWished)
+{
+    if (auto checked = checkNode(node); !checked) {
+        return checked.error();
+    }
+    if (node.webUrl.empty()) {
+        return core::Error(says::archiveNoWeb().about(node.name));
+    }
+    static std::once_flag once;
+    std::call_once(once, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
+    auto authorization = authorizationOf(node);
+    if (!authorization) {
+        return authorization.error();
+    }
+    auto parts = std::make_unique<Parts>();
+    parts->node = node;
+    parts->isStopWished = std::move(isStopWished);
+    parts->authorization = std::move(authorization).value();
+    parts->handle = curl_easy_init();
+    if (parts->handle == nullptr) {
+        return core::Error(says::archiveBroken("libcurl").about(node.name));
+    }
+    return HttpConnection(std::move(parts));
+}
+
+core::Result<HttpReply> HttpConnection::get(const std::string& url, const std::string& accept, const Sink& sink)
+{
+    parts_->prepare(url);
+    parts_->sink = &sink;
+    HeaderList headers;
+    addHeader(headers, "Accept: " + accept);
+    if (!parts_->authorization.empty()) {
+        addHeader(headers, "Authorization: " + parts_->authorization);
+    }
+    curl_easy_setopt(parts_->handle, CURLOPT_HTTPHEADER, headers.get());
+    return parts_->perform();
+}
+
+core::Result<HttpReply> HttpConnection::post(const std::string& url, const Upload& upload)
+{
+    parts_->prepare(url);
+    parts_->source = &upload.source;
+    HeaderList headers;
+    addHeader(headers, "Accept: " + upload.accept);
+    addHeader(headers, "Content-Type: " + upload.contentType);
+    addHeader(headers, "Expect:");   // no waiting for leave to send
+    if (!parts_->authorization.empty()) {
+        addHeader(headers, "Authorization: " + parts_->authorization);
+    }
+    curl_easy_setopt(parts_->handle, CURLOPT_HTTPHEADER, headers.get());
+    curl_easy_setopt(parts_->handle, CURLOPT_POST, 1L);
+    curl_easy_setopt(parts_->handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(upload.bytes));
+    curl_easy_setopt(parts_->handle, CURLOPT_READFUNCTION, &Parts::onSend);
+    curl_easy_setopt(parts_->handle, CURLOPT_READDATA, parts_.get());
+    return parts_->perform();
+}
+
+std::string urlEscaped(std::string_view text)
+{
+    std::string escaped;
+    for (const char c : text) {
+        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' ||
+                             c == '.' || c == '_' || c == '~' || c == '*';
+        if (isPlain) {
+            escaped += c;
+        } else {
+            std::array<char, 4> code{};
+            std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+            escaped += code.data();
+        }
+    }
+    return escaped;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,155 @@
+#include "io/archive/web/multipart.h"
+
+#include "io/messages/says_archive.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t mostHeaderBytes = std::size_t{16} << 10;
+constexpr std::size_t mostBoundary = 70;
+constexpr std::string_view lineEnd = "\r\n";
+
+std::string lowered(std::string text)
+{
+    std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return text;
+}
+
+core::Error unlawful()
+{
+    return core::Error(says::archiveNonsense("multipart"));
+}
+
+}   // namespace
+
+std::optional<std::string> boundaryOf(const std::string& contentType)
+{
+    const std::string lower = lowered(contentType);
+    const std::size_t at = lower.find("boundary=");
+    if (!lower.starts_with("multipart/") || at == std::string::npos) {
+        return std::nullopt;
+    }
+    std::string value = contentType.substr(at + std::string_view("boundary=").size());
+    if (value.starts_with('"')) {
+        value = value.substr(1, value.find('"', 1) - 1);
+    } else {
+        value = value.substr(0, value.find_first_of("; \t\r\n"));
+    }
+    return value.empty() || value.size() > mostBoundary ? std::nullopt : std::optional(value);
+}
+
+MultipartReader::MultipartReader(const std::string& boundary, Handler handler)
+    : delimiter_("\r\n--" + boundary), handler_(std::move(handler)), left_(lineEnd)   // as if a line ended before
+{
+}
+
+core::Status MultipartReader::feed(std::string_view piece)
+{
+    if (state_ == State::Closed) {
+        return core::Done{};   // an epilogue says nothing
+    }
+    left_ += piece;
+    for (;;) {
+        auto moved = step();
+        if (!moved) {
+            return moved.error();
+        }
+        if (!moved.value()) {
+            return core::Done{};
+        }
+    }
+}
+
+/// Whether something was passed on: then there may be more in what is left.
+core::Result<bool> MultipartReader::step()
+{
+    switch (state_) {
+        case State::Preamble:
+            return findFirst();
+        case State::AfterBoundary:
+            return passBoundary();
+        case State::Headers:
+            return passHeaders();
+        case State::Content:
+            return passContent();
+        case State::Closed:
+            break;
+    }
+    return false;
+}
+
+core::Result<bool> MultipartReader::findFirst()
+{
+    const std::size_t at = left_.find(delimiter_);
+    if (at == std::string::npos) {
+        return left_.size() > mostHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+    }
+    left_.erase(0, at + delimiter_.size());
+    state_ = State::AfterBoundary;
+    return true;
+}
+
+core::Result<bool> MultipartReader::passBoundary()
+{
+    if (left_.starts_with("--")) {
+        state_ = State::Closed;
+        left_.clear();
+        return false;
+    }
+    const std::size_t end = left_.find(lineEnd);
+    if (end == std::string::npos) {
+        return left_.size() > mostHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+    }
+    if (left_.find_first_not_of(" \t") != end) {
+        return unlawful();
+    }
+    left_.erase(0, end);   // the line's end begins the headers, of which there may be none
+    state_ = State::Headers;
+    return true;
+}
+
+core::Result<bool> MultipartReader::passHeaders()
+{
+    const std::size_t end = left_.find("\r\n\r\n");
+    if (end == std::string::npos) {
+        return left_.size() > mostHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+    }
+    if (end > mostHeaderBytes) {
+        return unlawful();
+    }
+    left_.erase(0, end + 4);
+    state_ = State::Content;
+    if (auto begun = handler_.begin(); !begun) {
+        return begun.error();
+    }
+    return true;
+}
+
+core::Result<bool> MultipartReader::passContent()
+{
+    const std::size_t at = left_.find(delimiter_);
+    // Without a delimiter, the last bytes may be the beginning of one.
+    const std::size_t content = at != std::string::npos             ? at
+                                : left_.size() >= delimiter_.size() ? left_.size() - delimiter_.size() + 1
+                                                                    : 0;
+    if (content > 0) {
+        if (auto taken = handler_.take(std::string_view(left_).substr(0, content)); !taken) {
+            return taken.error();
+        }
+    }
+    if (at == std::string::npos) {
+        left_.erase(0, content);
+        return false;
+    }
+    left_.erase(0, at + delimiter_.size());
+    state_ = State::AfterBoundary;
+    if (auto ended = handler_.end(); !ended) {
+        return ended.error();
+    }
+    return true;
+}
+
+}   // namespace angiopose::io

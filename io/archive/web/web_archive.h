@@ -1,0 +1,29 @@
+#pragma once
+
+#include "io/archive/model/node.h"
+#include "io/archive/model/query.h"
+#include "io/archive/model/transfer.h"
+#include "io/archive/store/sendable_file.h"
+#include "io/archive/store/series_source.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace angiopose::io {
+
+/// DICOMweb (PS3.18): the same as by DIMSE, over HTTP(S).
+core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopWished);
+
+/// QIDO-RS.
+core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery& query,
+                                     const std::function<bool()>& isStopWished);
+
+/// WADO-RS, each object as it is stored there.
+std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopWished);
+
+/// STOW-RS.
+void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
+             TransferReport& report);
+
+}   // namespace angiopose::io

@@ -1,0 +1,150 @@
+#include "io/archive/web/dicom_json.h"
+#include "io/archive/web/multipart.h"
+#include "io/archive/web/web_archive.h"
+#include "io/archive/web/web_query.h"
+#include "io/messages/says_archive.h"
+
+#include <optional>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+// "*": as it is stored, whatever its encoding.
+constexpr const char* acceptAsStored = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
+
+/// The objects of one answer, into their places.
+class PartsToStore {
+public:
+    PartsToStore(ExpectedObject expected, Arrivals& arrivals) : expected_(std::move(expected)), arrivals_(arrivals) {}
+
+    core::Status take(std::string_view piece, const std::string& contentType)
+    {
+        if (!reader_) {
+            const auto boundary = boundaryOf(contentType);
+            if (!boundary) {
+                return core::Error(says::archiveNonsense(contentType));
+            }
+            reader_.emplace(*boundary, handler());
+        }
+        return reader_->feed(piece);
+    }
+
+    bool isWhole() const { return reader_ && reader_->isClosed(); }
+
+private:
+    MultipartReader::Handler handler()
+    {
+        return {[this] { return begin(); }, [this](std::string_view bytes) { return arrivals_.write(*object_, bytes); },
+                [this] { return end(); }};
+    }
+
+    core::Status begin()
+    {
+        auto begun = arrivals_.begin();
+        if (!begun) {
+            return begun.error();
+        }
+        object_.emplace(std::move(begun).value());
+        return core::Done{};
+    }
+
+    core::Status end()
+    {
+        const auto fate = arrivals_.take(std::move(*object_), expected_);
+        object_.reset();
+        return fate ? core::Status(core::Done{}) : core::Status(fate.error());
+    }
+
+    ExpectedObject expected_;
+    Arrivals& arrivals_;
+    std::optional<MultipartReader> reader_;
+    std::optional<IncomingObject> object_;
+};
+
+class WebSource : public SeriesSource {
+public:
+    WebSource(ArchiveNode node, std::function<bool()> isStopWished)
+        : node_(std::move(node)), isStopWished_(std::move(isStopWished))
+    {
+    }
+
+    core::Result<std::vector<std::string>> seriesOf(const std::string& studyUid) override
+    {
+        auto answer = ask(webBase(node_) + "/studies/" + studyUid + "/series");
+        if (!answer) {
+            return answer.error();
+        }
+        auto found = matchesOfJson(answer.value());
+        if (!found) {
+            return found.error().about(node_.name);
+        }
+        std::vector<std::string> series;
+        for (const ArchiveMatch& match : found.value()) {
+            series.push_back(match.seriesUid);
+        }
+        return series;
+    }
+
+    core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
+                                                       const std::string& seriesUid) override
+    {
+        auto answer = ask(seriesUrl(studyUid, seriesUid) + "/instances");
+        if (!answer) {
+            return answer.error();
+        }
+        auto objects = objectsOfJson(answer.value());
+        return objects ? std::move(objects) : objects.error().about(node_.name);
+    }
+
+    core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
+                       const std::vector<ArchiveObject>& /*objects*/, Arrivals& arrivals) override
+    {
+        auto opened = HttpConnection::open(node_, [&arrivals] { return arrivals.isStopWished(); });
+        if (!opened) {
+            return opened.error();
+        }
+        HttpConnection http = std::move(opened).value();
+        PartsToStore parts({studyUid, seriesUid, {}}, arrivals);
+        auto reply =
+            http.get(seriesUrl(studyUid, seriesUid), acceptAsStored,
+                     [&parts](std::string_view piece, const std::string& type) { return parts.take(piece, type); });
+        if (!reply) {
+            return reply.error();
+        }
+        if (reply.value().status != 200) {
+            const std::string status = std::to_string(reply.value().status);
+            return core::Error(says::archiveHttpStatus("WADO-RS", status).about(node_.name));
+        }
+        return parts.isWhole() ? core::Status(core::Done{})
+                               : core::Error(says::archiveBroken("multipart").about(node_.name));
+    }
+
+private:
+    std::string seriesUrl(const std::string& studyUid, const std::string& seriesUid) const
+    {
+        return webBase(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
+    }
+
+    core::Result<std::string> ask(const std::string& url)
+    {
+        auto opened = HttpConnection::open(node_, isStopWished_);
+        if (!opened) {
+            return opened.error();
+        }
+        HttpConnection http = std::move(opened).value();
+        return askWeb(http, node_, "QIDO-RS", url);
+    }
+
+    ArchiveNode node_;
+    std::function<bool()> isStopWished_;
+};
+
+}   // namespace
+
+std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopWished)
+{
+    return std::make_unique<WebSource>(node, isStopWished);
+}
+
+}   // namespace angiopose::io
