@@ -3315,6 +3315,251 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Bild braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
     </message>
     <message>
+        <source>it was stopped; whole objects that came are kept.</source>
+        <comment>archive.stopped</comment>
+        <translation>Es wurde angehalten; ganze Objekte, die kamen, bleiben.</translation>
+    </message>
+    <message>
+        <source>the host %1 is not known. Check its name in the list of archives, and the network.</source>
+        <comment>archive.unknown-host</comment>
+        <translation>Den Rechner %1 kennt niemand. Seinen Namen in der Liste der Archive prüfen, und das Netz.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached (%2). Check host and port, the network, and that the archive runs.</source>
+        <comment>archive.no-connection</comment>
+        <translation>%1 ist nicht zu erreichen (%2). Rechner und Port, das Netz, und ob das Archiv läuft, prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 took the connection and did not answer within %2. Check that the port is that of a DICOM archive.</source>
+        <comment>archive.silent</comment>
+        <translation>%1 nahm die Verbindung an und antwortete nicht innerhalb von %2. Prüfen, ob der Port der eines DICOM-Archivs ist.</translation>
+    </message>
+    <message>
+        <source>no answer came within %1. Try again later, or allow it more time (answerSeconds); whole objects that came are kept.</source>
+        <comment>archive.no-answer</comment>
+        <translation>Innerhalb von %1 kam keine Antwort. Später noch einmal versuchen, oder mehr Zeit geben (answerSeconds); ganze Objekte, die kamen, bleiben.</translation>
+    </message>
+    <message>
+        <source>the connection broke off (%1). Try again; whole objects that came are kept.</source>
+        <comment>archive.broken</comment>
+        <translation>Die Verbindung brach ab (%1). Noch einmal versuchen; ganze Objekte, die kamen, bleiben.</translation>
+    </message>
+    <message>
+        <source>there is no AE title %1 at %2. Correct the AE title of this archive in the list of archives.</source>
+        <comment>archive.unknown-title</comment>
+        <translation>Einen AE-Titel %1 gibt es bei %2 nicht. Den AE-Titel dieses Archivs in der Liste der Archive berichtigen.</translation>
+    </message>
+    <message>
+        <source>our AE title %1 is not allowed there. Have it entered in the archive, or correct ours in the list of archives.</source>
+        <comment>archive.title-not-allowed</comment>
+        <translation>Unser AE-Titel %1 ist dort nicht zugelassen. Ihn im Archiv eintragen lassen, oder unseren in der Liste der Archive berichtigen.</translation>
+    </message>
+    <message>
+        <source>the association was refused (%1). Ask who runs the archive whether this computer may connect.</source>
+        <comment>archive.refused</comment>
+        <translation>Die Verbindung wurde abgelehnt (%1). Den Betreiber des Archivs fragen, ob sich dieser Rechner verbinden darf.</translation>
+    </message>
+    <message>
+        <source>the archive ended the association in the middle. Look into its log, or try again; whole objects that came are kept.</source>
+        <comment>archive.aborted</comment>
+        <translation>Das Archiv beendete die Verbindung mittendrin. In sein Protokoll sehen oder noch einmal versuchen; ganze Objekte, die kamen, bleiben.</translation>
+    </message>
+    <message>
+        <source>it does not offer %1. Ask who runs it to allow that for our AE title %2.</source>
+        <comment>archive.no-service</comment>
+        <translation>Es bietet %1 nicht an. Den Betreiber bitten, das unserem AE-Titel %2 zu erlauben.</translation>
+    </message>
+    <message>
+        <source>%1 failed with %2. Look into the archive's log, or ask who runs it.</source>
+        <comment>archive.status</comment>
+        <translation>%1 schlug mit %2 fehl. In das Protokoll des Archivs sehen, oder den Betreiber fragen.</translation>
+    </message>
+    <message>
+        <source>its answer makes no sense (%1). Check that host, port and address are those of a DICOM archive.</source>
+        <comment>archive.nonsense</comment>
+        <translation>Seine Antwort ergibt keinen Sinn (%1). Prüfen, ob Rechner, Port und Adresse die eines DICOM-Archivs sind.</translation>
+    </message>
+    <message>
+        <source>no secure connection came about (%1). Check the CA file of this archive, the certificates, and whether it wants TLS at this port.</source>
+        <comment>archive.tls-refused</comment>
+        <translation>Es kam keine sichere Verbindung zustande (%1). Die CA-Datei dieses Archivs, die Zertifikate, und ob es an diesem Port TLS will, prüfen.</translation>
+    </message>
+    <message>
+        <source>the file %1 is of no use for TLS (%2). Check its path and content.</source>
+        <comment>archive.tls-file</comment>
+        <translation>Die Datei %1 taugt nicht für TLS (%2). Pfad und Inhalt prüfen.</translation>
+    </message>
+    <message>
+        <source>its certificate is not one of the host %1. Check the host; where it is right, set checkHost to false for this archive.</source>
+        <comment>archive.tls-host</comment>
+        <translation>Sein Zertifikat ist keines des Rechners %1. Den Rechner prüfen; stimmt er, für dieses Archiv checkHost auf false setzen.</translation>
+    </message>
+    <message>
+        <source>it is no list of archives (%1). Correct it, or remove the file.</source>
+        <comment>archive.list-invalid</comment>
+        <translation>Es ist keine Liste von Archiven (%1). Sie berichtigen, oder die Datei entfernen.</translation>
+    </message>
+    <message>
+        <source>there is no archive %1 in %2; known: %3. Add it, or correct the name.</source>
+        <comment>archive.unknown</comment>
+        <translation>Ein Archiv %1 gibt es in %2 nicht; bekannt: %3. Es hinzufügen, oder den Namen berichtigen.</translation>
+    </message>
+    <message>
+        <source>an archive has no name of 1 to 64 characters. Name it.</source>
+        <comment>archive.no-name</comment>
+        <translation>Ein Archiv hat keinen Namen von 1 bis 64 Zeichen. Es benennen.</translation>
+    </message>
+    <message>
+        <source>it has neither a host nor a DICOMweb address. Give one.</source>
+        <comment>archive.no-address</comment>
+        <translation>Es hat weder einen Rechner noch eine DICOMweb-Adresse. Eines davon angeben.</translation>
+    </message>
+    <message>
+        <source>%1 is no host. Give a name or an address without port and spaces.</source>
+        <comment>archive.bad-host</comment>
+        <translation>%1 ist kein Rechner. Einen Namen oder eine Adresse ohne Port und Leerzeichen angeben.</translation>
+    </message>
+    <message>
+        <source>the port %1 is not one of 1 to 65535. Correct it.</source>
+        <comment>archive.bad-port</comment>
+        <translation>Der Port %1 ist keiner von 1 bis 65535. Ihn berichtigen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no AE title. Give 1 to 16 letters, digits or signs other than the backslash.</source>
+        <comment>archive.bad-title</comment>
+        <translation>„%1“ ist kein AE-Titel. 1 bis 16 Buchstaben, Ziffern oder Zeichen außer dem umgekehrten Schrägstrich angeben.</translation>
+    </message>
+    <message>
+        <source>%1 is no DICOMweb address. Give one that begins with https:// or http://.</source>
+        <comment>archive.bad-url</comment>
+        <translation>%1 ist keine DICOMweb-Adresse. Eine angeben, die mit https:// oder http:// beginnt.</translation>
+    </message>
+    <message>
+        <source>answerSeconds must be 1 to 600. Correct it.</source>
+        <comment>archive.bad-time</comment>
+        <translation>answerSeconds muss 1 bis 600 sein. Es berichtigen.</translation>
+    </message>
+    <message>
+        <source>a certificate and its key belong together, and one is missing. Give both files.</source>
+        <comment>archive.key-without-certificate</comment>
+        <translation>Zertifikat und Schlüssel gehören zusammen, und eines fehlt. Beide Dateien angeben.</translation>
+    </message>
+    <message>
+        <source>it has a DICOMweb address only. Give host and port too, or use DICOMweb.</source>
+        <comment>archive.no-dimse</comment>
+        <translation>Es hat nur eine DICOMweb-Adresse. Auch Rechner und Port angeben, oder DICOMweb nehmen.</translation>
+    </message>
+    <message>
+        <source>it has no DICOMweb address. Give one, or use DIMSE.</source>
+        <comment>archive.no-web</comment>
+        <translation>Es hat keine DICOMweb-Adresse. Eine angeben, oder DIMSE nehmen.</translation>
+    </message>
+    <message>
+        <source>names and images go to %1 without encryption. Use https:// or TLS where others share the network.</source>
+        <comment>archive.plain-text</comment>
+        <translation>Namen und Bilder gehen unverschlüsselt an %1. https:// oder TLS nehmen, wo andere das Netz mitbenutzen.</translation>
+    </message>
+    <message>
+        <source>%1 is no date. Write YYYY-MM-DD, or two of them with .. between: 2024-01-01..2024-02-01.</source>
+        <comment>archive.bad-date</comment>
+        <translation>%1 ist kein Datum. JJJJ-MM-TT schreiben, oder zwei davon mit .. dazwischen: 2024-01-01..2024-02-01.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 matches; the rest is left out. Ask for less.</source>
+        <comment>archive.many-matches</comment>
+        <translation>Es gibt mehr als %1 Treffer; der Rest fehlt. Enger suchen.</translation>
+    </message>
+    <message>
+        <source>it holds nothing of %1. Search again.</source>
+        <comment>archive.nothing-there</comment>
+        <translation>Es hat nichts von %1. Noch einmal suchen.</translation>
+    </message>
+    <message>
+        <source>%1 is no UID. Copy it from what find prints.</source>
+        <comment>archive.bad-uid</comment>
+        <translation>%1 ist keine UID. Sie aus dem kopieren, was find ausgibt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects came, the archive did not send the others (%3). Retrieve again, or look into its log.</source>
+        <comment>archive.not-all-came</comment>
+        <translation>%1 von %2 Objekten kamen, die anderen schickte das Archiv nicht (%3). Noch einmal holen, oder in sein Protokoll sehen.</translation>
+    </message>
+    <message>
+        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set receivePort, and have AE title, host and port entered in the archive.</source>
+        <comment>archive.no-way-back</comment>
+        <translation>Es bietet C-GET nicht an, und C-MOVE braucht einen Port bei uns. receivePort setzen, und AE-Titel, Rechner und Port im Archiv eintragen lassen.</translation>
+    </message>
+    <message>
+        <source>port %1 cannot be listened on (%2). Choose another port, above 1024.</source>
+        <comment>archive.port-taken</comment>
+        <translation>An Port %1 lässt sich nicht lauschen (%2). Einen anderen Port über 1024 wählen.</translation>
+    </message>
+    <message>
+        <source>an object is larger than the limit of %1 and was not kept. Raise the limit if it is wanted (--max-object).</source>
+        <comment>archive.object-too-large</comment>
+        <translation>Ein Objekt ist größer als die Grenze von %1 und wurde nicht behalten. Die Grenze heben, wenn es gewollt ist (--max-object).</translation>
+    </message>
+    <message>
+        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive's log.</source>
+        <comment>archive.object-unreadable</comment>
+        <translation>Ein Objekt, das kam, ist kein lesbares DICOM-Objekt und wurde nicht behalten. In das Protokoll des Archivs sehen.</translation>
+    </message>
+    <message>
+        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive's log.</source>
+        <comment>archive.object-foreign</comment>
+        <translation>Ein Objekt, das kam, ist nicht das angekündigte (%1) und wurde nicht behalten. In das Protokoll des Archivs sehen.</translation>
+    </message>
+    <message>
+        <source>an object came whose UID (%1) is that of another one here; the earlier one is kept. Find out which is right.</source>
+        <comment>archive.object-differs</comment>
+        <translation>Es kam ein Objekt, dessen UID (%1) die eines anderen hier ist; das frühere bleibt. Herausfinden, welches richtig ist.</translation>
+    </message>
+    <message>
+        <source>the series does not fit into the cache of %1. Raise its limit, or empty it.</source>
+        <comment>archive.cache-too-small</comment>
+        <translation>Die Serie passt nicht in den Zwischenspeicher von %1. Seine Grenze heben, oder ihn leeren.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made or used (%1). Choose another one, or make room.</source>
+        <comment>archive.no-folder</comment>
+        <translation>Der Ordner lässt sich nicht anlegen oder benutzen (%1). Einen anderen wählen, oder Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>it is no whole DICOM file with its transfer syntax, and was not sent. Write it anew, or choose another.</source>
+        <comment>archive.not-sendable</comment>
+        <translation>Es ist keine ganze DICOM-Datei mit ihrer Übertragungssyntax und wurde nicht gesendet. Sie neu schreiben, oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>the archive does not take objects of its kind as they are stored (class %1, transfer syntax %2). Convert it, or ask who runs the archive.</source>
+        <comment>archive.not-taken</comment>
+        <translation>Das Archiv nimmt solche Objekte nicht so, wie sie gespeichert sind (Klasse %1, Übertragungssyntax %2). Es umwandeln, oder den Betreiber des Archivs fragen.</translation>
+    </message>
+    <message>
+        <source>the archive refused it with %1. Look into its log, or ask who runs it.</source>
+        <comment>archive.store-refused</comment>
+        <translation>Das Archiv lehnte es mit %1 ab. In sein Protokoll sehen, oder den Betreiber fragen.</translation>
+    </message>
+    <message>
+        <source>%1 was answered with HTTP status %2. Check the DICOMweb address, or ask who runs the archive.</source>
+        <comment>archive.http-status</comment>
+        <translation>%1 wurde mit HTTP-Status %2 beantwortet. Die DICOMweb-Adresse prüfen, oder den Betreiber des Archivs fragen.</translation>
+    </message>
+    <message>
+        <source>access was refused (HTTP status %1). Check the client certificate or the authorization file of this archive.</source>
+        <comment>archive.http-forbidden</comment>
+        <translation>Der Zugang wurde verweigert (HTTP-Status %1). Das Zertifikat oder die Datei für Authorization dieses Archivs prüfen.</translation>
+    </message>
+    <message>
+        <source>its answer is larger than %1. Ask for less.</source>
+        <comment>archive.http-too-large</comment>
+        <translation>Seine Antwort ist größer als %1. Enger suchen.</translation>
+    </message>
+    <message>
+        <source>%1 (AE title %2) was turned away: it is not on the list.</source>
+        <comment>archive.title-turned-away</comment>
+        <translation>%1 (AE-Titel %2) wurde abgewiesen: nicht auf der Liste.</translation>
+    </message>
+    <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
         <comment>open.missing</comment>
         <translation>%1 gibt es nicht. Namen prüfen, oder ob das Laufwerk eingehängt ist.</translation>

@@ -3315,6 +3315,251 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图片需要血管树和造影图像。请先打开两者。</translation>
     </message>
     <message>
+        <source>it was stopped; whole objects that came are kept.</source>
+        <comment>archive.stopped</comment>
+        <translation>已停止；已完整收到的对象予以保留。</translation>
+    </message>
+    <message>
+        <source>the host %1 is not known. Check its name in the list of archives, and the network.</source>
+        <comment>archive.unknown-host</comment>
+        <translation>主机 %1 未知。请检查归档列表中的名称和网络。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached (%2). Check host and port, the network, and that the archive runs.</source>
+        <comment>archive.no-connection</comment>
+        <translation>无法连接 %1（%2）。请检查主机、端口、网络以及归档是否在运行。</translation>
+    </message>
+    <message>
+        <source>%1 took the connection and did not answer within %2. Check that the port is that of a DICOM archive.</source>
+        <comment>archive.silent</comment>
+        <translation>%1 接受了连接，但在 %2 内没有应答。请检查该端口是否属于 DICOM 归档。</translation>
+    </message>
+    <message>
+        <source>no answer came within %1. Try again later, or allow it more time (answerSeconds); whole objects that came are kept.</source>
+        <comment>archive.no-answer</comment>
+        <translation>在 %1 内没有应答。请稍后再试，或给予更多时间（answerSeconds）；已完整收到的对象予以保留。</translation>
+    </message>
+    <message>
+        <source>the connection broke off (%1). Try again; whole objects that came are kept.</source>
+        <comment>archive.broken</comment>
+        <translation>连接中断（%1）。请再试一次；已完整收到的对象予以保留。</translation>
+    </message>
+    <message>
+        <source>there is no AE title %1 at %2. Correct the AE title of this archive in the list of archives.</source>
+        <comment>archive.unknown-title</comment>
+        <translation>%2 上没有 AE 标题 %1。请在归档列表中更正该归档的 AE 标题。</translation>
+    </message>
+    <message>
+        <source>our AE title %1 is not allowed there. Have it entered in the archive, or correct ours in the list of archives.</source>
+        <comment>archive.title-not-allowed</comment>
+        <translation>那里不允许我方的 AE 标题 %1。请让归档登记它，或在归档列表中更正我方标题。</translation>
+    </message>
+    <message>
+        <source>the association was refused (%1). Ask who runs the archive whether this computer may connect.</source>
+        <comment>archive.refused</comment>
+        <translation>关联被拒绝（%1）。请询问归档的管理者本机是否可以连接。</translation>
+    </message>
+    <message>
+        <source>the archive ended the association in the middle. Look into its log, or try again; whole objects that came are kept.</source>
+        <comment>archive.aborted</comment>
+        <translation>归档中途结束了关联。请查看其日志或再试一次；已完整收到的对象予以保留。</translation>
+    </message>
+    <message>
+        <source>it does not offer %1. Ask who runs it to allow that for our AE title %2.</source>
+        <comment>archive.no-service</comment>
+        <translation>它不提供 %1。请管理者为我方 AE 标题 %2 开放。</translation>
+    </message>
+    <message>
+        <source>%1 failed with %2. Look into the archive's log, or ask who runs it.</source>
+        <comment>archive.status</comment>
+        <translation>%1 失败：%2。请查看归档日志，或询问管理者。</translation>
+    </message>
+    <message>
+        <source>its answer makes no sense (%1). Check that host, port and address are those of a DICOM archive.</source>
+        <comment>archive.nonsense</comment>
+        <translation>其应答没有意义（%1）。请检查主机、端口和地址是否属于 DICOM 归档。</translation>
+    </message>
+    <message>
+        <source>no secure connection came about (%1). Check the CA file of this archive, the certificates, and whether it wants TLS at this port.</source>
+        <comment>archive.tls-refused</comment>
+        <translation>未能建立安全连接（%1）。请检查该归档的 CA 文件、证书，以及该端口是否要求 TLS。</translation>
+    </message>
+    <message>
+        <source>the file %1 is of no use for TLS (%2). Check its path and content.</source>
+        <comment>archive.tls-file</comment>
+        <translation>文件 %1 不能用于 TLS（%2）。请检查其路径和内容。</translation>
+    </message>
+    <message>
+        <source>its certificate is not one of the host %1. Check the host; where it is right, set checkHost to false for this archive.</source>
+        <comment>archive.tls-host</comment>
+        <translation>其证书不属于主机 %1。请检查主机；如无误，请将该归档的 checkHost 设为 false。</translation>
+    </message>
+    <message>
+        <source>it is no list of archives (%1). Correct it, or remove the file.</source>
+        <comment>archive.list-invalid</comment>
+        <translation>这不是归档列表（%1）。请更正或删除该文件。</translation>
+    </message>
+    <message>
+        <source>there is no archive %1 in %2; known: %3. Add it, or correct the name.</source>
+        <comment>archive.unknown</comment>
+        <translation>%2 中没有归档 %1；已知：%3。请添加，或更正名称。</translation>
+    </message>
+    <message>
+        <source>an archive has no name of 1 to 64 characters. Name it.</source>
+        <comment>archive.no-name</comment>
+        <translation>有归档缺少 1 至 64 个字符的名称。请命名。</translation>
+    </message>
+    <message>
+        <source>it has neither a host nor a DICOMweb address. Give one.</source>
+        <comment>archive.no-address</comment>
+        <translation>它既没有主机也没有 DICOMweb 地址。请提供其一。</translation>
+    </message>
+    <message>
+        <source>%1 is no host. Give a name or an address without port and spaces.</source>
+        <comment>archive.bad-host</comment>
+        <translation>%1 不是主机。请给出不含端口和空格的名称或地址。</translation>
+    </message>
+    <message>
+        <source>the port %1 is not one of 1 to 65535. Correct it.</source>
+        <comment>archive.bad-port</comment>
+        <translation>端口 %1 不在 1 至 65535 之间。请更正。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no AE title. Give 1 to 16 letters, digits or signs other than the backslash.</source>
+        <comment>archive.bad-title</comment>
+        <translation>“%1”不是 AE 标题。请给出 1 至 16 个字母、数字或除反斜杠外的符号。</translation>
+    </message>
+    <message>
+        <source>%1 is no DICOMweb address. Give one that begins with https:// or http://.</source>
+        <comment>archive.bad-url</comment>
+        <translation>%1 不是 DICOMweb 地址。请给出以 https:// 或 http:// 开头的地址。</translation>
+    </message>
+    <message>
+        <source>answerSeconds must be 1 to 600. Correct it.</source>
+        <comment>archive.bad-time</comment>
+        <translation>answerSeconds 必须在 1 至 600 之间。请更正。</translation>
+    </message>
+    <message>
+        <source>a certificate and its key belong together, and one is missing. Give both files.</source>
+        <comment>archive.key-without-certificate</comment>
+        <translation>证书和密钥须成对提供，现缺其一。请给出两个文件。</translation>
+    </message>
+    <message>
+        <source>it has a DICOMweb address only. Give host and port too, or use DICOMweb.</source>
+        <comment>archive.no-dimse</comment>
+        <translation>它只有 DICOMweb 地址。请同时给出主机和端口，或使用 DICOMweb。</translation>
+    </message>
+    <message>
+        <source>it has no DICOMweb address. Give one, or use DIMSE.</source>
+        <comment>archive.no-web</comment>
+        <translation>它没有 DICOMweb 地址。请给出一个，或使用 DIMSE。</translation>
+    </message>
+    <message>
+        <source>names and images go to %1 without encryption. Use https:// or TLS where others share the network.</source>
+        <comment>archive.plain-text</comment>
+        <translation>姓名和图像未加密地发往 %1。网络与他人共用时请使用 https:// 或 TLS。</translation>
+    </message>
+    <message>
+        <source>%1 is no date. Write YYYY-MM-DD, or two of them with .. between: 2024-01-01..2024-02-01.</source>
+        <comment>archive.bad-date</comment>
+        <translation>%1 不是日期。请写成 YYYY-MM-DD，或用 .. 连接两个日期：2024-01-01..2024-02-01。</translation>
+    </message>
+    <message>
+        <source>there are more than %1 matches; the rest is left out. Ask for less.</source>
+        <comment>archive.many-matches</comment>
+        <translation>匹配项多于 %1 个；其余略去。请缩小查询范围。</translation>
+    </message>
+    <message>
+        <source>it holds nothing of %1. Search again.</source>
+        <comment>archive.nothing-there</comment>
+        <translation>它没有 %1 的任何内容。请重新查询。</translation>
+    </message>
+    <message>
+        <source>%1 is no UID. Copy it from what find prints.</source>
+        <comment>archive.bad-uid</comment>
+        <translation>%1 不是 UID。请从 find 的输出中复制。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects came, the archive did not send the others (%3). Retrieve again, or look into its log.</source>
+        <comment>archive.not-all-came</comment>
+        <translation>%2 个对象中收到 %1 个，其余归档没有发送（%3）。请再次获取，或查看其日志。</translation>
+    </message>
+    <message>
+        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set receivePort, and have AE title, host and port entered in the archive.</source>
+        <comment>archive.no-way-back</comment>
+        <translation>它不提供 C-GET，而 C-MOVE 需要我方端口。请设置 receivePort，并让归档登记 AE 标题、主机和端口。</translation>
+    </message>
+    <message>
+        <source>port %1 cannot be listened on (%2). Choose another port, above 1024.</source>
+        <comment>archive.port-taken</comment>
+        <translation>无法监听端口 %1（%2）。请选择 1024 以上的其他端口。</translation>
+    </message>
+    <message>
+        <source>an object is larger than the limit of %1 and was not kept. Raise the limit if it is wanted (--max-object).</source>
+        <comment>archive.object-too-large</comment>
+        <translation>有对象超过上限 %1，未予保留。如确需要请提高上限（--max-object）。</translation>
+    </message>
+    <message>
+        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive's log.</source>
+        <comment>archive.object-unreadable</comment>
+        <translation>收到的一个对象不是可读的 DICOM 对象，未予保留。请查看归档日志。</translation>
+    </message>
+    <message>
+        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive's log.</source>
+        <comment>archive.object-foreign</comment>
+        <translation>收到的一个对象与所通知的不符（%1），未予保留。请查看归档日志。</translation>
+    </message>
+    <message>
+        <source>an object came whose UID (%1) is that of another one here; the earlier one is kept. Find out which is right.</source>
+        <comment>archive.object-differs</comment>
+        <translation>收到的对象与此处另一对象的 UID（%1）相同；保留先前的。请查明哪个正确。</translation>
+    </message>
+    <message>
+        <source>the series does not fit into the cache of %1. Raise its limit, or empty it.</source>
+        <comment>archive.cache-too-small</comment>
+        <translation>该序列放不进 %1 的缓存。请提高上限，或清空缓存。</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made or used (%1). Choose another one, or make room.</source>
+        <comment>archive.no-folder</comment>
+        <translation>无法创建或使用该文件夹（%1）。请选择其他文件夹，或腾出空间。</translation>
+    </message>
+    <message>
+        <source>it is no whole DICOM file with its transfer syntax, and was not sent. Write it anew, or choose another.</source>
+        <comment>archive.not-sendable</comment>
+        <translation>这不是带有传输语法的完整 DICOM 文件，未发送。请重新写出，或选择其他文件。</translation>
+    </message>
+    <message>
+        <source>the archive does not take objects of its kind as they are stored (class %1, transfer syntax %2). Convert it, or ask who runs the archive.</source>
+        <comment>archive.not-taken</comment>
+        <translation>归档不接受以所存形式发送的此类对象（类 %1，传输语法 %2）。请转换它，或询问归档的管理者。</translation>
+    </message>
+    <message>
+        <source>the archive refused it with %1. Look into its log, or ask who runs it.</source>
+        <comment>archive.store-refused</comment>
+        <translation>归档以 %1 拒绝了它。请查看其日志，或询问管理者。</translation>
+    </message>
+    <message>
+        <source>%1 was answered with HTTP status %2. Check the DICOMweb address, or ask who runs the archive.</source>
+        <comment>archive.http-status</comment>
+        <translation>%1 的应答为 HTTP 状态 %2。请检查 DICOMweb 地址，或询问归档的管理者。</translation>
+    </message>
+    <message>
+        <source>access was refused (HTTP status %1). Check the client certificate or the authorization file of this archive.</source>
+        <comment>archive.http-forbidden</comment>
+        <translation>访问被拒绝（HTTP 状态 %1）。请检查该归档的客户端证书或授权文件。</translation>
+    </message>
+    <message>
+        <source>its answer is larger than %1. Ask for less.</source>
+        <comment>archive.http-too-large</comment>
+        <translation>其应答大于 %1。请缩小查询范围。</translation>
+    </message>
+    <message>
+        <source>%1 (AE title %2) was turned away: it is not on the list.</source>
+        <comment>archive.title-turned-away</comment>
+        <translation>%1（AE 标题 %2）被拒绝：不在名单上。</translation>
+    </message>
+    <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
         <comment>open.missing</comment>
         <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
