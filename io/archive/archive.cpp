@@ -98,32 +98,33 @@ private:
     {
         const std::string folder = arrivals_.store().seriesFolder(studyUid, seriesUid);
         report_.folders.push_back(folder);
-        if (isThere(studyUid, seriesUid, objects)) {
+        if (missingOf(studyUid, seriesUid, objects) == 0) {
             arrivals_.addKnown(objects.size());
             markSeriesWhole(folder);
             return core::Done{};
         }
         markSeriesBegun(folder);
-        const std::size_t before = report_.transferred + report_.duplicates;
+        const std::size_t failedBefore = report_.failed;
         if (auto fetched = source_.fetch(studyUid, seriesUid, objects, arrivals_); !fetched) {
             return fetched;
         }
-        if (!isThere(studyUid, seriesUid, objects)) {
-            const std::size_t came = report_.transferred + report_.duplicates - before;
-            report_.failed += report_.failed == 0 ? objects.size() - std::min(came, objects.size()) : 0;
-            report_.note(says::archiveNotAllCame(came, objects.size(), seriesUid).about(node_.name));
+        const std::size_t missing = missingOf(studyUid, seriesUid, objects);
+        if (missing == 0) {
+            markSeriesWhole(folder);
             return core::Done{};
         }
-        markSeriesWhole(folder);
+        report_.failed = std::max(report_.failed, failedBefore + missing);
+        report_.note(says::archiveNotAllCame(objects.size() - missing, objects.size(), seriesUid).about(node_.name));
         return core::Done{};
     }
 
-    bool isThere(const std::string& studyUid, const std::string& seriesUid,
-                 const std::vector<ArchiveObject>& objects) const
+    std::size_t missingOf(const std::string& studyUid, const std::string& seriesUid,
+                          const std::vector<ArchiveObject>& objects) const
     {
-        return std::ranges::all_of(objects, [&](const ArchiveObject& object) {
-            return arrivals_.store().sizeOf({studyUid, seriesUid, object.sopInstance}).has_value();
-        });
+        const auto isMissing = [&](const ArchiveObject& object) {
+            return !arrivals_.store().sizeOf({studyUid, seriesUid, object.sopInstance});
+        };
+        return static_cast<std::size_t>(std::ranges::count_if(objects, isMissing));
     }
 
     SeriesSource& source_;

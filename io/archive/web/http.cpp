@@ -6,6 +6,7 @@
 
 #include <curl/curl.h>
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <mutex>
 #include <optional>
@@ -198,7 +199,10 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
         return core::Error(says::archiveNoWeb().about(node.name));
     }
     static std::once_flag once;
-    std::call_once(once, [] { curl_global_init(CURL_GLOBAL_DEFAULT); });
+    std::call_once(once, [] {
+        curl_global_init(CURL_GLOBAL_DEFAULT);
+        std::signal(SIGPIPE, SIG_IGN);   // as DCMTK does: a peer that is gone is an error, not an end
+    });
     auto authorization = authorizationOf(node);
     if (!authorization) {
         return authorization.error();
