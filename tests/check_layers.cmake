@@ -6,7 +6,7 @@ set(forbidden_io "<Q[A-Za-z]|\"(ui|app)/")
 set(forbidden_ui "<itk|<dcmtk|\"(io|app)/")
 set(forbidden_ui_scenes "<Q[A-Za-z]")
 set(forbidden_core_headers "<itk|<opencv2|<nanoflann")
-set(forbidden_io_headers "<itk|<dcmtk|<vtk|<nlohmann")   # but for the table of a case's fields, which only io reads
+set(forbidden_io_headers "<itk|<dcmtk|<vtk|<nlohmann|<curl|<openssl")   # but for the table of a case's fields, which only io reads
 set(forbidden_app "\"io/case/fields/")
 
 function(check_files pattern)

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <thread>
+#include <vector>
+
+namespace angiopose::test {
+
+/// A port that takes connections and never says a word.
+class SilentPeer {
+public:
+    SilentPeer();
+    ~SilentPeer();
+    SilentPeer(const SilentPeer&) = delete;
+    SilentPeer& operator=(const SilentPeer&) = delete;
+    int port() const { return port_; }
+
+private:
+    int handle_;
+    int port_;
+};
+
+/// A port whose queue is full: what asks for a connection gets no answer, as from a host that swallows packets.
+class SwallowingPeer {
+public:
+    SwallowingPeer();
+    ~SwallowingPeer();
+    SwallowingPeer(const SwallowingPeer&) = delete;
+    SwallowingPeer& operator=(const SwallowingPeer&) = delete;
+    int port() const { return port_; }
+
+private:
+    int handle_;
+    int port_;
+    std::vector<int> waiting_;
+};
+
+/// Passes bytes on to another port, and cuts the connection after so many from there.
+class CuttingProxy {
+public:
+    CuttingProxy(int target, std::size_t bytes);
+    ~CuttingProxy();
+    CuttingProxy(const CuttingProxy&) = delete;
+    CuttingProxy& operator=(const CuttingProxy&) = delete;
+    int port() const { return port_; }
+
+    /// From now on without cutting.
+    void heal() { isHealed_ = true; }
+
+private:
+    void run();
+    void passOn(int client) const;
+
+    int target_;
+    std::size_t bytes_;
+    std::atomic<bool> isHealed_{false};
+    std::atomic<bool> isOver_{false};
+    int handle_;
+    int port_;
+    std::thread thread_;
+};
+
+}   // namespace angiopose::test

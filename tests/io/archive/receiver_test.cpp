@@ -1,0 +1,220 @@
+#include "tests/io/archive/archive_objects.h"
+#include "tests/io/archive/faulty_peers.h"
+#include "tests/io/archive/orthanc.h"
+
+#include "io/archive/dimse/receiver.h"
+#include "io/messages/says_archive.h"
+
+#include <atomic>
+#include <thread>
+
+namespace angiopose::test {
+namespace {
+
+using io::ArchiveWay;
+using namespace std::string_literals;
+
+/// A receiving port beside the test, into a folder of its own.
+class ServedPort {
+public:
+    explicit ServedPort(io::ReceiverOptions options, const io::StoreLimit& limit = {},
+                        std::uint64_t mostObject = 1u << 30)
+        : store_(openStore(folder_.file("received"), mostObject)), arrivals_(store_, limit, report_, observe_)
+    {
+        options.port = freePort();
+        port_ = options.port;
+        auto listening = io::Receiver::listen(options);
+        EXPECT_TRUE(listening) << listening.error().message.text();
+        receiver_.emplace(std::move(listening).value());
+        thread_ = std::thread([this] { receiver_->serve(arrivals_, [this] { return isOver_.load(); }); });
+    }
+    ServedPort(const ServedPort&) = delete;
+    ServedPort& operator=(const ServedPort&) = delete;
+    ~ServedPort() { finish(); }
+
+    void finish()
+    {
+        isOver_ = true;
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+    }
+
+    io::ArchiveNode node() const
+    {
+        io::ArchiveNode node;
+        node.name = "here";
+        node.host = "127.0.0.1";
+        node.port = port_;
+        node.title = "ANGIOPOSE";
+        return node;
+    }
+
+    const io::TransferReport& report() const { return report_; }   ///< after `finish`
+    const std::string& root() const { return store_.root(); }
+    const std::optional<core::Error>& failure() const { return receiver_->failure(); }
+
+private:
+    TemporaryFolder folder_;
+    io::ObjectStore store_;
+    io::TransferReport report_;
+    io::ArchiveObserver observe_;
+    io::Arrivals arrivals_;
+    int port_ = 0;
+    std::optional<io::Receiver> receiver_;
+    std::atomic<bool> isOver_{false};
+    std::thread thread_;
+};
+
+TEST(ArchiveReceiver, TakesWhatIsPushed)
+{
+    const TemporaryFolder folder;
+    const auto files = writeObjects(folder, "2.25.4711.41", 5);
+    ServedPort port({});
+    const auto report = io::sendToArchive(port.node(), ArchiveWay::Dimse, files);
+    EXPECT_EQ(report.transferred, 5u) << (report.end ? report.end->message.text() : "");
+    const auto again = io::sendToArchive(port.node(), ArchiveWay::Dimse, files);
+    EXPECT_TRUE(again.isWhole());
+    EXPECT_TRUE(io::echoArchive(port.node(), ArchiveWay::Dimse));
+    port.finish();
+    EXPECT_EQ(port.report().transferred, 5u);
+    EXPECT_EQ(port.report().duplicates, 5u);
+    for (const std::string& file : files) {
+        const std::string came = readText(std::filesystem::path(port.root()) / studyUid / "2.25.4711.41" /
+                                          std::filesystem::path(file).filename());
+        const std::string sent = readText(file);
+        const std::size_t dataset = sent.find("\x08\0\x05\0"s);   // behind the header, which is the receiver's own
+        ASSERT_NE(dataset, std::string::npos);
+        EXPECT_TRUE(came.ends_with(std::string_view(sent).substr(dataset))) << file;
+    }
+    EXPECT_TRUE(halfFiles(port.root()).empty());
+}
+
+TEST(ArchiveReceiver, KeepsTheFirstOfTwoWithOneUid)
+{
+    const TemporaryFolder folder;
+    const std::string first = folder.write("first.dcm", objectText(0, "2.25.4711.42", 64));
+    const std::string other = folder.write("other.dcm", objectText(0, "2.25.4711.42", 32));
+    ServedPort port({});
+    EXPECT_EQ(io::sendToArchive(port.node(), ArchiveWay::Dimse, {first}).transferred, 1u);
+    EXPECT_EQ(io::sendToArchive(port.node(), ArchiveWay::Dimse, {other}).duplicates, 1u);
+    port.finish();
+    EXPECT_EQ(port.report().transferred, 1u);
+    EXPECT_EQ(port.report().failed, 1u);
+    EXPECT_TRUE(port.report().problems.at(0).is(io::says::archiveObjectDiffers));
+}
+
+TEST(ArchiveReceiver, TurnsStrangersAway)
+{
+    io::ReceiverOptions options;
+    options.titles = {"MODALITY"};
+    ServedPort port(options);
+    const auto stranger = io::echoArchive(port.node(), ArchiveWay::Dimse);
+    ASSERT_FALSE(stranger);
+    EXPECT_TRUE(stranger.error().message.is(io::says::archiveTitleNotAllowed)) << stranger.error().message.text();
+    io::ArchiveNode known = port.node();
+    known.ownTitle = "MODALITY";
+    EXPECT_TRUE(io::echoArchive(known, ArchiveWay::Dimse));
+    known.title = "SOMEBODY";
+    const auto miscalled = io::echoArchive(known, ArchiveWay::Dimse);
+    ASSERT_FALSE(miscalled);
+    EXPECT_TRUE(miscalled.error().message.is(io::says::archiveUnknownTitle));
+}
+
+TEST(ArchiveReceiver, TurnsStrangeHostsAway)
+{
+    io::ReceiverOptions options;
+    options.hosts = {"10.1.2.3"};
+    ServedPort port(options);
+    EXPECT_FALSE(io::echoArchive(port.node(), ArchiveWay::Dimse));
+}
+
+TEST(ArchiveReceiver, SurvivesCutAndTooLargeObjects)
+{
+    const TemporaryFolder folder;
+    const auto large = writeObjects(folder, "2.25.4711.43", 1, 512);
+    const auto small = writeObjects(folder, "2.25.4711.44", 1, 32);
+    ServedPort port({}, {}, 100'000);
+    const auto refused = io::sendToArchive(port.node(), ArchiveWay::Dimse, large);
+    EXPECT_EQ(refused.transferred, 0u);
+    EXPECT_TRUE(refused.end);
+    EXPECT_EQ(io::sendToArchive(port.node(), ArchiveWay::Dimse, small).transferred, 1u);
+    port.finish();
+    EXPECT_TRUE(halfFiles(port.root()).empty());
+    EXPECT_EQ(port.report().failed, 1u);
+}
+
+TEST(ArchiveReceiver, EndsWhenItsFolderIsFull)
+{
+    const TemporaryFolder folder;
+    const auto files = writeObjects(folder, "2.25.4711.45", 3, 128);
+    ServedPort port({}, {50'000, io::StoreLimit::WhenFull::Refuse});
+    const auto report = io::sendToArchive(port.node(), ArchiveWay::Dimse, files);
+    EXPECT_EQ(report.transferred, 1u);
+    port.finish();
+    ASSERT_TRUE(port.failure());
+    EXPECT_TRUE(port.failure()->message.is(io::says::archiveCacheTooSmall));
+    EXPECT_EQ(port.report().transferred, 1u);
+}
+
+TEST(ArchiveReceiver, TakenPortIsSaid)
+{
+    const SilentPeer peer;
+    io::ReceiverOptions options;
+    options.port = peer.port();
+    const auto listening = io::Receiver::listen(options);
+    ASSERT_FALSE(listening);
+    EXPECT_TRUE(listening.error().message.is(io::says::archivePortTaken));
+}
+
+TEST(ArchiveReceiver, SpeaksTlsWithKnownCertificatesOnly)
+{
+    const TemporaryFolder folder;
+    const auto ours = makeCertificate(folder, "ours");
+    const auto theirs = makeCertificate(folder, "theirs");
+    const auto stranger = makeCertificate(folder, "stranger");
+    if (!ours || !theirs || !stranger) {
+        GTEST_SKIP() << "openssl is not installed";
+    }
+    io::ReceiverOptions options;
+    options.isTls = true;
+    options.tls = {theirs->certificateFile, ours->certificateFile, ours->keyFile};
+    options.answerSeconds = 3;
+    ServedPort port(options);
+    io::ArchiveNode node = port.node();
+    node.answerSeconds = 3;
+    node.isTls = true;
+    node.caFile = ours->certificateFile;
+    node.certificateFile = theirs->certificateFile;
+    node.keyFile = theirs->keyFile;
+    const auto files = writeObjects(folder, "2.25.4711.46", 2);
+    const auto report = io::sendToArchive(node, ArchiveWay::Dimse, files);
+    EXPECT_EQ(report.transferred, 2u) << (report.end ? report.end->message.text() : "");
+
+    const Stopwatch watch;
+    io::ArchiveNode unknownArchive = node;
+    unknownArchive.caFile = stranger->certificateFile;
+    const auto refused = io::echoArchive(unknownArchive, ArchiveWay::Dimse);
+    ASSERT_FALSE(refused);
+    expectFailure(refused.error(), io::says::archiveTlsRefused, watch);
+
+    io::ArchiveNode unknownCaller = node;
+    unknownCaller.certificateFile = stranger->certificateFile;
+    unknownCaller.keyFile = stranger->keyFile;
+    EXPECT_FALSE(io::echoArchive(unknownCaller, ArchiveWay::Dimse));
+
+    io::ArchiveNode inTheClear = node;
+    inTheClear.isTls = false;
+    EXPECT_FALSE(io::echoArchive(inTheClear, ArchiveWay::Dimse));
+
+    io::ArchiveNode otherHost = node;
+    otherHost.host = "127.0.0.2";
+    const auto misnamed = io::echoArchive(otherHost, ArchiveWay::Dimse);
+    ASSERT_FALSE(misnamed);
+    EXPECT_TRUE(misnamed.error().message.is(io::says::archiveTlsHost)) << misnamed.error().message.text();
+    otherHost.checksHost = false;
+    EXPECT_TRUE(io::echoArchive(otherHost, ArchiveWay::Dimse));
+}
+
+}   // namespace
+}   // namespace angiopose::test

@@ -1,0 +1,80 @@
+#include "tests/io/archive/archive_objects.h"
+#include "tests/io/archive/faulty_peers.h"
+#include "tests/io/archive/orthanc.h"
+
+#include "io/messages/says_archive.h"
+
+namespace angiopose::test {
+namespace {
+
+using io::ArchiveWay;
+
+io::ArchiveNode nodeAt(int port)
+{
+    io::ArchiveNode node;
+    node.name = "pacs";
+    node.host = "127.0.0.1";
+    node.port = port;
+    node.webUrl = "https://127.0.0.1:" + std::to_string(port) + "/dicom-web";
+    return node;
+}
+
+TEST(UnreachableArchive, ClosedPortIsSaidAtOnce)
+{
+    const int port = freePort();
+    for (const ArchiveWay way : {ArchiveWay::Dimse, ArchiveWay::Web}) {
+        const Stopwatch watch;
+        const auto echoed = io::echoArchive(nodeAt(port), way);
+        ASSERT_FALSE(echoed);
+        expectFailure(echoed.error(), io::says::archiveNoConnection, watch);
+        EXPECT_LT(watch.seconds(), 2.0);
+    }
+}
+
+TEST(UnreachableArchive, SwallowedPacketsEndAfterFiveSeconds)
+{
+    const SwallowingPeer peer;
+    for (const ArchiveWay way : {ArchiveWay::Dimse, ArchiveWay::Web}) {
+        const Stopwatch watch;
+        const auto echoed = io::echoArchive(nodeAt(peer.port()), way);
+        ASSERT_FALSE(echoed);
+        expectFailure(echoed.error(), io::says::archiveNoConnection, watch);
+        EXPECT_LT(watch.seconds(), 7.0);
+    }
+}
+
+TEST(UnreachableArchive, SilentPeerIsGivenUp)
+{
+    const SilentPeer peer;
+    const Stopwatch watch;
+    const auto echoed = io::echoArchive(nodeAt(peer.port()), ArchiveWay::Dimse);
+    ASSERT_FALSE(echoed);
+    expectFailure(echoed.error(), io::says::archiveSilent, watch);
+}
+
+TEST(UnreachableArchive, SilentPeerIsGivenUpWithTls)
+{
+    const SilentPeer peer;
+    io::ArchiveNode node = nodeAt(peer.port());
+    node.answerSeconds = 2;
+    node.isTls = true;
+    const Stopwatch watch;
+    const auto dimse = io::echoArchive(node, ArchiveWay::Dimse);
+    EXPECT_FALSE(dimse);
+    const auto web = io::echoArchive(node, ArchiveWay::Web);
+    EXPECT_FALSE(web);
+    EXPECT_LT(watch.seconds(), 10.0);
+}
+
+TEST(UnreachableArchive, UnknownHostIsSaid)
+{
+    io::ArchiveNode node = nodeAt(104);
+    node.host = "no-such-host.invalid";
+    const Stopwatch watch;
+    const auto echoed = io::echoArchive(node, ArchiveWay::Dimse);
+    ASSERT_FALSE(echoed);
+    expectFailure(echoed.error(), io::says::archiveUnknownHost, watch);
+}
+
+}   // namespace
+}   // namespace angiopose::test
