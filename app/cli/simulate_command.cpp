@@ -4,10 +4,10 @@
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
-#include "io/case/case_lock.h"
 #include "io/centerline2d_file.h"
 #include "io/messages/says_keeping.h"
 #include "io/pose_file.h"
+#include "io/support/case_lock.h"
 #include "io/vessel_tree_file.h"
 
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/jobs/file_queue.h"
 #include "core/support/result.h"
-#include "io/case/case_lock.h"
+#include "io/support/case_lock.h"
 
 #include <QDateTime>
 #include <QObject>

@@ -1,8 +1,8 @@
 #include "tests/app/open_window.h"
 
 #include "app/files/autosave.h"
-#include "io/case/case_lock.h"
 #include "io/file_hash.h"
+#include "io/support/case_lock.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/bottom_strip.h"
 

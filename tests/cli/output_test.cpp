@@ -1,4 +1,4 @@
-#include "io/case/case_lock.h"
+#include "io/support/case_lock.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,10 +2,10 @@
 
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
-#include "io/case/case_lock.h"
 #include "io/case/save_over.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
+#include "io/support/case_lock.h"
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "io/case/case_lock.h"
+#include "io/support/case_lock.h"
 
 #include "io/support/system/own_process.h"
 
