@@ -26,7 +26,7 @@ for harness in "${harnesses[@]}"; do
     family=${harness##*fuzz_}
     mkdir -p "$corpus/$family" "$corpus/seeds/$family"
     echo "$family: $each s"
-    "$harness" -max_total_time="$each" -timeout=20 -rss_limit_mb=3000 -malloc_limit_mb=2500 -max_len=40000 \
+    "$harness" -max_total_time="$each" -timeout=60 -rss_limit_mb=3000 -malloc_limit_mb=2500 -max_len=40000 \
         -print_final_stats=1 -artifact_prefix="$corpus/found/$family-" "$corpus/$family" "$corpus/seeds/$family" \
         >"$corpus/$family.log" 2>&1 || { tail -60 "$corpus/$family.log"; exit 1; }
     grep -E "stat::number_of_executed_units|cov:.*DONE" "$corpus/$family.log" | tail -2
