@@ -218,6 +218,24 @@ TEST_F(ArchiveExchange, CutTransferLeavesWholeObjectsOnly)
     EXPECT_TRUE(io::cachedSeries(into).at(0).isWhole);
 }
 
+TEST_F(ArchiveExchange, HangingTransferIsGivenUp)
+{
+    const std::string series = "2.25.4711.29";
+    sent(series, 3, 256);
+    const CuttingProxy proxy(orthanc_->dicomPort(), 200'000, CuttingProxy::AtEnd::Hang);
+    io::ArchiveNode hanging = node();
+    hanging.port = proxy.port();
+    hanging.answerSeconds = 3;
+    const std::string into = folder_.file("hang");
+    const auto store = openStore(into);
+    const Stopwatch watch;
+    const auto report = io::retrieveFromArchive(hanging, ArchiveWay::Dimse, {studyUid, {series}}, store, {});
+    ASSERT_TRUE(report.end);
+    EXPECT_LT(watch.seconds(), 8.0);
+    EXPECT_LT(report.transferred, 3u);
+    EXPECT_TRUE(halfFiles(into).empty());
+}
+
 TEST_F(ArchiveExchange, StopInTheMiddleKeepsWholeObjects)
 {
     const std::string series = "2.25.4711.26";

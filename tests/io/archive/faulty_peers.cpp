@@ -81,7 +81,8 @@ SwallowingPeer::~SwallowingPeer()
     ::close(handle_);
 }
 
-CuttingProxy::CuttingProxy(int target, std::size_t bytes) : target_(target), bytes_(bytes), handle_(-1), port_(0)
+CuttingProxy::CuttingProxy(int target, std::size_t bytes, AtEnd atEnd)
+    : target_(target), bytes_(bytes), atEnd_(atEnd), handle_(-1), port_(0)
 {
     handle_ = listeningSocket(16, port_);
     thread_ = std::thread([this] { run(); });
@@ -121,6 +122,8 @@ void CuttingProxy::passOn(int client) const
         if (ends[1].revents != 0 && !passBlock(server, client, back)) {
             break;
         }
+    }
+    while (atEnd_ == AtEnd::Hang && back == 0 && !isOver_ && !isReadable(client, 50)) {
     }
     ::close(server);
 }

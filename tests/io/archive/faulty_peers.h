@@ -36,10 +36,11 @@ private:
     std::vector<int> waiting_;
 };
 
-/// Passes bytes on to another port, and cuts the connection after so many from there.
+/// Passes bytes on to another port; after so many from there it cuts the connection, or lets it hang.
 class CuttingProxy {
 public:
-    CuttingProxy(int target, std::size_t bytes);
+    enum class AtEnd { Cut, Hang };
+    CuttingProxy(int target, std::size_t bytes, AtEnd atEnd = AtEnd::Cut);
     ~CuttingProxy();
     CuttingProxy(const CuttingProxy&) = delete;
     CuttingProxy& operator=(const CuttingProxy&) = delete;
@@ -54,6 +55,7 @@ private:
 
     int target_;
     std::size_t bytes_;
+    AtEnd atEnd_;
     std::atomic<bool> isHealed_{false};
     std::atomic<bool> isOver_{false};
     int handle_;
