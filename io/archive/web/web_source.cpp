@@ -5,10 +5,13 @@
 #include "io/messages/says_archive.h"
 
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace angiopose::io {
 namespace {
+
+constexpr std::size_t pageSize = 200;
 
 // "*": as it is stored, whatever its encoding.
 constexpr const char* acceptAsStored = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
@@ -89,12 +92,22 @@ public:
     core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
                                                        const std::string& seriesUid) override
     {
-        auto answer = ask(seriesUrl(studyUid, seriesUid) + "/instances");
-        if (!answer) {
-            return answer.error();
+        std::vector<ArchiveObject> objects;
+        std::set<std::string> seen;
+        for (bool isMore = true; isMore && objects.size() < mostObjects;) {
+            auto page = objectsFrom(seriesUrl(studyUid, seriesUid), objects.size());
+            if (!page) {
+                return page.error();
+            }
+            isMore = false;   // unless it brings new ones: some archives give all of them every time
+            for (const ArchiveObject& object : page.value()) {
+                if (seen.insert(object.sopInstance).second) {
+                    objects.push_back(object);
+                    isMore = true;
+                }
+            }
         }
-        auto objects = objectsOfJson(answer.value());
-        return objects ? std::move(objects) : objects.error().about(node_.name);
+        return objects;
     }
 
     core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
@@ -124,6 +137,20 @@ private:
     std::string seriesUrl(const std::string& studyUid, const std::string& seriesUid) const
     {
         return webBase(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
+    }
+
+    /// In pages: an archive may need long for all objects of a large series, and says nothing meanwhile.
+    core::Result<std::vector<ArchiveObject>> objectsFrom(const std::string& series, std::size_t first)
+    {
+        auto answer = ask(series + "/instances?limit=" + std::to_string(pageSize) + "&offset=" + std::to_string(first));
+        if (!answer) {
+            return answer.error();
+        }
+        auto objects = objectsOfJson(answer.value());
+        if (!objects) {
+            return objects.error().about(node_.name);
+        }
+        return std::vector<ArchiveObject>(objects.value());
     }
 
     core::Result<std::string> ask(const std::string& url)
