@@ -19,14 +19,15 @@ constexpr Method cleanDescriptors{"113105", "Clean Descriptors Option"};
 constexpr Method modifiedDates{"113107", "Retain Longitudinal Temporal Information Modified Dates Option"};
 
 /// Present though nothing is known, as the modules of images demand (type 2).
-constexpr std::array<std::pair<DicomTag, const char*>, 8> emptyWhereAbsent{{{0x00080020, "DA"},
+constexpr std::array<std::pair<DicomTag, const char*>, 9> emptyWhereAbsent{{{0x00080020, "DA"},
                                                                             {0x00080030, "TM"},
                                                                             {0x00080050, "SH"},
                                                                             {0x00080070, "LO"},
                                                                             {0x00080090, "PN"},
                                                                             {0x00100030, "DA"},
                                                                             {0x00100040, "CS"},
-                                                                            {0x00200010, "SH"}}};
+                                                                            {0x00200010, "SH"},
+                                                                            {0x00200060, "CS"}}};
 
 void addMethod(DicomItem& root, const Method& method)
 {
@@ -40,7 +41,7 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& wished)
 {
     const bool areShifted = wished.dates == KeptDates::Shifted;
     root.text(0x00120062, "CS", "YES");
-    root.text(0x00120063, "LO", "AngioPose " ANGIOPOSE_VERSION ": what describes the image was copied, all else left");
+    root.text(0x00120063, "LO", "AngioPose " ANGIOPOSE_VERSION ": what describes the image was copied");
     for (const Method& method : {basicProfile, cleanGraphics, cleanStructure, cleanDescriptors}) {
         addMethod(root, method);
     }

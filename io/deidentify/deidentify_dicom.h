@@ -12,7 +12,7 @@ namespace angiopose::io {
 struct Deidentification {
     KeptDates dates = KeptDates::None;
     DrawnLetters letters = DrawnLetters::Told;
-    std::string patientName;   ///< and ID; empty: a pseudonym
+    std::string patientName{};   ///< and ID; empty: a pseudonym
 };
 
 /// A DICOM object without identity.

@@ -26,6 +26,7 @@ constexpr std::array<DicomTag, 23> keptOfIdentification{
 /// Short texts that are read: which stack an image belongs to; maker and model, which tell how angles are counted.
 constexpr DicomTag stackTag = 0x00209056;
 constexpr std::array<DicomTag, 2> keptNames{0x00080070, 0x00081090};
+constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< a word of the standard, though its type lets more through
 constexpr DicomTag lookUpTableTag = 0x00283006;
 constexpr std::size_t mostNameLetters = 64;
 
@@ -85,6 +86,13 @@ bool isName(const std::string& value)
                return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
                       std::string_view(" -._/()+").find(c) != std::string_view::npos;
            });
+}
+
+bool isKeptLongString(DicomTag tag, const std::vector<std::string>& values)
+{
+    return tag == rescaleTypeTag
+               ? std::ranges::all_of(values, isCode)
+               : std::ranges::find(keptNames, tag) != keptNames.end() && std::ranges::all_of(values, isName);
 }
 
 class Copier {
@@ -191,8 +199,7 @@ private:
             case EVR_SH:
                 return as(tagOf(element) == stackTag && values.size() == 1 && isNumber(values[0]));
             case EVR_LO:
-                return as(std::ranges::find(keptNames, tagOf(element)) != keptNames.end() &&
-                          std::ranges::all_of(values, isName));
+                return as(isKeptLongString(tagOf(element), values));
             default:
                 return std::nullopt;
         }

@@ -14,8 +14,8 @@ namespace angiopose::test {
 /// A run of two frames with an identifier, PLANTEDnn, in every place where one was ever found: 67 of them.
 class PlantedRun {
 public:
-    static constexpr int columns = 64;
-    static constexpr int rows = 48;
+    static constexpr int columns = 256;
+    static constexpr int rows = 192;
 
     /// The file; `pixels` are 12 bits, the four bits above them hold letters of an identifier, too.
     std::string content(const std::vector<std::int16_t>& pixels)
@@ -86,8 +86,8 @@ private:
         data.text(0x0010, 0x0021, "LO", planted());
         data.text(0x0010, 0x0030, "DA", "19500102");
         data.text(0x0010, 0x0040, "CS", "F");
-        for (const std::uint16_t element : {0x1000, 0x1001, 0x1005, 0x1040, 0x1060, 0x2154, 0x2160, 0x2180, 0x4000}) {
-            data.text(0x0010, element, element == 0x1000 ? "LO" : "LT", planted());
+        for (const int element : {0x1000, 0x1001, 0x1005, 0x1040, 0x1060, 0x2154, 0x2160, 0x2180, 0x4000}) {
+            data.text(0x0010, static_cast<std::uint16_t>(element), element == 0x1000 ? "LO" : "LT", planted());
         }
         data.text(0x0018, 0x0010, "LO", planted());
         data.text(0x0018, 0x0015, "CS", "JANE");   // the patient's, where a code belongs
