@@ -19,15 +19,14 @@ constexpr Method cleanDescriptors{"113105", "Clean Descriptors Option"};
 constexpr Method modifiedDates{"113107", "Retain Longitudinal Temporal Information Modified Dates Option"};
 
 /// Present though nothing is known, as the modules of images demand (type 2).
-constexpr std::array<std::pair<DicomTag, const char*>, 9> emptyWhereAbsent{{{0x00080020, "DA"},
+constexpr std::array<std::pair<DicomTag, const char*>, 8> emptyWhereAbsent{{{0x00080020, "DA"},
                                                                             {0x00080030, "TM"},
                                                                             {0x00080050, "SH"},
                                                                             {0x00080070, "LO"},
                                                                             {0x00080090, "PN"},
                                                                             {0x00100030, "DA"},
                                                                             {0x00100040, "CS"},
-                                                                            {0x00200010, "SH"},
-                                                                            {0x00200060, "CS"}}};
+                                                                            {0x00200010, "SH"}}};
 
 void addMethod(DicomItem& root, const Method& method)
 {
@@ -69,6 +68,19 @@ std::string patientOf(const DicomDataset& data)
     return std::string(id.empty() ? data.text(0x00100010) : id);
 }
 
+/// What every image belongs to; files without it are those of one series of their patient.
+void addPlaces(const DicomDataset& data, const std::string& path, const Replacements& replacements, DicomItem& root)
+{
+    const Pseudonyms& pseudonyms = replacements.pseudonyms;
+    root.textWhereAbsent(0x00080018, "UI", pseudonyms.uid("instance " + path));
+    root.textWhereAbsent(0x0020000d, "UI", pseudonyms.uid("study of " + replacements.patient));
+    root.textWhereAbsent(0x0020000e, "UI", pseudonyms.uid("series of " + replacements.patient));
+    const bool saysSideElsewhere = data.has(0x00200062) || data.has(0x52009229);
+    if (!saysSideElsewhere) {
+        root.textWhereAbsent(0x00200060, "CS", "");
+    }
+}
+
 }   // namespace
 
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
@@ -95,13 +107,15 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
     if (data.has(0x00200052)) {
         root.textWhereAbsent(0x00201040, "LO", "");   // position reference indicator
     }
+    addPlaces(data, path, replacements, root);
     sayWhatWasDone(root, wished);
     auto content = object.content();
     if (!content) {
         return content.error().about(path);
     }
     nameless.content = std::move(content).value();
-    nameless.seriesUid = pseudonyms.uid(data.text(0x0020000e));
+    const std::string_view series = data.text(0x0020000e);
+    nameless.seriesUid = pseudonyms.uid(series.empty() ? "series of " + replacements.patient : std::string(series));
     nameless.instanceNumber = data.integer(0x00200013).value_or(0);
     return nameless;
 }

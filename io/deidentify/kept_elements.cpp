@@ -18,10 +18,10 @@ namespace {
 constexpr std::array<DicomTag, 6> describingGroups{0x0018, 0x0020, 0x0028, 0x0054, 0x2050, 0x5200};
 
 /// Of group 0008: what kind of image it is, when it was made, which images it refers to, how a run is played.
-constexpr std::array<DicomTag, 23> keptOfIdentification{
+constexpr std::array<DicomTag, 24> keptOfIdentification{
     0x00080008, 0x00080016, 0x00080018, 0x00080020, 0x00080021, 0x00080022, 0x00080023, 0x0008002a,
-    0x00080030, 0x00080031, 0x00080032, 0x00080033, 0x00080060, 0x00080068, 0x00081140, 0x00081150,
-    0x00081155, 0x00082112, 0x00082142, 0x00082143, 0x00082144, 0x00089007, 0x00089205};
+    0x00080030, 0x00080031, 0x00080032, 0x00080033, 0x00080060, 0x00080064, 0x00080068, 0x00081140,
+    0x00081150, 0x00081155, 0x00082112, 0x00082142, 0x00082143, 0x00082144, 0x00089007, 0x00089205};
 
 /// Short texts that are read: which stack an image belongs to; maker and model, which tell how angles are counted.
 constexpr DicomTag stackTag = 0x00209056;
@@ -191,7 +191,10 @@ private:
             case EVR_CS:
                 return as(std::ranges::all_of(values, isCode));
             case EVR_UI:
-                return joined(values, [this](const std::string& uid) { return its_.pseudonyms.uid(uid); });
+                return values == std::vector<std::string>{""}
+                           ? std::nullopt
+                           : std::optional(
+                                 joined(values, [this](const std::string& uid) { return its_.pseudonyms.uid(uid); }));
             case EVR_DA:
             case EVR_DT:
             case EVR_TM:

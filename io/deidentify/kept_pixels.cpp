@@ -102,6 +102,7 @@ std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int 
 void describePixels(const PixelLayout& layout, DicomItem& to)
 {
     to.unsignedShort(0x00280002, 1);
+    to.remove(0x00280006);   // planar configuration, of colours
     to.text(0x00280004, "CS", layout.photometric == "MONOCHROME1" ? "MONOCHROME1" : "MONOCHROME2");
     to.unsignedShort(0x00280010, layout.rows);
     to.unsignedShort(0x00280011, layout.columns);

@@ -111,6 +111,11 @@ void DicomItem::floatPixels(const std::vector<float>& values)
     item_->insert(element, OFTrue);
 }
 
+void DicomItem::remove(DicomTag tag)
+{
+    delete item_->remove(DcmTagKey(static_cast<Uint16>(tag >> 16U), static_cast<Uint16>(tag & 0xffffU)));
+}
+
 DicomItem DicomItem::addItem(DicomTag sequence)
 {
     constexpr long atTheEnd = -2;

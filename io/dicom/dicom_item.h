@@ -35,6 +35,8 @@ public:
     void bytes(DicomTag tag, std::string_view content);   ///< OB, made even
     void floatPixels(const std::vector<float>& values);   ///< OF
 
+    void remove(DicomTag tag);
+
     DicomItem addItem(DicomTag sequence);
     void emptySequence(DicomTag sequence);
 

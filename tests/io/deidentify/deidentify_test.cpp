@@ -176,6 +176,30 @@ TEST_F(Deidentify, FolderBecomesSeriesWithNeutralNames)
     EXPECT_EQ(again.error().message.id(), "deidentify.output-not-empty");
 }
 
+TEST_F(Deidentify, FilesWithoutUidsStayApart)
+{
+    for (int k = 0; k < 2; ++k) {
+        test::CtSlice slice;
+        slice.seriesUid = "";
+        slice.position = {0, 0, 2.0 * k};
+        slice.pixels.assign(72, 7);
+        folder.write("bare/" + std::to_string(k) + ".dcm", test::ctSlice(slice));
+    }
+    ASSERT_TRUE(io::deidentifyFolder(folder.file("bare"), folder.file("out"), {}, pseudonyms));
+    std::vector<std::string> instances;
+    std::vector<std::string> series;
+    for (const char* name : {"out/series-1/00001.dcm", "out/series-1/00002.dcm"}) {
+        const std::string bytes = test::readText(folder.file(name));
+        const auto file = io::parseDicom(bytes, name);
+        ASSERT_TRUE(file) << name;
+        instances.emplace_back(file.value().dataset.text(0x00080018));
+        series.emplace_back(file.value().dataset.text(0x0020000e));
+    }
+    EXPECT_NE(instances[0], instances[1]);
+    EXPECT_EQ(series[0], series[1]);
+    EXPECT_NE(series[0], instances[0]);
+}
+
 TEST_F(Deidentify, StoppedFolderLeavesNothing)
 {
     const auto done = io::deidentifyFolder(folder.file("DOE_JANE_4711"), folder.file("out"), {}, pseudonyms,
