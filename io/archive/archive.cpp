@@ -5,7 +5,9 @@
 #include "io/archive/dimse/find.h"
 #include "io/archive/store/cache.h"
 #include "io/archive/web/web_archive.h"
+#include "io/dicom/dicom_file.h"
 #include "io/messages/says_archive.h"
+#include "io/support/input_bytes.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,7 +20,14 @@ StopQuestion stopQuestion(const ArchiveObserver& observe)
     return [&observe] { return observe && observe({}) == core::Verdict::Stop; };
 }
 
-/// Files of folders too, in the order of their names.
+/// An export holds other files, too; a damaged DICOM file is known by its name.
+bool isMeantToGo(const std::filesystem::path& path)
+{
+    return !path.filename().string().starts_with('.') &&
+           (extensionOf(path.string()) == ".dcm" || isDicomFile(path.string()));
+}
+
+/// Files of folders too, those that are DICOM, in the order of their names.
 std::vector<std::string> filesOf(const std::vector<std::string>& paths)
 {
     namespace fs = std::filesystem;
@@ -32,7 +41,7 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths)
         const std::size_t first = files.size();
         for (fs::recursive_directory_iterator each(path, failed), end; !failed && each != end; each.increment(failed)) {
             std::error_code unknown;
-            if (each->is_regular_file(unknown) && !each->path().filename().string().starts_with('.')) {
+            if (each->is_regular_file(unknown) && isMeantToGo(each->path())) {
                 files.push_back(each->path().string());
             }
         }

@@ -1,38 +1,61 @@
 #pragma once
 
-#include "core/imaging/angiogram.h"
 #include "io/archive/archive.h"
-#include "io/dicom/write_dicom.h"
+#include "io/dicom/dicom_item.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <chrono>
+#include <cstdint>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace angiopose::test {
 
 inline constexpr const char* studyUid = "2.25.4711";
 
-/// An angiogram by this program's own writer: number `index` of a series.
+/// A run by this program's own writer of elements, with the UIDs that it is told: number `index` of a series.
 inline std::string objectText(int index, const std::string& seriesUid, int side = 64, int frames = 1)
 {
-    core::Angiogram run;
+    std::vector<std::uint16_t> pixels;
     for (int frame = 0; frame < frames; ++frame) {
-        core::ImageF image(side, side);
         for (int i = 0; i < side * side; ++i) {
-            image.pixels[static_cast<std::size_t>(i)] = static_cast<float>((i * 31 + index * 977 + frame * 13) % 4096);
+            pixels.push_back(static_cast<std::uint16_t>((i * 31 + index * 977 + frame * 13) % 4096));
         }
-        run.frames.push_back(std::move(image));
     }
-    run.identity.patientName = "Müller^Änne";
-    run.identity.patientId = "P-4711";
-    run.identity.studyUid = studyUid;
-    run.identity.studyDate = "2024-03-05";
-    run.identity.seriesUid = seriesUid;
-    run.identity.sopInstanceUid = seriesUid + "." + std::to_string(index + 1);
-    run.identity.modality = "XA";
-    const auto text = io::dicomText(run);
+    io::DicomObject object;
+    io::DicomItem root = object.root();
+    for (const auto& [tag, vr, value] : std::vector<std::tuple<io::DicomTag, const char*, std::string>>{
+             {0x00080005, "CS", "ISO_IR 192"},
+             {0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.12.1"},
+             {0x00080018, "UI", seriesUid + "." + std::to_string(index + 1)},
+             {0x00080020, "DA", "20240305"},
+             {0x00080030, "TM", ""},
+             {0x00080050, "SH", ""},
+             {0x00080060, "CS", "XA"},
+             {0x00080090, "PN", ""},
+             {0x00100010, "PN", "Müller^Änne"},
+             {0x00100020, "LO", "P-4711"},
+             {0x0020000d, "UI", studyUid},
+             {0x0020000e, "UI", seriesUid},
+             {0x00200013, "IS", std::to_string(index + 1)},
+             {0x00280004, "CS", "MONOCHROME2"},
+             {0x00280008, "IS", std::to_string(frames)}}) {
+        root.text(tag, vr, value);
+    }
+    for (const auto& [tag, value] : std::vector<std::pair<io::DicomTag, int>>{{0x00280002, 1},
+                                                                              {0x00280010, side},
+                                                                              {0x00280011, side},
+                                                                              {0x00280100, 16},
+                                                                              {0x00280101, 16},
+                                                                              {0x00280102, 15},
+                                                                              {0x00280103, 0}}) {
+        root.unsignedShort(tag, value);
+    }
+    root.words(0x7fe00010, pixels);
+    const auto text = object.content();
     EXPECT_TRUE(text) << text.error().message.text();
     return text ? text.value() : std::string();
 }

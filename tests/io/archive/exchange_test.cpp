@@ -7,6 +7,7 @@
 #include "io/archive/store/cache.h"
 #include "io/messages/says.h"
 #include "io/messages/says_archive.h"
+#include "io/messages/says_keeping.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -79,6 +80,20 @@ TEST_F(ArchiveExchange, AnswersEchoBothWays)
     EXPECT_TRUE(io::echoArchive(node(), ArchiveWay::Dimse));
     const auto web = io::echoArchive(node(), ArchiveWay::Web);
     EXPECT_TRUE(web) << web.error().message.text();
+}
+
+TEST_F(ArchiveExchange, OfAFolderDicomFilesGoAndDamagedOnesAreNamed)
+{
+    const auto files = writeObjects(folder_, "2.25.4711.41", 2, 16);
+    const auto parent = std::filesystem::path(files.front()).parent_path();
+    std::filesystem::create_directories(parent / "export");
+    std::filesystem::copy_file(files.front(), parent / "export" / "a.dcm");
+    writeText(parent / "export" / "camera.json", "{}");
+    const auto whole = io::sendToArchive(node(), ArchiveWay::Dimse, {(parent / "export").string()});
+    EXPECT_TRUE(whole.isWhole());
+    EXPECT_EQ(whole.transferred + whole.duplicates, 1U);
+    writeText(parent / "export" / "b.dcm", "nothing of DICOM");
+    EXPECT_FALSE(io::sendToArchive(node(), ArchiveWay::Dimse, {(parent / "export").string()}).isWhole());
 }
 
 TEST_F(ArchiveExchange, TwentyObjectsComeBackTheSame)
@@ -296,7 +311,7 @@ TEST_F(ArchiveExchange, FullDiskIsSaid)
         const FullDisk full(30'000);
         const auto report = retrieved(way, series, store);
         ASSERT_TRUE(report.end);
-        expectFailure(*report.end, io::says::fileNotWritten, watch);
+        expectFailure(*report.end, io::says::fileBeyondLimit, watch);
         EXPECT_EQ(report.transferred, 0u);
         EXPECT_TRUE(halfFiles(into).empty());
     }
