@@ -1,10 +1,10 @@
 #include "io/messages/catalogue.h"
 
 #include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
-#include "io/messages/says_objects.h"
-#include "io/messages/says_keeping.h"
 #include "io/messages/says_archive.h"
+#include "io/messages/says_deidentify.h"
+#include "io/messages/says_keeping.h"
+#include "io/messages/says_objects.h"
 
 #include <array>
 

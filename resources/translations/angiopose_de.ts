@@ -12177,7 +12177,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Name stattdessen</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are others. Names of branches stay. Look at every picture before you hand it on.</source>
+        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are replaced. Names of branches stay. Look at every picture before you hand it on.</source>
         <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. Ohne Identität: keine Namen, IDs, Daten, privaten Elemente und Notizen; UIDs sind andere. Namen von Ästen bleiben. Vor dem Weitergeben jedes Bild ansehen.</translation>
     </message>
     <message>

@@ -12176,7 +12176,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>替代姓名</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are others. Names of branches stay. Look at every picture before you hand it on.</source>
+        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are replaced. Names of branches stay. Look at every picture before you hand it on.</source>
         <translation>一个归档，包含病例、其输入和结果。去除身份：不含姓名、编号、日期、私有元素和备注；UID 被替换。分支名称保留。交出之前请查看每幅图像。</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@ PackDialog::PackDialog(QWidget* parent)
     layout->addLayout(form);
     auto* hint =
         roleLabel("hint", tr("One archive with the case, its inputs and its results. Without identity: no names, "
-                             "IDs, dates, private elements and notes; UIDs are others. Names of branches stay. "
+                             "IDs, dates, private elements and notes; UIDs are replaced. Names of branches stay. "
                              "Look at every picture before you hand it on."));
     hint->setWordWrap(true);
     layout->addWidget(hint);
