@@ -63,7 +63,7 @@ take "$tree/share/fonts" /usr/share/fonts/opentype/inter/Inter-{Regular,Medium,S
     /usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc
 
 # glibc stays the system's; GL, X and the compiler's library too wherever it has them (see launch.sh).
-is_glibc() { [[ $1 =~ ^(ld-linux.*|lib(c|m|dl|rt|pthread|resolv|util|anl|nsl|mvec))\.so ]]; }
+is_glibc() { [[ $1 =~ ^(ld-linux.*\.so|lib(c|m|dl|rt|pthread|resolv|util|anl|mvec)\.so|libnsl\.so\.1) ]]; }
 is_fallback() { [[ $1 =~ ^lib(GL|GLX|EGL|OpenGL|GLdispatch|GLU|X11|X11-xcb|xcb|Xau|Xdmcp|bsd|md|drm|gbm|wayland-.*|stdc\+\+|gcc_s)\.so ]]; }
 find "$tree/lib/angiopose" "$tree/libexec" "$tree/lib/qt6" -type f ! -name qt.conf -exec ldd {} + |
     awk '$2 == "=>" && $3 ~ /^\// {print $3}' | sort -u >"$out/linked"
