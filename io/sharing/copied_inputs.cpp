@@ -1,6 +1,7 @@
 #include "io/sharing/copied_inputs.h"
 
 #include "io/angiogram_file.h"
+#include "io/centerline2d_file.h"
 #include "io/deidentify_file.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
@@ -92,9 +93,7 @@ public:
         }
         const bool isGiven = !view.target.file.path.empty() && !view.target.editedFrame;
         if (isGiven) {
-            const fs::path from(view.target.file.path);
-            const auto target = copyPlain(from, name + "-curves" + extensionOf(from.string()));
-            return target ? named(view.target.file, target.value()) : core::Status(target.error());
+            return copyTarget(view.target, name + "-curves");
         }
         view.target.file = {};   // edited curves are written by saving
         view.followed.bendsFile = {};
@@ -121,33 +120,46 @@ private:
         }
     }
 
-    /// A file without anything to hide, or one of which only the pixels go on.
-    core::Result<std::string> copyPlain(const fs::path& from, const std::string& name)
+    core::Result<std::string> copyPlain(const fs::path& from, const std::string& name) const
     {
         const std::string place = placeFor(name);
-        const bool isPicture = extensionOf(name) == ".png" && wish_.deidentified;
-        if (isPicture) {
-            const auto stripped = deidentifyFile(from.string(), place, *wish_.deidentified, wish_.pseudonyms);
-            return stripped ? core::Result<std::string>(place) : stripped.error();
-        }
         const auto done = copied(from, place);
         return done ? core::Result<std::string>(place) : done.error();
+    }
+
+    /// Without identity the curves alone, written anew: tables can hold what nobody reads.
+    core::Status copyTarget(core::GivenTarget& target, const std::string& name)
+    {
+        if (wish_.deidentified && target.centerline) {
+            const std::string place = placeFor(name + ".csv");
+            const auto written = writeCenterline2d(*target.centerline, place);
+            return written ? named(target.file, place) : written;
+        }
+        const auto place = copyPlain(target.file.path, name + extensionOf(target.file.path));
+        return place ? named(target.file, place.value()) : core::Status(place.error());
     }
 
     core::Result<std::string> copyImage(const std::string& path, const std::string& name)
     {
         const bool isDicom = isDicomFile(path);
         const std::string place = placeFor(name + (isDicom ? ".dcm" : extensionOf(path)));
+        const auto done = copyImageFile(path, place);
+        return done ? core::Result<std::string>(place) : done.error();
+    }
+
+    core::Status copyImageFile(const std::string& path, const fs::path& place)
+    {
         if (!wish_.deidentified) {
-            const auto done = copied(path, place);
-            return done ? core::Result<std::string>(place) : done.error();
+            return copied(path, place);
         }
-        const auto done = deidentifyFile(path, place, *wish_.deidentified, wish_.pseudonyms);
+        std::error_code ignored;
+        fs::create_directories(place.parent_path(), ignored);   // writing tells where that failed
+        const auto done = deidentifyFile(path, place.string(), *wish_.deidentified, wish_.pseudonyms);
         if (!done) {
             return done.error();
         }
         add(done.value());
-        return place;
+        return core::Done{};
     }
 
     /// What the case keeps of its image's header follows the pseudonyms.
@@ -246,21 +258,16 @@ private:
             const std::string digits = std::to_string(++number);
             const fs::path place =
                 folder_ / name / (std::string(5 - std::min<std::size_t>(5, digits.size()), '0') + digits + ".dcm");
-            std::error_code ignored;
-            fs::create_directories(place.parent_path(), ignored);
-            const auto done = wish_.deidentified
-                                  ? deidentifyFile(file, place.string(), *wish_.deidentified, wish_.pseudonyms)
-                                  : core::Result<core::Messages>(core::Messages{});
-            const core::Status stored = !done                ? core::Status(done.error())
-                                        : wish_.deidentified ? core::Status(core::Done{})
-                                                             : copied(file, place);
-            if (!stored) {
-                return stored.error();
+            if (const auto done = copyImageFile(file, place); !done) {
+                return done.error();
             }
-            add(done.value());
         }
         const std::string uid = wanted->id.substr(0, wanted->id.find('#'));
-        seriesId = wish_.deidentified ? wish_.pseudonyms.uid(uid) + wanted->id.substr(uid.size()) : wanted->id;
+        if (wish_.deidentified) {
+            seriesId = uid.empty() ? std::string() : wish_.pseudonyms.uid(uid) + wanted->id.substr(uid.size());
+        } else {
+            seriesId = wanted->id;
+        }
         return placeFor(name);
     }
 

@@ -23,6 +23,8 @@ protected:
         json["somethingNew"] = "Jane Doe";
         json["pose"]["landmarks"] =
             nlohmann::json::array({{{"pointInPatientMm", {0, 0, 0}}, {"pixel", {3, 4}}, {"name", "LAD of Jane Doe"}}});
+        small.folder().write("in/curves.csv", "x,y,operator\n3,4,Jane\n8,6,Doe\n");
+        json["angiogram"]["centerline"]["path"] = "in/curves.csv";
         auto loaded = small.load(json);
         EXPECT_TRUE(loaded) << loaded.error().message.text();
         core::Case theCase = std::move(loaded).value();
