@@ -189,16 +189,21 @@ void SessionController::connectDicom()
     connect(ui_.actions[ui::Command::ExportDicom], &QAction::triggered, &dicom_, &DicomController::ask);
     connect(&dicom_, &DicomController::started, this, [this] { notices_.showNote(tr("Writing …")); });
     connect(&dicom_, &DicomController::written, this, [this](const QString& folder, const QStringList& notes) {
-        const QString there = tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName());
-        if (notes.isEmpty()) {
-            notices_.showNote(there);
-        } else {
-            notices_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
-        }
-        emit exported();
+        tellWritten(tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName()), notes);
     });
     connect(&dicom_, &DicomController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
+}
+
+/// What was written, and what is to be known of it.
+void SessionController::tellWritten(const QString& there, const QStringList& notes)
+{
+    if (notes.isEmpty()) {
+        notices_.showNote(there);
+    } else {
+        notices_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
+    }
+    emit exported();
 }
 
 void SessionController::connectPacking()
@@ -206,13 +211,7 @@ void SessionController::connectPacking()
     connect(ui_.actions[ui::Command::PackCase], &QAction::triggered, &pack_, &PackController::ask);
     connect(&pack_, &PackController::started, this, [this] { notices_.showNote(tr("Packing …")); });
     connect(&pack_, &PackController::written, this, [this](const QString& path, const QStringList& notes) {
-        const QString there = tr("Case packed: %1").arg(QFileInfo(path).fileName());
-        if (notes.isEmpty()) {
-            notices_.showNote(there);
-        } else {
-            notices_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
-        }
-        emit exported();
+        tellWritten(tr("Case packed: %1").arg(QFileInfo(path).fileName()), notes);
     });
     connect(&pack_, &PackController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Could not pack the case"), reason); });

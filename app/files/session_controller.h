@@ -67,6 +67,7 @@ private:
     void connectExporting();
     void connectDicom();
     void connectPacking();
+    void tellWritten(const QString& there, const QStringList& notes);
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
     void openNewWindow();
