@@ -6,6 +6,7 @@
 #include "io/messages/says_deidentify.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
+#include "io/support/files_in_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -38,23 +39,6 @@ core::Result<NamelessDicom> namelessOf(const std::string& path, const Deidentifi
     }
     const auto file = parseDicom(input.value().view(), path);
     return file ? withoutIdentity(file.value(), path, wished, pseudonyms) : file.error();
-}
-
-core::Result<std::vector<std::string>> filesIn(const std::string& folder)
-{
-    std::vector<std::string> files;
-    std::error_code failed;
-    for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
-         entry.increment(failed)) {
-        if (entry->is_regular_file(failed)) {
-            files.push_back(entry->path().string());
-        }
-    }
-    if (failed) {
-        return fileError(folder, says::folderNotRead(failed.message()));
-    }
-    std::ranges::sort(files);
-    return files;
 }
 
 /// The folder that is written to: its own until all is there.
@@ -98,9 +82,7 @@ public:
             fs::create_directories(folder, failed);
             made_.push_back(folder);
         }
-        std::array<char, 32> name{};
-        std::snprintf(name.data(), name.size(), "%05zu.dcm", ++count);
-        return writeAtomically((folder / name.data()).string(), image.content);
+        return writeAtomically((folder / instanceFileName(++count)).string(), image.content);
     }
 
     bool isEmpty() const { return counts_.empty(); }
@@ -115,6 +97,13 @@ private:
 };
 
 }   // namespace
+
+std::string instanceFileName(std::size_t number)
+{
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "%05zu.dcm", number);
+    return name.data();
+}
 
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
                                             const Deidentification& wished, const Pseudonyms& pseudonyms)
@@ -137,7 +126,7 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
                                               const Deidentification& wished, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe)
 {
-    const auto files = filesIn(path);
+    const auto files = filesInFolder(path, Reach::Below);
     if (!files) {
         return files.error();
     }

@@ -8,6 +8,9 @@
 
 namespace angiopose::io {
 
+/// "00001.dcm": what the images of a series are called where names could tell.
+std::string instanceFileName(std::size_t number);
+
 /// Writes a DICOM image, PNG or JPEG without identity (FORMATS §7); warnings name what to look at.
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
                                             const Deidentification& wished, const Pseudonyms& pseudonyms);

@@ -5,6 +5,7 @@
 #include "io/messages/says.h"
 #include "io/series/group_slices.h"
 #include "io/support/file_error.h"
+#include "io/support/files_in_folder.h"
 #include "io/support/input_bytes.h"
 
 #include <algorithm>
@@ -13,41 +14,9 @@
 namespace angiopose::io {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::size_t maxFiles = 50'000;
-constexpr int maxFolderDepth = 8;
-
-enum class Reach { FolderOnly, Below };
-
-/// Regular files in a folder (and below), by name.
-core::Result<std::vector<std::string>> filesIn(const std::string& folder, Reach reach)
-{
-    std::vector<std::string> files;
-    std::error_code failed;
-    fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed);
-    if (failed) {
-        return fileError(folder, says::folderNotRead(failed.message()));
-    }
-    for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
-        if (failed || files.size() > maxFiles) {
-            return fileError(folder, failed ? says::folderNotReadToEnd() : says::folderTooFull());
-        }
-        if (reach == Reach::FolderOnly || at.depth() >= maxFolderDepth) {
-            at.disable_recursion_pending();
-        }
-        std::error_code unknown;
-        if (at->is_regular_file(unknown) && at->path().filename() != "DICOMDIR") {
-            files.push_back(at->path().string());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 core::Result<std::vector<DicomSeries>> scan(const std::string& folder, Reach reach, const ReadObserver& observe)
 {
-    const auto files = filesIn(folder, reach);
+    const auto files = filesInFolder(folder, reach);
     if (!files) {
         return files.error();
     }
@@ -81,7 +50,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
     if (!own) {
         return own.error();
     }
-    std::string folder = fs::path(path).parent_path().string();
+    std::string folder = std::filesystem::path(path).parent_path().string();
     auto found = own.value().slices.size() > 1 ? core::Result<std::vector<DicomSeries>>(groupSlices({own.value()}))
                                                : scan(folder.empty() ? "." : folder, Reach::FolderOnly, observe);
     if (!found) {
@@ -91,7 +60,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
     std::error_code failed;
     for (DicomSeries& series : all) {
         const bool isOwn = std::any_of(series.slices.begin(), series.slices.end(), [&](const SliceRecord& slice) {
-            return slice.path == path || fs::equivalent(slice.path, path, failed);
+            return slice.path == path || std::filesystem::equivalent(slice.path, path, failed);
         });
         if (isOwn) {
             return std::move(series);

@@ -253,11 +253,9 @@ private:
         if (wanted == all.value().end()) {
             return fileError(path, says::nothingToDeidentify());
         }
-        int number = 0;
+        std::size_t number = 0;
         for (const std::string& file : filesOf(all.value(), *wanted)) {
-            const std::string digits = std::to_string(++number);
-            const fs::path place =
-                folder_ / name / (std::string(5 - std::min<std::size_t>(5, digits.size()), '0') + digits + ".dcm");
+            const fs::path place = folder_ / name / instanceFileName(++number);
             if (const auto done = copyImageFile(file, place); !done) {
                 return done.error();
             }
