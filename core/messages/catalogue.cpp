@@ -1,6 +1,7 @@
 #include "core/messages/catalogue.h"
 
 #include "core/messages/says.h"
+#include "core/messages/says_contrast.h"
 
 #include <array>
 
@@ -10,6 +11,7 @@ std::span<const MessageEntry* const> messageCatalogue()
 {
     static constexpr auto entries = std::to_array<const MessageEntry*>({
 #define MESSAGE(name, id, english) &says::name,
+#include "core/messages/contrast.def"
 #include "core/messages/evaluation.def"
 #include "core/messages/geometry.def"
 #include "core/messages/measuring.def"

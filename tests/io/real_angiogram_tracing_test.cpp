@@ -65,6 +65,21 @@ TEST_P(PhantomView, ShowsLongVesselsAndNoBorder)
     EXPECT_LE(trace.value().centerline.curves.size(), 15U) << "vessels, and walls of the box that they hang in";
 }
 
+TEST(RealAngiogramTracing, TellsOfFramesWithoutContrast)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A");
+    for (const char* name : {"IM1.dcm", "IM2.dcm", "IM3.dcm", "IM4.dcm"}) {
+        const auto run = io::readAngiogram(test::dataFile(std::string("coronary-phantom-xa/views-A/") + name).string());
+        ASSERT_TRUE(run) << run.error().message;
+        const auto first = core::traceFrame(run.value(), 0);
+        ASSERT_TRUE(first);
+        EXPECT_FALSE(first.value().warnings.empty()) << name;
+        const auto fullest = core::traceFrame(run.value(), run.value().suggestedFrame);
+        ASSERT_TRUE(fullest);
+        EXPECT_TRUE(fullest.value().warnings.empty()) << name;
+    }
+}
+
 TEST(RealAngiogramTracing, KeepsAWideTubeThatStandsAlone)
 {
     const std::string file = "coronary-phantom-xa/views-A/IM4.dcm";

@@ -3,9 +3,11 @@
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/messages/says.h"
+#include "core/messages/says_contrast.h"
 #include "core/support/at_once.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/bridge_gaps.h"
+#include "core/tracing/angiogram/curves/contrast_seen.h"
 #include "core/tracing/angiogram/curves/curve_refinement.h"
 #include "core/tracing/angiogram/curves/devices_from_rim.h"
 #include "core/tracing/angiogram/curves/lines_across.h"
@@ -112,10 +114,15 @@ Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options)
     return without(std::move(field), text);
 }
 
-/// 0…1: the strongest 0.1 % count as 1.
-ImageF normalised(ImageF ridges)
+/// Of the strongest 0.1 %, which count as 1.
+float topOf(const ImageF& ridges)
 {
-    const float top = std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
+    return std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
+}
+
+/// 0…1
+ImageF normalised(ImageF ridges, float top)
+{
     for (float& value : ridges.pixels) {
         value = std::min(1.0F, value / top);
     }
@@ -146,6 +153,7 @@ std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> pat
 struct SeenVessels {
     Mask2d fieldMask;
     ImageF vesselness;
+    double clutter = 0.0;   ///< in units of it
     ImageF opacity;
     std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the vessel pixels
 };
@@ -168,7 +176,11 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
     const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
     Mask2d whole;
     atOnce([&] { whole = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
-           [&] { seen.vesselness = normalised(std::move(clear)); });
+           [&] {
+               const float top = topOf(clear);
+               seen.clutter = clutterLevel / static_cast<double>(top);
+               seen.vesselness = normalised(std::move(clear), top);
+           });
     seen.paths = orderedCurves(vesselBranches(whole, evidence, seen.opacity, seen.fieldMask, options),
                                crossingInRadii * options.maxVesselRadiusPx);
     return seen;
@@ -181,14 +193,29 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
     trace.suspectCurves = std::move(suspects);
 }
 
+double contrastOf(const AngiogramTrace& trace)
+{
+    return contrastSeen(trace.centerline, trace.suspectCurves, trace.vesselness, trace.clutter);
+}
+
+/// What is drawn has no clutter, and no contrast medium.
+void addWordOfContrast(AngiogramTrace& trace)
+{
+    if (trace.clutter > 0.0 && contrastOf(trace) < leastContrast) {
+        trace.warnings = {says::frameWithLittleContrast()};
+    }
+}
+
 void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
 {
     const SeenBefore seen =
         seenBefore(trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
-    if (seen.isEverything) {
-        trace.warnings.push_back(says::frameWithNothingNew());
-    }
     addSuspects(trace, seen.curveIds);
+    if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // else it was filled from the start
+        trace.warnings = {says::frameWithNothingNew()};
+    } else {
+        addWordOfContrast(trace);
+    }
 }
 
 /// What was drawn is taken as it is drawn, as label images are.
@@ -230,6 +257,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     AngiogramTrace trace;
     trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
     trace.vesselness = fromWorkingSize(seen.vesselness, size, frame.width, frame.height);
+    trace.clutter = seen.clutter;
     const double maxRadiusPx = options.maxVesselRadiusPx / size.factor();
     const ImageF opacity = size.halvings == 0
                                ? std::move(seen.opacity)
@@ -244,6 +272,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     trace.vesselMask = paintedVessels(trace.centerline, frame.width, frame.height);
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
     addSuspects(trace, devicesFromRim(trace.centerline, trace.fieldMask));
+    addWordOfContrast(trace);
     return trace;
 }
 

@@ -17,6 +17,7 @@ struct AngiogramTrace {
     Centerline2d centerline;
     std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, wires or edges of bones
     ImageF vesselness;   ///< 0…1
+    double clutter = 0.0;   ///< the vesselness that noise and background reach; 0 of what is drawn
     Mask2d vesselMask;   ///< between the walls of the curves: where the edges have half of their height
     Mask2d fieldMask;   ///< where the image is exposed: inside shutter and border, without burned-in text
     Messages warnings;   ///< that no contrast medium comes in this run

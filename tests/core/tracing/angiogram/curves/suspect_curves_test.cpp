@@ -10,7 +10,7 @@ namespace {
 using core::Centerline2d;
 using core::Curve2d;
 
-constexpr int side = 512;
+constexpr int frameSidePx = 512;
 
 /// 200 px along x, with the given course across and width along it.
 template <class Course, class Width>
@@ -33,13 +33,13 @@ const auto tapering = [](double x) { return 3.0 - 0.009 * x; };
 TEST(SuspectCurves, AreStraightOrEvenlyBentAndOfEvenWidth)
 {
     const Centerline2d centerline{{drawnCurve(1, straightCourse, even), drawnCurve(2, arc, even)}};
-    EXPECT_EQ(core::suspectCurves(centerline, side), (std::vector<int>{1, 2}));
+    EXPECT_EQ(core::suspectCurves(centerline, frameSidePx), (std::vector<int>{1, 2}));
 }
 
 TEST(SuspectCurves, VesselsWindOrTaper)
 {
     const Centerline2d centerline{{drawnCurve(1, winding, even), drawnCurve(2, arc, tapering)}};
-    EXPECT_TRUE(core::suspectCurves(centerline, side).empty());
+    EXPECT_TRUE(core::suspectCurves(centerline, frameSidePx).empty());
 }
 
 TEST(SuspectCurves, ShortOnesAreNotJudged)
@@ -61,7 +61,7 @@ Curve2d loopOf(int id, double radius, double gapRad)
 
 TEST(SuspectCurves, LoopsOfWireAreClosed)
 {
-    EXPECT_EQ(core::suspectCurves({{loopOf(1, 16.0, 0.1), loopOf(2, 16.0, 2.5), loopOf(3, 120.0, 0.1)}}, side),
+    EXPECT_EQ(core::suspectCurves({{loopOf(1, 16.0, 0.1), loopOf(2, 16.0, 2.5), loopOf(3, 120.0, 0.1)}}, frameSidePx),
               std::vector<int>{1});
 }
 
@@ -69,7 +69,7 @@ TEST(SuspectCurves, WithoutWidthsTheCourseDecides)
 {
     Curve2d unknown = drawnCurve(4, arc, tapering);
     unknown.radiusPx.clear();
-    EXPECT_EQ(core::suspectCurves({{unknown}}, side), std::vector<int>{4});
+    EXPECT_EQ(core::suspectCurves({{unknown}}, frameSidePx), std::vector<int>{4});
 }
 
 }   // namespace
