@@ -54,7 +54,7 @@ core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, 
         return former;
     }
     const std::string path = pathBeside(owner.casePath, {otherView, "curves", "csv"}, ownCurves(owner)).string();
-    if (const auto written = writeCenterline2d(*target.centerline, path); !written) {
+    if (const auto written = writeCenterline2d(core::together(core::curvesOf(target)), path); !written) {
         return written.error();
     }
     auto hash = sha256OfFile(path);
@@ -66,7 +66,7 @@ core::InputFile exportedFileOf(const core::GivenTarget& target)
     if (!target.editedFrame || !target.centerline) {
         return target.file;
     }
-    const auto hash = sha256OfText(centerline2dText(*target.centerline));
+    const auto hash = sha256OfText(centerline2dText(core::together(core::curvesOf(target))));
     return {{}, hash ? hash.value() : std::string()};
 }
 

@@ -106,6 +106,7 @@ struct TraceAngiogramArguments {
     std::optional<int> frame;
     std::string outputPath;
     std::string maskPath;
+    std::string apartPath;   ///< of curves that may be catheters, wires or edges of bones; empty: with the others
     double sensitivity = 1.0;
     bool subtract = false;   ///< as the file says, or as is best
     std::vector<int> maskFrames;   ///< to subtract; empty: the file's, or those before the contrast

@@ -30,6 +30,9 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     command->add_option("IMAGE", arguments->imagePath, "DICOM, PNG, TIFF or JPEG")->required();
     command->add_option("--frame", arguments->frame, "Frame, from 0 (default: the fullest)");
     command->add_option("--output", arguments->outputPath, "Centrelines to write, .csv")->required();
+    command->add_option("--apart", arguments->apartPath,
+                        "Curves that may be catheter, wire or edge of a bone go here instead, .csv: the path of a "
+                        "wire for the method wire");
     command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
     command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
         ->check(CLI::Range(0.2, 5.0));

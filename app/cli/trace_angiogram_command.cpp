@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
+#include "core/case/devices_apart.h"
 #include "core/tracing/angiogram/frame/steady_frame.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
@@ -77,8 +78,16 @@ core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, co
 
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)
 {
-    if (const auto status = io::writeCenterline2d(trace.centerline, arguments.outputPath); !status) {
+    const core::CurvesApart curves = arguments.apartPath.empty()
+                                         ? core::CurvesApart{trace.centerline, {}}
+                                         : core::takenApart(trace.centerline, trace.suspectCurves);
+    if (const auto status = io::writeCenterline2d(curves.vessels, arguments.outputPath); !status) {
         return status.error();
+    }
+    if (!arguments.apartPath.empty()) {
+        if (const auto status = io::writeCenterline2d(curves.devices, arguments.apartPath); !status) {
+            return status.error();
+        }
     }
     return arguments.maskPath.empty() ? core::Status(core::Done{}) : io::writePng(trace.vesselMask, arguments.maskPath);
 }
@@ -109,7 +118,9 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
     std::printf("%s: %zu %s, %zu points\n", traced.value().name.c_str(), count, count == 1 ? "curve" : "curves",
                 trace.centerline.pointCount());
     if (!trace.suspectCurves.empty()) {
-        std::printf("may be catheter, wire or edge of a bone: curves %s\n", joined(trace.suspectCurves).c_str());
+        const std::string where = arguments.apartPath.empty() ? "" : ", apart in " + arguments.apartPath;
+        std::printf("may be catheter, wire or edge of a bone: curves %s%s\n", joined(trace.suspectCurves).c_str(),
+                    where.c_str());
     }
     return exitDone;
 }

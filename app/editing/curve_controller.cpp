@@ -29,6 +29,12 @@ std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
         core::LiveWire(ground.vesselness), std::move(ground.opacity), request.options.maxVesselRadiusPx});
 }
 
+/// Null for no curves.
+SharedCenterline shared(const core::Centerline2d& curves)
+{
+    return curves.curves.empty() ? nullptr : std::make_shared<const core::Centerline2d>(curves);
+}
+
 bool hasCurve(const core::Centerline2d& curves, int id)
 {
     return std::ranges::find(curves.curves, id, &core::Curve2d::id) != curves.curves.end();
@@ -78,6 +84,7 @@ void CurveController::connectTool()
     });
     connect(tool_, &ui::EditCurvesTool::edited, this, &CurveController::take);
     connect(tool_, &ui::EditCurvesTool::suspectAccepted, this, &CurveController::accept);
+    connect(tool_, &ui::EditCurvesTool::keptApart, this, &CurveController::keepApart);
     connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
     connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
         tool_->setEdit(edit);
@@ -85,6 +92,7 @@ void CurveController::connectTool()
     });
     connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
     connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::askToTraceAgain);
+    connect(bar_, &ui::CurveEditBar::followRequested, this, &CurveController::followDevice);
     connect(actions_[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::askToTraceAgain);
 }
 
@@ -111,15 +119,29 @@ void CurveController::showCurves()
 {
     tool_->setReady(target_.current() || target_.problem().has_value());
     const std::vector<int>& accepted = document_.current().shown().target.acceptedCurveIds;
-    if (shownCurves_ && shownCurves_ == target_.current() && shownAccepted_ == accepted) {
+    const SharedCenterline devices = core::devicesOf(document_.current().shown());
+    const bool isShown = shownCurves_ == target_.current() && shownDevices_ == devices;
+    if (shownCurves_ && isShown && shownAccepted_ == accepted) {
         return;   // what is under way on them may go on
     }
     shownCurves_ = target_.current();
+    shownDevices_ = devices;
     shownAccepted_ = accepted;
-    const core::Centerline2d curves = shownCurves_ ? *shownCurves_ : core::Centerline2d{};
-    const std::vector<int> suspected = suspects();
-    tool_->showCurves(curves, suspected);
-    bar_->showCurves(static_cast<int>(curves.curves.size()), static_cast<int>(suspected.size()));
+    const core::CurvesApart curves = curvesHere();
+    const ui::CurveMarks marks{suspects(), core::idsOf(curves.devices)};
+    tool_->showCurves(core::together(curves), marks);
+    bar_->showCurves({static_cast<int>(curves.vessels.curves.size()), static_cast<int>(marks.suspects.size()),
+                      static_cast<int>(marks.devices.size())});
+}
+
+core::CurvesApart CurveController::curvesHere() const
+{
+    core::CurvesApart curves;
+    curves.vessels = target_.current() ? *target_.current() : core::Centerline2d{};
+    if (const SharedCenterline devices = core::devicesOf(document_.current().shown())) {
+        curves.devices = *devices;
+    }
+    return curves;
 }
 
 std::vector<int> CurveController::suspects() const
@@ -171,32 +193,66 @@ std::vector<int> CurveController::acceptedHere() const
 
 void CurveController::take(const core::Centerline2d& curves, const ui::Words& what)
 {
-    if (curves.pointCount() == 0) {
+    const core::CurvesApart edited = core::takenApart(curves, core::devicesAfterEdit(curvesHere(), curves));
+    if (edited.vessels.pointCount() == 0) {
         notices_.showNote(tr("At least one curve must stay: there would be nothing to register to."));
         return;
     }
     std::vector<int> accepted = acceptedHere();
-    std::erase_if(accepted, [&](int id) { return !hasCurve(curves, id); });
-    push(std::make_shared<const core::Centerline2d>(curves), std::move(accepted), what);
+    std::erase_if(accepted, [&](int id) { return !hasCurve(edited.vessels, id); });
+    push({{}, shared(edited.vessels), {}, std::move(accepted), shared(edited.devices)}, what);
 }
 
 void CurveController::accept(int curveId)
 {
     std::vector<int> accepted = acceptedHere();
     accepted.push_back(curveId);
-    push(target_.current(), std::move(accepted), [] { return tr("Keep a suspect curve"); });
+    push({{}, target_.current(), {}, std::move(accepted), core::devicesOf(document_.current().shown())},
+         [] { return tr("Keep a suspect curve"); });
 }
 
-void CurveController::push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted,
-                           const ui::Words& what)
+/// As a catheter or wire; taken back it is a vessel, and no suspect any more.
+void CurveController::keepApart(int curveId, bool apart)
+{
+    const core::CurvesApart before = curvesHere();
+    std::vector<int> deviceIds = core::idsOf(before.devices);
+    std::vector<int> accepted = acceptedHere();
+    std::erase(accepted, curveId);
+    if (apart) {
+        deviceIds.push_back(curveId);
+    } else {
+        std::erase(deviceIds, curveId);
+        accepted.push_back(curveId);
+    }
+    const core::CurvesApart curves = core::takenApart(core::together(before), deviceIds);
+    if (curves.vessels.curves.empty()) {
+        notices_.showNote(tr("Where nothing but a wire is seen, the method “Wire or catheter” takes every curve."));
+        return;
+    }
+    push({{}, shared(curves.vessels), {}, std::move(accepted), shared(curves.devices)},
+         apart ? ui::Words([] { return tr("Keep a catheter or wire apart"); })
+               : ui::Words([] { return tr("Take a curve for a vessel again"); }));
+}
+
+void CurveController::followDevice()
+{
+    core::RegistrationOptions options = document_.current().options;
+    if (options.method != "wire") {
+        options.method = "wire";
+        document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options},
+                                                       [] { return tr("Follow the catheter or wire"); }));
+    }
+    actions_[ui::Command::Register]->trigger();
+}
+
+void CurveController::push(core::GivenTarget target, const ui::Words& what)
 {
     const core::Case& current = document_.current();
     const auto formerFrame = current.shown().target.editedFrame;
     const int frame = current.shown().frame;
-    const bool isPushed = document_.push(std::make_unique<ChangeTarget>(
-        document_,
-        ChangeTarget::Values{core::GivenTarget{{}, std::move(curves), frame, std::move(accepted)}, std::nullopt, {}},
-        what));
+    target.editedFrame = frame;
+    const bool isPushed = document_.push(
+        std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{std::move(target), std::nullopt, {}}, what));
     if (isPushed && formerFrame && formerFrame != frame) {
         notices_.showNote(
             tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));

@@ -15,8 +15,8 @@ class CurveEditBar;
 
 namespace angiopose::app {
 
-/// Edits of the traced curves by hand, on the angiogram. Edited curves are the target of their frame until it is traced
-/// again; each edit is one step of undo.
+/// Edits of the traced curves by hand, on the angiogram, and which of them are catheters and wires, kept apart. Edited
+/// curves are the target of their frame until it is traced again; each edit is one step of undo.
 class CurveController : public QObject {
     Q_OBJECT
 public:
@@ -35,7 +35,10 @@ private:
     std::vector<int> acceptedHere() const;
     void take(const core::Centerline2d& curves, const ui::Words& what);
     void accept(int curveId);
-    void push(std::shared_ptr<const core::Centerline2d> curves, std::vector<int> accepted, const ui::Words& what);
+    void keepApart(int curveId, bool apart);
+    void followDevice();
+    void push(core::GivenTarget target, const ui::Words& what);   ///< as edited here, in the frame that is shown
+    core::CurvesApart curvesHere() const;
     void traceAgain();
 
     CaseDocument& document_;
@@ -48,6 +51,7 @@ private:
     ui::EditCurvesTool* tool_;
     ui::CurveEditBar* bar_;
     SharedCenterline shownCurves_;
+    SharedCenterline shownDevices_;
     std::vector<int> shownAccepted_;
     std::optional<TraceRequest> grounded_;   ///< what the ground is of, or is being made of
     QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;

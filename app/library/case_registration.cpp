@@ -19,7 +19,7 @@ void requireStart(const core::View& view, const core::Vessels& vessels)
 core::RegistrationInput coreInputOf(const core::Case& values)
 {
     requireStart(values.shown(), values.vessels);
-    return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown()))));
+    return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown(), values.options.method))));
 }
 
 /// Every view that has an image knows where it starts; one without is told of by the run.

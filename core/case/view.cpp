@@ -87,6 +87,26 @@ std::shared_ptr<const Centerline2d> givenTargetOf(const View& view)
     return holds ? view.target.centerline : nullptr;
 }
 
+std::shared_ptr<const Centerline2d> devicesOf(const View& view)
+{
+    const bool holds = view.target.editedFrame == view.frame;
+    return holds ? view.target.devices : nullptr;
+}
+
+CurvesApart curvesOf(const GivenTarget& target)
+{
+    CurvesApart apart;
+    apart.vessels = target.centerline ? *target.centerline : Centerline2d{};
+    apart.devices = target.devices ? *target.devices : Centerline2d{};
+    return apart;
+}
+
+Result<Centerline2d> targetOf(const View& view, const std::string& method)
+{
+    const auto devices = devicesOf(view);
+    return devices && method == "wire" ? Result<Centerline2d>(*devices) : targetOf(view);
+}
+
 Result<Centerline2d> targetOf(const View& view)
 {
     if (const auto given = givenTargetOf(view)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/case/devices_apart.h"
 #include "core/case/followed_run.h"
 #include "core/case/input_file.h"
 #include "core/geometry/camera_spread.h"
@@ -27,6 +28,8 @@ struct GivenTarget {
     std::shared_ptr<const Centerline2d> centerline;   ///< content of `file`, or the edited curves, or null
     std::optional<int> editedFrame;   ///< edited here, and holds for this frame alone
     std::vector<int> acceptedCurveIds;   ///< of the edited curves: no suspects, says the user
+    /// Catheters and wires among the edited curves, kept apart: no part of `centerline`. Null: none.
+    std::shared_ptr<const Centerline2d> devices{};
 };
 
 /// Where source and detector stand to each other and to the patient.
@@ -96,7 +99,16 @@ const std::shared_ptr<const Angiogram>& storedRunOf(const View& view);
 /// The given or edited centreline, where there is one for the view's frame; else null, and the frame is traced.
 std::shared_ptr<const Centerline2d> givenTargetOf(const View& view);
 
+/// Catheters and wires of the view's frame that the user keeps apart; null where there are none.
+std::shared_ptr<const Centerline2d> devicesOf(const View& view);
+
+/// Of a given target: which curves are vessels, which are devices.
+CurvesApart curvesOf(const GivenTarget& target);
+
 /// The target of a view: the given centreline, or the traced frame.
 Result<Centerline2d> targetOf(const View& view);
+
+/// What a method registers to: `wire` follows the devices where some are kept apart; else the view's target.
+Result<Centerline2d> targetOf(const View& view, const std::string& method);
 
 }   // namespace angiopose::core

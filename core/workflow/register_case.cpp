@@ -52,7 +52,9 @@ Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_
     const double share = tracingShare / static_cast<double>(places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
         course.enter(share * static_cast<double>(k), share * static_cast<double>(k + 1), places[k]);
-        if (k == 0 && shownTarget) {
+        const View& view = theCase.views[places[k]];
+        const bool isWire = theCase.options.method == "wire" && devicesOf(view);
+        if (k == 0 && shownTarget && !isWire) {
             traced.targets.push_back(*std::move(shownTarget));
             traced.tookMs.push_back(StageTimes::notMeasured);
             continue;
@@ -61,9 +63,9 @@ Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_
             return Stopped{says::stoppedBeforeRun()};
         }
         Stopwatch watch;
-        auto target = targetOf(theCase.views[places[k]]);
+        auto target = targetOf(view, theCase.options.method);
         if (!target) {
-            return about(target.error(), theCase.views[places[k]], places.size());
+            return about(target.error(), view, places.size());
         }
         traced.targets.push_back(std::move(target).value());
         traced.tookMs.push_back(watch.lapMs());

@@ -16,7 +16,8 @@ struct RegistrationPlan {
     enum class Views { All, Loaded, Shown };
 
     Views views = Views::All;
-    std::optional<Centerline2d> shownTarget{};   ///< vessels of the shown view where they are known; else traced
+    std::optional<Centerline2d> shownTarget{};   ///< vessels of the shown view where they are known; else traced.
+                                                 /// A wire kept apart comes first (see targetOf).
     double readMs = StageTimes::notMeasured;   ///< what reading the case took; kept with the result
     std::string author{};   ///< who asks for it; kept with the result
     std::string time{};   ///< when, ISO 8601, UTC; kept with the result

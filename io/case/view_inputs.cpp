@@ -52,7 +52,23 @@ core::Status treatRun(View& view, const ViewNotes& notes)
     return core::Done{};
 }
 
-core::Status readImage(View& view, core::Messages& warnings)
+/// What the view is registered to, and catheters and wires that are kept apart from it.
+core::Status readTarget(View& view, const ViewNotes& notes)
+{
+    auto read = readCenterline2d(view.target.file.path);
+    if (!read) {
+        return read.error();
+    }
+    const std::vector<int> none;
+    core::CurvesApart apart = core::takenApart(read.value(), view.target.editedFrame ? notes.deviceCurveIds : none);
+    view.target.centerline = std::make_shared<const core::Centerline2d>(std::move(apart.vessels));
+    if (!apart.devices.curves.empty()) {
+        view.target.devices = std::make_shared<const core::Centerline2d>(std::move(apart.devices));
+    }
+    return core::Done{};
+}
+
+core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings)
 {
     auto angiogram = io::readAngiogram(view.imageFile.path);
     if (!angiogram) {
@@ -60,11 +76,9 @@ core::Status readImage(View& view, core::Messages& warnings)
     }
     view.angiogram = std::make_shared<const core::Angiogram>(std::move(angiogram).value());
     if (!view.target.file.path.empty()) {
-        auto target = readCenterline2d(view.target.file.path);
-        if (!target) {
-            return target.error();
+        if (auto target = readTarget(view, notes); !target) {
+            return target;
         }
-        view.target.centerline = std::make_shared<const core::Centerline2d>(std::move(target).value());
     }
     for (core::InputFile* file : {&view.imageFile, &view.target.file}) {
         if (file->path.empty()) {
@@ -160,7 +174,7 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header)
 core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
                       core::Messages& warnings)
 {
-    if (const auto read = readImage(view, warnings); !read) {
+    if (const auto read = readImage(view, notes, warnings); !read) {
         return read.error();
     }
     if (const auto completed = complete(view, notes, vessels, warnings); !completed) {

@@ -356,6 +356,22 @@
         <source>Keep the curves</source>
         <translation>Kurven behalten</translation>
     </message>
+    <message>
+        <source>Where nothing but a wire is seen, the method “Wire or catheter” takes every curve.</source>
+        <translation>Wo nichts als ein Draht zu sehen ist, nimmt das Verfahren „Draht oder Katheter“ jede Kurve.</translation>
+    </message>
+    <message>
+        <source>Keep a catheter or wire apart</source>
+        <translation>Katheter oder Draht absondern</translation>
+    </message>
+    <message>
+        <source>Take a curve for a vessel again</source>
+        <translation>Kurve wieder als Gefäß nehmen</translation>
+    </message>
+    <message>
+        <source>Follow the catheter or wire</source>
+        <translation>Katheter oder Draht verfolgen</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::ExportController</name>
@@ -4500,6 +4516,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Was hier erkannt wurde, zeigt schon das erste Bild der Serie: dazwischen kommt kein Kontrastmittel. Enthält die Serie keines, so sind es Katheter, Drähte und Knochenkanten und keine Gefäße.</translation>
     </message>
     <message>
+        <source>Little here looks like vessels filled with contrast medium: what was traced is short or faint, or may be catheters, wires and edges of bones. Choose a fuller frame; if there is none, Edit traced vessels shows what counts.</source>
+        <comment>frame.little-contrast</comment>
+        <translation>Wenig sieht hier nach kontrastgefüllten Gefäßen aus: was erkannt wurde, ist kurz oder schwach oder gehört vielleicht zu Kathetern, Drähten und Knochenkanten. Ein volleres Bild wählen; gibt es keines, zeigt Erkannte Gefäße bearbeiten, was zählt.</translation>
+    </message>
+    <message>
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
         <translation>Im Angiogrammbild wurde nichts Gefäßartiges gefunden. Ein Bild mit mehr Kontrast wählen, die Empfindlichkeit erhöhen, oder prüfen, ob Gefäße dunkel oder hell sind.</translation>
@@ -8463,6 +8484,26 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>%1 curves, %2 suspect (S)</source>
         <translation>%1 Kurven, %2 verdächtig (S)</translation>
     </message>
+    <message>
+        <source>Catheter</source>
+        <translation>Katheter</translation>
+    </message>
+    <message>
+        <source>Click a catheter or wire to keep it apart: it is no vessel, but can be followed</source>
+        <translation>Katheter oder Draht anklicken, um ihn abzusondern: kein Gefäß, aber er lässt sich verfolgen</translation>
+    </message>
+    <message>
+        <source>Follow the wire</source>
+        <translation>Draht verfolgen</translation>
+    </message>
+    <message>
+        <source>Find the way of the tree that the catheter or wire takes (method Wire or catheter)</source>
+        <translation>Den Weg durch den Baum finden, den Katheter oder Draht nimmt (Verfahren Draht oder Katheter)</translation>
+    </message>
+    <message>
+        <source>%1, %2 apart</source>
+        <translation>%1, %2 abgesondert</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::EditCurvesTool</name>
@@ -8519,8 +8560,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Kurve zeichnen</translation>
     </message>
     <message>
-        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
-        <translation>Vielleicht ein Katheter: A behält, Entf lässt weg, S zeigt den nächsten</translation>
+        <source>Perhaps a catheter: A vessel, W catheter or wire, Delete leaves it out, S next</source>
+        <translation>Vielleicht ein Katheter: A Gefäß, W Katheter oder Draht, Entf lässt weg, S nächster</translation>
+    </message>
+    <message>
+        <source>Catheter or wire: click a curve to keep it apart, or to take it back, Esc ends</source>
+        <translation>Katheter oder Draht: Kurve anklicken, um sie abzusondern oder zurückzunehmen, Esc beendet</translation>
     </message>
 </context>
 <context>

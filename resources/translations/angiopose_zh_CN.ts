@@ -356,6 +356,22 @@
         <source>Keep the curves</source>
         <translation>保留曲线</translation>
     </message>
+    <message>
+        <source>Where nothing but a wire is seen, the method “Wire or catheter” takes every curve.</source>
+        <translation>若只能看到导丝，方法“导丝或导管”会使用所有曲线。</translation>
+    </message>
+    <message>
+        <source>Keep a catheter or wire apart</source>
+        <translation>将导管或导丝分开</translation>
+    </message>
+    <message>
+        <source>Take a curve for a vessel again</source>
+        <translation>将曲线恢复为血管</translation>
+    </message>
+    <message>
+        <source>Follow the catheter or wire</source>
+        <translation>追踪导管或导丝</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::ExportController</name>
@@ -4500,6 +4516,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此处提取的内容在序列第一帧中已经存在：两帧之间没有对比剂到达。若该序列不含对比剂，则这些是导管、导丝和骨缘，而不是血管。</translation>
     </message>
     <message>
+        <source>Little here looks like vessels filled with contrast medium: what was traced is short or faint, or may be catheters, wires and edges of bones. Choose a fuller frame; if there is none, Edit traced vessels shows what counts.</source>
+        <comment>frame.little-contrast</comment>
+        <translation>此处几乎没有看起来像充盈对比剂的血管：提取的曲线很短或很淡，或可能是导管、导丝和骨缘。请选择更充盈的帧；若没有，可在“编辑提取的血管”中查看哪些曲线有效。</translation>
+    </message>
+    <message>
         <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
         <translation>此帧造影图像中未发现血管。请选对比度更高的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
@@ -8463,6 +8484,26 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>%1 curves, %2 suspect (S)</source>
         <translation>%1 条曲线，%2 条可疑（S）</translation>
     </message>
+    <message>
+        <source>Catheter</source>
+        <translation>导管</translation>
+    </message>
+    <message>
+        <source>Click a catheter or wire to keep it apart: it is no vessel, but can be followed</source>
+        <translation>单击导管或导丝将其分开：它不是血管，但可以追踪</translation>
+    </message>
+    <message>
+        <source>Follow the wire</source>
+        <translation>追踪导丝</translation>
+    </message>
+    <message>
+        <source>Find the way of the tree that the catheter or wire takes (method Wire or catheter)</source>
+        <translation>找出导管或导丝在血管树中所走的路径（方法：导丝或导管）</translation>
+    </message>
+    <message>
+        <source>%1, %2 apart</source>
+        <translation>%1，%2 条分开</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::EditCurvesTool</name>
@@ -8519,8 +8560,12 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>绘制曲线</translation>
     </message>
     <message>
-        <source>Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next</source>
-        <translation>可能是导管：A 保留，Delete 排除，S 下一条</translation>
+        <source>Perhaps a catheter: A vessel, W catheter or wire, Delete leaves it out, S next</source>
+        <translation>可能是导管：A 血管，W 导管或导丝，Delete 排除，S 下一条</translation>
+    </message>
+    <message>
+        <source>Catheter or wire: click a curve to keep it apart, or to take it back, Esc ends</source>
+        <translation>导管或导丝：单击曲线将其分开或恢复，Esc 结束</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "ui/words/message_text.h"
 
 #include <QLabel>
+#include <QPushButton>
 #include <QToolButton>
 
 #include <algorithm>
@@ -236,6 +237,62 @@ TEST_F(WindowCurves, AreNamedAlikeBeforeAndAfterSaving)
     w.drop({path});
     EXPECT_EQ(io::exportedFileOf(w.current().shown().target), unsaved);
     EXPECT_EQ(w.current().shown().target.file.sha256, unsaved.sha256);
+}
+
+TEST_F(WindowCurves, ACatheterIsKeptApartFollowedAndSaved)
+{
+    const core::Curve2d device = loneCurve();
+    w.press(Qt::Key_W);
+    clickAt(middle(device));
+    const auto apart = core::devicesOf(w.current().shown());
+    ASSERT_TRUE(apart);
+    ASSERT_EQ(apart->curves.size(), 1U);
+    EXPECT_EQ(apart->curves.front().pointsPx, device.pointsPx);
+    EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1) << "what is registered to";
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Keep a catheter or wire apart"));
+
+    const test::TemporaryFolder folder;
+    const QString path = QString::fromStdString(folder.file("case.angiopose"));
+    bool isSaved = false;
+    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    w.drop({path});
+    ASSERT_TRUE(core::devicesOf(w.current().shown()));
+    EXPECT_EQ(core::idsOf(*core::devicesOf(w.current().shown())), std::vector<int>{device.id});
+    EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1);
+
+    w.press(Qt::Key_E);
+    const auto buttons = w.window.findChild<ui::CurveEditBar*>()->findChildren<QPushButton*>();
+    const auto follow = std::ranges::find(buttons, QStringLiteral("Follow the wire"), &QPushButton::text);
+    ASSERT_TRUE(follow != buttons.end() && (*follow)->isVisible());
+    QTest::mouseClick(*follow, Qt::LeftButton);
+    w.waitForRun();
+    ASSERT_TRUE(w.current().shown().result);
+    EXPECT_EQ(w.current().shown().result->method, "wire");
+    EXPECT_FALSE(w.current().shown().result->wirePaths.empty()) << "one line: the catheter alone";
+}
+
+TEST_F(WindowCurves, ACatheterTakenBackIsAVesselAndNoSuspect)
+{
+    w.press(Qt::Key_W);
+    clickAt(middle(loneCurve()));
+    clickAt(middle(loneCurve()));
+    EXPECT_FALSE(core::devicesOf(w.current().shown()));
+    EXPECT_EQ(target()->curves.size(), traced.curves.size());
+    EXPECT_EQ(w.current().shown().target.acceptedCurveIds, std::vector<int>{loneCurve().id});
+    w.press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(core::devicesOf(w.current().shown()));
+}
+
+TEST_F(WindowCurves, WhatIsCutOffACatheterStaysApart)
+{
+    w.press(Qt::Key_W);
+    clickAt(middle(loneCurve()));
+    w.press(Qt::Key_C);
+    clickAt(middle(loneCurve()));
+    ASSERT_TRUE(core::devicesOf(w.current().shown()));
+    EXPECT_EQ(core::devicesOf(w.current().shown())->curves.size(), 2U);
+    EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1);
 }
 
 TEST_F(WindowCurves, SayWhyThereAreNoneAsSoonAsThatIsKnown)

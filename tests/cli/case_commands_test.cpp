@@ -1,4 +1,5 @@
 #include "io/case/case_file.h"
+#include "io/centerline2d_file.h"
 #include "io/pose_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/matchers.h"
@@ -190,6 +191,22 @@ TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
     EXPECT_TRUE(fs::exists(folder_.file("mask.png")));
     EXPECT_EQ(
         runCli({"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--frame", "99", "--output", csv}).exitCode, 3);
+}
+
+TEST_F(CliOnSimulatedCase, TraceAngiogramWritesWhatMayBeADeviceApart)
+{
+    const std::string run = folder_.file("demo/angiogram.dcm");
+    const auto pointsIn = [this](const std::string& name) {
+        const auto curves = io::readCenterline2d(folder_.file(name));
+        return curves ? curves.value().pointCount() : 0;
+    };
+    ASSERT_EQ(runCli({"trace-angiogram", run, "--output", folder_.file("all.csv")}).exitCode, 0);
+    const auto apart =
+        runCli({"trace-angiogram", run, "--output", folder_.file("rest.csv"), "--apart", folder_.file("devices.csv")});
+    EXPECT_EQ(apart.exitCode, 0) << apart.messages;
+    EXPECT_NE(apart.output.find("devices.csv"), std::string::npos) << "the demo has a catheter: " << apart.output;
+    EXPECT_GT(pointsIn("devices.csv"), 20U);
+    EXPECT_EQ(pointsIn("rest.csv") + pointsIn("devices.csv"), pointsIn("all.csv"));
 }
 
 TEST_F(CliOnSimulatedCase, TraceAngiogramSubtractsAndComposes)

@@ -22,6 +22,9 @@ struct EditRow {
 constexpr std::array editRows{
     EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Not a vessel"), "X",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click a curve to leave it out")},
+    EditRow{CurveEdit::Apart, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Catheter"), "W",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar",
+                              "Click a catheter or wire to keep it apart: it is no vessel, but can be followed")},
     EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Erase"), "E",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over parts of curves")},
     EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Draw"), "D",
@@ -44,6 +47,7 @@ QString withKey(const QString& text, const QString& key)
 CurveEditBar::CurveEditBar(QWidget* parent)
     : QFrame(parent),
       count_(roleLabel("hint")),
+      followDevice_(withText(new QPushButton, [] { return tr("Follow the wire"); })),
       traceAgain_(withText(new QPushButton, [] { return tr("Trace again"); }))
 {
     setProperty("role", "imageBar");
@@ -64,6 +68,10 @@ CurveEditBar::CurveEditBar(QWidget* parent)
         edits->addWidget(button);
         buttons_[row.edit] = button;
     }
+    withTip(followDevice_,
+            [] { return tr("Find the way of the tree that the catheter or wire takes (method Wire or catheter)"); });
+    followDevice_->setProperty("role", "quiet");
+    connect(followDevice_, &QPushButton::clicked, this, &CurveEditBar::followRequested);
     withTip(traceAgain_,
             [] { return tr("Forget the edits of this frame and trace it automatically; undo brings them back"); });
     traceAgain_->setProperty("role", "quiet");
@@ -74,6 +82,7 @@ CurveEditBar::CurveEditBar(QWidget* parent)
     auto* rest = new QHBoxLayout;
     rest->setContentsMargins(4, 0, 0, 0);
     rest->addWidget(count_, 1);
+    rest->addWidget(followDevice_);
     rest->addWidget(traceAgain_);
     rest->addWidget(done);
     auto* layout = new QVBoxLayout(this);
@@ -93,18 +102,20 @@ void CurveEditBar::showEdit(CurveEdit edit)
     }
 }
 
-void CurveEditBar::showCurves(int count, int suspects)
+void CurveEditBar::showCurves(const Counts& counts)
 {
-    shownCounts_ = {count, suspects};
+    shownCounts_ = counts;
+    followDevice_->setVisible(counts.devices > 0);
     sayCounts();
 }
 
 void CurveEditBar::sayCounts()
 {
-    const auto [count, suspects] = shownCounts_;
-    count_->setText(suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)
-                    : count == 1 ? tr("1 curve")
-                                 : tr("%1 curves").arg(count));
+    const auto [count, suspects, devices] = shownCounts_;
+    const QString curves = suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)
+                           : count == 1 ? tr("1 curve")
+                                        : tr("%1 curves").arg(count);
+    count_->setText(devices > 0 ? tr("%1, %2 apart").arg(curves).arg(devices) : curves);
 }
 
 void CurveEditBar::setEdited(bool edited)

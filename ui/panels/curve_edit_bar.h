@@ -5,7 +5,6 @@
 #include <QFrame>
 
 #include <map>
-#include <utility>
 
 class QLabel;
 class QPushButton;
@@ -20,20 +19,29 @@ public:
     explicit CurveEditBar(QWidget* parent = nullptr);
 
     void showEdit(CurveEdit edit);
-    void showCurves(int count, int suspects);
+    struct Counts {
+        int curves = 0;   ///< but those apart
+        int suspects = 0;   ///< among them
+        int devices = 0;   ///< kept apart
+
+        bool operator==(const Counts&) const = default;
+    };
+    void showCurves(const Counts& counts);
     void setEdited(bool edited);   ///< only edited curves can be traced again
 
 signals:
     void editChosen(ui::CurveEdit edit);
     void traceAgainRequested();
+    void followRequested();   ///< of the catheter or wire that is kept apart
     void doneRequested();
 
 private:
     void sayCounts();
 
     std::map<CurveEdit, QToolButton*> buttons_;
-    std::pair<int, int> shownCounts_;   ///< of curves, and of suspects among them
+    Counts shownCounts_;
     QLabel* count_;
+    QPushButton* followDevice_;
     QPushButton* traceAgain_;
 };
 

@@ -72,7 +72,17 @@ StoredFields<GivenTarget> targetFields()
         },
         [](const GivenTarget& target, const fs::path&) { return Json(target.editedFrame); }};
     const auto isEdited = [](const GivenTarget& target) { return target.editedFrame.has_value(); };
-    return {origin, frame,
+    const StoredField<GivenTarget> devices{
+        "deviceCurves",
+        about(definedAs("branchIds"),
+              "Of edited curves: these are catheters or wires. They are no vessels; the method wire follows them."),
+        [](const Json& value, GivenTarget&, Reading& reading) {
+            reading.view.deviceCurveIds = value.get<std::vector<int>>();
+        },
+        [](const GivenTarget& target, const fs::path&) {
+            return target.devices ? Json(core::idsOf(*target.devices)) : Json();
+        }};
+    return {origin, frame, writtenWhere(isEdited, devices),
             writtenWhere(isEdited, storedValue("acceptedCurves",
                                                about(definedAs("branchIds"),
                                                      "Of edited curves: these are vessels, though they look like a "

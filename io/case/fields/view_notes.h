@@ -25,6 +25,7 @@ struct SubtractionKeys {
 struct ViewNotes {
     bool hasFrame = false;
     bool hasCurrentPose = false;
+    std::vector<int> deviceCurveIds;   ///< of the edited curves, see core::CurvesApart
     std::optional<SubtractionKeys> subtraction;
     std::string sopInstanceUid;   ///< of the image, when noted
     core::Messages changedBesideResult;   ///< in the file, since the view's result was saved; see result_seal.h

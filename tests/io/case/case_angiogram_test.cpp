@@ -1,5 +1,6 @@
 #include "io/case/case_file.h"
 
+#include "io/edited_curves.h"
 #include "tests/io/case/small_case.h"
 
 #include <gtest/gtest.h>
@@ -76,6 +77,25 @@ TEST(SaveCase, EditedCurvesReplaceTheirOwnFileOnly)
     // Saved under another name, the case takes its curves along.
     ASSERT_TRUE(io::saveCase(reloaded(folder.file("a.angiopose")), folder.file("b.angiopose")));
     EXPECT_EQ(reloaded(folder.file("b.angiopose")).shown().target.file.path, folder.file("b.curves.csv"));
+}
+
+TEST(SaveCase, KeepsCathetersApartFromTheVessels)
+{
+    ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
+    const TemporaryFolder folder;
+    core::Case original = withEditedCurves(phantomCase(3));
+    const core::Curve2d wire{9, {{20.0, 20.0}, {40.0, 41.0}}, {1.0, 1.0}};
+    original.shown().target.devices = std::make_shared<core::Centerline2d>(core::Centerline2d{{wire}});
+    ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
+    core::Case copy = reloaded(folder.file("a.angiopose"));
+    ASSERT_TRUE(core::devicesOf(copy.shown()));
+    EXPECT_EQ(core::idsOf(*core::devicesOf(copy.shown())), std::vector<int>{9});
+    EXPECT_EQ(core::devicesOf(copy.shown())->curves.front().pointsPx, wire.pointsPx);
+    EXPECT_EQ(core::idsOf(core::targetOf(copy.shown(), "angiopose").value()), std::vector<int>{4});
+    EXPECT_EQ(core::idsOf(core::targetOf(copy.shown(), "wire").value()), std::vector<int>{9});
+    EXPECT_EQ(io::exportedFileOf(copy.shown().target).sha256, io::exportedFileOf(original.shown().target).sha256);
+    copy.shown().frame += 1;
+    EXPECT_FALSE(core::devicesOf(copy.shown())) << "of one frame";
 }
 
 TEST(SaveCase, RestoresTheSubtraction)

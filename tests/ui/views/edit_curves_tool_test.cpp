@@ -32,7 +32,7 @@ protected:
         for (const int id : {2, 3, 4, 5}) {
             curves.curves.push_back(lineAt(id, 60.0 * id));
         }
-        tool->showCurves(curves, {3, 5});
+        tool->showCurves(curves, {.suspects = {3, 5}});
         tool->setReady(true);
         view.setTool(tool);
     }
@@ -45,6 +45,27 @@ protected:
     QSignalSpy edited{tool, &ui::EditCurvesTool::edited};
 };
 
+TEST_F(EditCurvesKeys, KeepASuspectApartAndAnyCurveThatIsClicked)
+{
+    QSignalSpy apart(tool, &ui::EditCurvesTool::keptApart);
+    press(Qt::Key_S);
+    press(Qt::Key_W);
+    ASSERT_EQ(apart.count(), 1);
+    EXPECT_EQ(apart[0], QVariantList({3, true}));
+    tool->showCurves(curves, {.suspects = {}, .devices = {3}});   // as the case answers
+    press(Qt::Key_W);   // no suspect is chosen: what a click does
+    EXPECT_EQ(tool->edit(), ui::CurveEdit::Apart);
+    for (const int id : {4, 3}) {
+        const core::Curve2d& curve = *std::ranges::find(curves.curves, id, &core::Curve2d::id);
+        QTest::mouseClick(&view, Qt::LeftButton, {},
+                          view.widgetFromImage(curve.pointsPx[curve.pointsPx.size() / 2]).toPoint());
+    }
+    ASSERT_EQ(apart.count(), 3);
+    EXPECT_EQ(apart[1], QVariantList({4, true}));
+    EXPECT_EQ(apart[2], QVariantList({3, false})) << "taken back";
+    EXPECT_EQ(edited.count(), 0);
+}
+
 TEST_F(EditCurvesKeys, AcceptASuspectAndGoToTheNext)
 {
     press(Qt::Key_A);
@@ -54,7 +75,7 @@ TEST_F(EditCurvesKeys, AcceptASuspectAndGoToTheNext)
     press(Qt::Key_A);
     ASSERT_EQ(accepted.count(), 1);
     EXPECT_EQ(accepted[0][0].toInt(), 3);
-    tool->showCurves(curves, {5});   // as the case answers
+    tool->showCurves(curves, {.suspects = {5}});   // as the case answers
     press(Qt::Key_A);
     ASSERT_EQ(accepted.count(), 2);
     EXPECT_EQ(accepted[1][0].toInt(), 5);

@@ -44,6 +44,11 @@ void addFaint(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Curve2d& 
     }
 }
 
+bool holds(const std::vector<int>& ids, int id)
+{
+    return std::ranges::find(ids, id) != ids.end();
+}
+
 }   // namespace
 
 bool CurveCanvas::isSame(const CurveCanvas& other) const
@@ -85,8 +90,9 @@ void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerli
     for (const core::Curve2d& curve : curves.curves) {
         if (look.isFaint) {
             addFaint(mesh, canvas, curve, width);
-        } else if (std::ranges::find(look.inDoubt, curve.id) != look.inDoubt.end()) {
-            addShadowedDashes(mesh, canvas, lineOn(canvas, curve.pointsPx, tones().attention), width,
+        } else if (holds(look.apart, curve.id) || holds(look.inDoubt, curve.id)) {
+            const Color& tone = holds(look.apart, curve.id) ? tones().textStrong : tones().attention;
+            addShadowedDashes(mesh, canvas, lineOn(canvas, curve.pointsPx, tone), width,
                               dashAt100Px * canvas.pixelRatio);
         } else {
             addShadowed(mesh, canvas, lineOn(canvas, curve.pointsPx, tones().accent), width, 1.0);

@@ -27,10 +27,12 @@ void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& 
 void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx,
                        double dashPx);
 
-/// How curves at rest look: those in doubt are dashed amber. `isFaint`: all of them as a trace that is left behind.
+/// How curves at rest look: those in doubt are dashed amber, those that are no vessels dashed white. `isFaint`: all of
+/// them as a trace that is left behind.
 struct CurveLook {
     double widthPx = 2.2;   ///< at 100 %
     std::vector<int> inDoubt = {};
+    std::vector<int> apart = {};
     bool isFaint = false;
 };
 void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveLook& look);

@@ -18,7 +18,8 @@ struct EditKey {
 };
 constexpr std::array editKeys{EditKey{Qt::Key_E, CurveEdit::Erase}, EditKey{Qt::Key_D, CurveEdit::Draw},
                               EditKey{Qt::Key_C, CurveEdit::Cut},   EditKey{Qt::Key_X, CurveEdit::Remove},
-                              EditKey{Qt::Key_B, CurveEdit::Box},   EditKey{Qt::Key_L, CurveEdit::Lasso}};
+                              EditKey{Qt::Key_W, CurveEdit::Apart}, EditKey{Qt::Key_B, CurveEdit::Box},
+                              EditKey{Qt::Key_L, CurveEdit::Lasso}};
 
 std::optional<CurveEdit> editOf(const QKeyEvent& event)
 {

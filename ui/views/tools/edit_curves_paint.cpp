@@ -69,15 +69,20 @@ CurveCanvas EditCurvesTool::canvas(int heightPx) const
     return canvas;
 }
 
+CurveLook EditCurvesTool::lookAtRest() const
+{
+    return {.widthPx = curveWidth, .inDoubt = marks_.suspects, .apart = marks_.devices};
+}
+
 StrokeMesh EditCurvesTool::strokes(int heightPx) const
 {
     const CurveCanvas canvas = this->canvas(heightPx);
     StrokeMesh mesh;
     if (isDragging_) {   // what goes stays visible, faintly
         addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
-        addCurves(mesh, canvas, shown_, {.widthPx = curveWidth, .inDoubt = suspects_});
+        addCurves(mesh, canvas, shown_, lookAtRest());
     } else {
-        mesh = strokesAtRest_.of(shownRevision_, canvas, shown_, {.widthPx = curveWidth, .inDoubt = suspects_});
+        mesh = strokesAtRest_.of(shownRevision_, canvas, shown_, lookAtRest());
     }
     addTouched(mesh, canvas);
     addPicked(mesh, canvas);

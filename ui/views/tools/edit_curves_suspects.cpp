@@ -1,4 +1,5 @@
-// Curves that may be catheters: a tick and a cross beside each to click, and keys to go through them and decide.
+// Curves that may be catheters: a tick, a wire and a cross beside each to click, and keys to go through them and
+// decide.
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -6,9 +7,10 @@
 
 #include <QKeyEvent>
 #include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace angiopose::ui {
@@ -22,13 +24,22 @@ const Palette& suspectTones()
     return palette(ThemeMode::Dark);
 }
 
+/// A wire with its bent tip, about the origin.
+QPainterPath wireSign()
+{
+    QPainterPath path(QPointF(-5.0, 3.5));
+    path.cubicTo(QPointF(-1.0, 3.5), QPointF(1.0, 1.0), QPointF(1.5, -1.0));
+    path.cubicTo(QPointF(2.0, -4.5), QPointF(5.5, -4.5), QPointF(5.5, -1.0));
+    return path;
+}
+
 }   // namespace
 
-/// A tick or a cross beside a suspect curve, in widget px.
+/// A tick, a wire or a cross beside a suspect curve, in widget px.
 struct EditCurvesTool::Sign {
     QPointF centre;
     int curveId = 0;
-    bool accepts = false;
+    Decision decision = Decision::Nothing;
 };
 
 std::vector<EditCurvesTool::Sign> EditCurvesTool::signs() const
@@ -38,10 +49,11 @@ std::vector<EditCurvesTool::Sign> EditCurvesTool::signs() const
         return all;
     }
     for (const core::Curve2d& curve : curves_.curves) {
-        if (std::ranges::find(suspects_, curve.id) != suspects_.end()) {
+        if (std::ranges::find(marks_.suspects, curve.id) != marks_.suspects.end()) {
             const QPointF middle = view().widgetFromImage(curve.pointsPx[curve.pointsPx.size() / 2]);
-            all.push_back({middle + QPointF(16.0, -0.5 * signGap), curve.id, true});
-            all.push_back({middle + QPointF(16.0, 0.5 * signGap), curve.id, false});
+            all.push_back({middle + QPointF(16.0, -signGap), curve.id, Decision::Vessel});
+            all.push_back({middle + QPointF(16.0, 0.0), curve.id, Decision::Device});
+            all.push_back({middle + QPointF(16.0, signGap), curve.id, Decision::Nothing});
         }
     }
     return all;
@@ -57,26 +69,41 @@ bool EditCurvesTool::clickSign(const ToolPoint& point)
     if (hit == all.end()) {
         return false;
     }
-    decide(hit->curveId, hit->accepts);
+    decide(hit->curveId, hit->decision);
     return true;
 }
 
-void EditCurvesTool::decide(int curveId, bool isVessel)
+void EditCurvesTool::decide(int curveId, Decision decision)
 {
-    if (isVessel) {
-        emit suspectAccepted(curveId);
-    } else {
-        report(core::withoutCurve(curves_, curveId), [] { return tr("Mark as not a vessel"); });
+    switch (decision) {
+        case Decision::Vessel:
+            emit suspectAccepted(curveId);
+            break;
+        case Decision::Device:
+            keepApart(curveId);
+            break;
+        case Decision::Nothing:
+            report(core::withoutCurve(curves_, curveId), [] { return tr("Mark as not a vessel"); });
+            break;
+    }
+}
+
+/// Or takes it back; nothing for no curve.
+void EditCurvesTool::keepApart(int curveId)
+{
+    if (curveId >= 0) {
+        const bool isApart = std::ranges::find(marks_.devices, curveId) != marks_.devices.end();
+        emit keptApart(curveId, !isApart);
     }
 }
 
 /// From one suspect to the next, round and round. There must be one.
 void EditCurvesTool::chooseSuspect(int step)
 {
-    const auto count = static_cast<std::ptrdiff_t>(suspects_.size());
-    const auto at = std::ranges::find(suspects_, chosenSuspect_) - suspects_.begin();
+    const auto count = static_cast<std::ptrdiff_t>(marks_.suspects.size());
+    const auto at = std::ranges::find(marks_.suspects, chosenSuspect_) - marks_.suspects.begin();
     const auto next = at < count ? (at + step + count) % count : step > 0 ? 0 : count - 1;
-    chosenSuspect_ = suspects_[static_cast<std::size_t>(next)];
+    chosenSuspect_ = marks_.suspects[static_cast<std::size_t>(next)];
     view().redraw();
 }
 
@@ -85,8 +112,8 @@ bool EditCurvesTool::isSuspectKey(const QKeyEvent& event) const
     const bool steps =
         event.key() == Qt::Key_S && (event.modifiers() == Qt::NoModifier || event.modifiers() == Qt::ShiftModifier);
     const bool decides = chosenSuspect_ >= 0 && event.modifiers() == Qt::NoModifier &&
-                         (event.key() == Qt::Key_A || event.key() == Qt::Key_Delete);
-    return isReady_ && !suspects_.empty() && (steps || decides);
+                         (event.key() == Qt::Key_A || event.key() == Qt::Key_W || event.key() == Qt::Key_Delete);
+    return isReady_ && !marks_.suspects.empty() && (steps || decides);
 }
 
 void EditCurvesTool::suspectKey(const QKeyEvent& event)
@@ -100,26 +127,37 @@ void EditCurvesTool::suspectKey(const QKeyEvent& event)
     if (chosenSuspect_ == decided) {
         chosenSuspect_ = -1;
     }
-    decide(decided, event.key() == Qt::Key_A);
+    decide(decided, event.key() == Qt::Key_A   ? Decision::Vessel
+                    : event.key() == Qt::Key_W ? Decision::Device
+                                               : Decision::Nothing);
 }
 
 void EditCurvesTool::paint(QPainter& painter) const
 {
     for (const Sign& sign : signs()) {
-        const Color& tone = sign.accepts ? suspectTones().fine : suspectTones().attention;
+        const Color& tone = sign.decision == Decision::Vessel   ? suspectTones().fine
+                            : sign.decision == Decision::Device ? suspectTones().textStrong
+                                                                : suspectTones().attention;
         painter.setPen(QPen(toQColor(tone), 1.5));
         painter.setBrush(toQColor(suspectTones().field, 0.85));
         const double radius = sign.curveId == chosenSuspect_ ? signRadius + 2.0 : signRadius;
         painter.drawEllipse(sign.centre, radius, radius);
         painter.setPen(QPen(toQColor(tone), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-        const QPointF c = sign.centre;
-        if (sign.accepts) {
-            const std::array tick{c + QPointF(-4.5, 0.0), c + QPointF(-1.0, 3.5), c + QPointF(4.5, -3.5)};
-            painter.drawPolyline(tick.data(), static_cast<int>(tick.size()));
-        } else {
-            painter.drawLine(c + QPointF(-3.5, -3.5), c + QPointF(3.5, 3.5));
-            painter.drawLine(c + QPointF(-3.5, 3.5), c + QPointF(3.5, -3.5));
+        painter.setBrush(Qt::NoBrush);
+        painter.translate(sign.centre);
+        switch (sign.decision) {
+            case Decision::Vessel:
+                painter.drawPolyline(QPolygonF({{-4.5, 0.0}, {-1.0, 3.5}, {4.5, -3.5}}));
+                break;
+            case Decision::Device:
+                painter.drawPath(wireSign());
+                break;
+            case Decision::Nothing:
+                painter.drawLine(QPointF(-3.5, -3.5), QPointF(3.5, 3.5));
+                painter.drawLine(QPointF(-3.5, 3.5), QPointF(3.5, -3.5));
+                break;
         }
+        painter.translate(-sign.centre);
     }
 }
 

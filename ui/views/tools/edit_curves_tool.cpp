@@ -30,12 +30,12 @@ EditCurvesTool::EditCurvesTool(AngiogramView& view) : ImageTool(view) {}
 
 EditCurvesTool::~EditCurvesTool() = default;
 
-void EditCurvesTool::showCurves(const core::Centerline2d& curves, const std::vector<int>& suspectIds)
+void EditCurvesTool::showCurves(const core::Centerline2d& curves, CurveMarks marks)
 {
     curves_ = curves;
     setShown(curves);
-    suspects_ = suspectIds;
-    if (std::ranges::find(suspects_, chosenSuspect_) == suspects_.end()) {
+    marks_ = std::move(marks);
+    if (std::ranges::find(marks_.suspects, chosenSuspect_) == marks_.suspects.end()) {
         chosenSuspect_ = -1;
     }
     hovered_ = -1;
@@ -83,7 +83,7 @@ QString EditCurvesTool::caption() const
         return tr("Edit vessels: tracing this frame …");
     }
     if (chosenSuspect_ >= 0) {
-        return tr("Perhaps a catheter: A keeps it, Delete leaves it out, S shows the next");
+        return tr("Perhaps a catheter: A vessel, W catheter or wire, Delete leaves it out, S next");
     }
     switch (edit_) {
         case CurveEdit::Erase:
@@ -94,6 +94,8 @@ QString EditCurvesTool::caption() const
             return tr("Cut: click where a curve is to fall in two, Esc ends");
         case CurveEdit::Remove:
             return tr("Not a vessel: click a curve to leave it out, Esc ends");
+        case CurveEdit::Apart:
+            return tr("Catheter or wire: click a curve to keep it apart, or to take it back, Esc ends");
         case CurveEdit::Box:
             return tr("Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends");
         case CurveEdit::Lasso:
@@ -212,6 +214,9 @@ bool EditCurvesTool::click(const ToolPoint& point)
             report(core::withoutCurve(curves_, core::curveAt(curves_, point.imagePx, reachPx())),
                    [] { return tr("Mark as not a vessel"); });
             break;
+        case CurveEdit::Apart:
+            keepApart(core::curveAt(curves_, point.imagePx, reachPx()));
+            break;
         case CurveEdit::Box:
         case CurveEdit::Lasso:
             break;
@@ -245,7 +250,7 @@ void EditCurvesTool::finishPath()
 void EditCurvesTool::hover(const ToolPoint& point)
 {
     mouse_ = point;
-    const bool picks = isReady_ && (edit_ == CurveEdit::Cut || edit_ == CurveEdit::Remove);
+    const bool picks = isReady_ && (edit_ == CurveEdit::Cut || edit_ == CurveEdit::Remove || edit_ == CurveEdit::Apart);
     hovered_ = picks ? core::curveAt(curves_, point.imagePx, reachPx()) : -1;
     if (edit_ == CurveEdit::Draw && isReady_) {
         path_.aim(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));

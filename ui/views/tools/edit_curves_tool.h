@@ -13,7 +13,13 @@
 
 namespace angiopose::ui {
 
-enum class CurveEdit { Erase, Draw, Cut, Remove, Box, Lasso };
+enum class CurveEdit { Erase, Draw, Cut, Remove, Apart, Box, Lasso };
+
+/// What is known of curves beside their course, by id.
+struct CurveMarks {
+    std::vector<int> suspects = {};   ///< may be catheters, wires or edges of bones
+    std::vector<int> devices = {};   ///< are catheters or wires, says the user
+};
 
 /// What the live wire follows, and what drawn curves are centred on.
 struct CurveGround {
@@ -23,15 +29,16 @@ struct CurveGround {
 };
 
 /// Edits the traced curves of the frame by mouse: see `CurveEdit`. Curves that may be catheters are dashed amber, with
-/// a tick and a cross to click; S goes to the next of them, A keeps it, Delete leaves it out. Shows the curves it is
-/// told, and reports what they would be after each edit.
+/// a tick, a wire and a cross to click; S goes to the next of them, A keeps it, W keeps it apart as a catheter or wire,
+/// Delete leaves it out. Catheters and wires are dashed white. Shows the curves it is told, and reports what they would
+/// be after each edit.
 class EditCurvesTool : public ImageTool {
     Q_OBJECT
 public:
     explicit EditCurvesTool(AngiogramView& view);
     ~EditCurvesTool() override;
 
-    void showCurves(const core::Centerline2d& curves, const std::vector<int>& suspectIds);   ///< ends what is under way
+    void showCurves(const core::Centerline2d& curves, CurveMarks marks);   ///< ends what is under way
     void setReady(bool ready);   ///< false while the frame is being traced: nothing can be edited yet
     void setGround(std::shared_ptr<CurveGround> ground);   ///< null: not there yet, drawn lines are straight
     bool hasGround() const { return ground_ != nullptr; }
@@ -65,9 +72,11 @@ signals:
     void editChanged(ui::CurveEdit edit);
     void edited(const core::Centerline2d& curves, const ui::Words& what);
     void suspectAccepted(int curveId);
+    void keptApart(int curveId, bool apart);   ///< as a catheter or wire, or a vessel again
 
 private:
     struct Sign;
+    enum class Decision { Vessel, Device, Nothing };   ///< what a suspect is
 
     double reachPx() const;   ///< image px
     void eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
@@ -82,7 +91,9 @@ private:
     bool isSuspectKey(const QKeyEvent& event) const;
     void suspectKey(const QKeyEvent& event);
     void chooseSuspect(int step);
-    void decide(int curveId, bool isVessel);
+    void decide(int curveId, Decision decision);
+    void keepApart(int curveId);
+    CurveLook lookAtRest() const;
     void setShown(core::Centerline2d curves);
     CurveCanvas canvas(int heightPx) const;
     void addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const;
@@ -95,7 +106,7 @@ private:
     core::Centerline2d shown_;   ///< with the drag under way
     int shownRevision_ = 0;
     mutable KeptCurveStrokes strokesAtRest_;
-    std::vector<int> suspects_;
+    CurveMarks marks_;
     int chosenSuspect_ = -1;   ///< by keys; −1: none
     std::shared_ptr<CurveGround> ground_;
     bool isReady_ = false;
