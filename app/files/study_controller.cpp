@@ -62,7 +62,7 @@ StudyController::StudyController(OpenController& open, Notices& notices, const U
     connect(&job_, &StudyJob::failed, this, [this](const core::Message& reason) {
         ui_.strip.showIdle(tr("Ready"));
         abandon();
-        notices_.showProblem(tr("Could not open the folder"), ui::messageText(reason), {place_});
+        notices_.showProblem(tr("Could not open the folder"), ui::messageText(reason), folders_);
     });
     connect(&ui_.hideIdentity, &QAction::toggled, this, [this] {
         if (browser_ && tree_) {
@@ -83,8 +83,19 @@ StudyController::StudyController(OpenController& open, Notices& notices, const U
 
 void StudyController::look(const QString& place)
 {
+    begin({place}, QDir::toNativeSeparators(place));
+}
+
+void StudyController::lookAtAll(const QStringList& folders, const QString& name)
+{
+    begin(folders, name);
+}
+
+void StudyController::begin(const QStringList& folders, const QString& name)
+{
     abandon();
-    place_ = place;
+    folders_ = folders;
+    name_ = name;
     tree_.reset();
     makeBrowser();
     patience_.start();
@@ -93,7 +104,7 @@ void StudyController::look(const QString& place)
 
 void StudyController::makeBrowser()
 {
-    browser_ = new ui::StudyBrowser(QDir::toNativeSeparators(place_), &ui_.dialogParent);
+    browser_ = new ui::StudyBrowser(name_, &ui_.dialogParent);
     browser_->addAction(&ui_.hideIdentity);
     connect(browser_, &ui::StudyBrowser::stopRequested, &job_, &StudyJob::requestStop);
     connect(browser_, &ui::StudyBrowser::allFilesRequested, this, [this] { start(io::StudyReach::AllFiles); });
@@ -107,8 +118,8 @@ void StudyController::start(io::StudyReach reach)
     isComplete_ = false;
     reach_ = reach;
     browser_->showProgress(0, 0);
-    ui_.strip.showBusy(tr("Looking through %1 …").arg(QFileInfo(place_).fileName()));
-    job_.start(place_, reach);
+    ui_.strip.showBusy(tr("Looking through %1 …").arg(QFileInfo(name_).fileName()));
+    job_.start(folders_, reach);
 }
 
 /// Nothing is read for the list any more.
@@ -168,16 +179,16 @@ void StudyController::take(const SharedStudies& tree)
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
         notices_.showProblem(tr("Could not open the folder"),
-                             ui::messageText(io::says::seriesNone().about(place_.toStdString())), {place_});
+                             ui::messageText(io::says::seriesNone().about(name_.toStdString())), folders_);
         return;
     }
     if (usable.size() == 1 && isAllRead && !isBrowserShown()) {
         const io::StudySeries only = *usable.front();
         abandon();
         const bool isRun = only.use == io::SeriesUse::View;
-        const bool isFolder = tree->directory == std::nullopt;
+        const bool isFolder = tree->directory == std::nullopt && folders_.size() == 1;
         open_.openStudy({isRun      ? QString()
-                         : isFolder ? place_
+                         : isFolder ? folders_.front()
                                     : QString::fromStdString(only.place),
                          QString::fromStdString(only.series.id),
                          isRun ? QStringList{QString::fromStdString(only.place)} : QStringList()});
@@ -246,8 +257,8 @@ bool StudyController::isBrowserShown() const
 
 QString StudyController::placeFolder() const
 {
-    const QFileInfo place(place_);
-    return place.isDir() ? place_ : place.absolutePath();
+    const QFileInfo place(folders_.front());
+    return place.isDir() ? folders_.front() : place.absolutePath();
 }
 
 const io::StudySeries* StudyController::find(const QString& key) const
@@ -279,7 +290,7 @@ void StudyController::open(const QString& vessels, const QStringList& views)
     StudyChoice choice;
     if (const io::StudySeries* series = find(vessels)) {
         // Of a series that was not read to its end, slices may lie anywhere below the place.
-        choice.folder = isComplete_ ? QString::fromStdString(series->place) : placeFolder();
+        choice.folder = isComplete_ || folders_.size() > 1 ? QString::fromStdString(series->place) : placeFolder();
         choice.seriesId = QString::fromStdString(series->series.id);
     }
     for (const QString& key : views) {

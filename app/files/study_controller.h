@@ -34,10 +34,13 @@ public:
     StudyController(OpenController& open, Notices& notices, const Ui& ui, QObject* parent = nullptr);
 
     void look(const QString& place);
+    /// Folders of series, together one place of that name.
+    void lookAtAll(const QStringList& folders, const QString& name);
     void abandon();
     bool isLooking() const { return job_.isRunning(); }
 
 private:
+    void begin(const QStringList& folders, const QString& name);
     void makeBrowser();
     void start(io::StudyReach reach);
     void leave();
@@ -55,7 +58,8 @@ private:
     OpenController& open_;
     Notices& notices_;
     Ui ui_;
-    QString place_;
+    QStringList folders_;   ///< one, or those that are looked at together
+    QString name_;   ///< of all of them, for the user
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
     io::StudyReach reach_ = io::StudyReach::Listed;

@@ -6,12 +6,18 @@ namespace angiopose::app {
 
 StudyJob::StudyJob(QObject* parent) : QObject(parent), job_(signalsOf<SharedStudies, io::StudyProgress>(*this)) {}
 
-void StudyJob::start(const QString& place, io::StudyReach reach)
+void StudyJob::start(const QStringList& places, io::StudyReach reach)
 {
-    job_.start([place = place.toStdString(), reach](JobLink<io::StudyProgress>& link) -> core::Result<SharedStudies> {
-        auto tree = io::readStudies(place, reach, [&link](const io::StudyProgress& progress) {
+    std::vector<std::string> paths;
+    for (const QString& place : places) {
+        paths.push_back(place.toStdString());
+    }
+    job_.start([paths, reach](JobLink<io::StudyProgress>& link) -> core::Result<SharedStudies> {
+        const io::StudyObserver observe = [&link](const io::StudyProgress& progress) {
             return link.tell({progress.read, progress.found, freedElsewhere(progress.tree)});
-        });
+        };
+        auto tree =
+            paths.size() == 1 ? io::readStudies(paths.front(), reach, observe) : io::readSeriesFolders(paths, observe);
         if (!tree) {
             return tree.error();
         }

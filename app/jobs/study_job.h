@@ -4,7 +4,7 @@
 #include "io/study/read_studies.h"
 
 #include <QObject>
-#include <QString>
+#include <QStringList>
 
 namespace angiopose::app {
 
@@ -16,7 +16,8 @@ class StudyJob : public QObject {
 public:
     explicit StudyJob(QObject* parent = nullptr);
 
-    void start(const QString& place, io::StudyReach reach);
+    /// Several are folders of series, all files of which are read.
+    void start(const QStringList& places, io::StudyReach reach);
     void requestStop() { job_.requestStop(); }
     void abandon() { job_.drop(); }   ///< nothing comes any more
     bool isRunning() const { return job_.isRunning(); }

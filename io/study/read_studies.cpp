@@ -36,15 +36,16 @@ bool canBeImage(const std::string& path)
 /// One look at a folder: what lies in it, what is read of it, and what was told.
 class Scan {
 public:
-    Scan(std::string folder, const StudyObserver& observe) : folder_(std::move(folder)), observe_(observe) {}
+    explicit Scan(const StudyObserver& observe) : observe_(observe) {}
 
-    core::Status find()
+    /// Adds the files of a folder.
+    core::Status find(const std::string& folder)
     {
         std::error_code failed;
-        if (fs::directory_iterator(folder_, failed); failed) {
-            return fileError(folder_, says::folderNotRead(failed.message()));
+        if (fs::directory_iterator(folder, failed); failed) {
+            return fileError(folder, says::folderNotRead(failed.message()));
         }
-        walk(folder_, 0);
+        walk(folder, 0);
         std::ranges::sort(files_);
         return core::Done{};
     }
@@ -184,7 +185,6 @@ private:
         return names;
     }
 
-    std::string folder_;
     const StudyObserver& observe_;
     std::vector<std::string> files_;
     bool isEnough_ = false;   ///< stopped, or as many as are listed
@@ -220,16 +220,27 @@ core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, 
     std::error_code unknown;
     const bool isFile = fs::is_regular_file(place, unknown);
     const fs::path absolute = fs::absolute(place, unknown).lexically_normal();
-    std::string folder = (isFile || !absolute.has_filename() ? absolute.parent_path() : absolute).string();
+    const std::string folder = (isFile || !absolute.has_filename() ? absolute.parent_path() : absolute).string();
     const std::string directory = isFile ? absolute.string() : directoryIn(folder);
-    Scan scan(std::move(folder), observe);
-    if (auto found = scan.find(); !found) {
+    Scan scan(observe);
+    if (auto found = scan.find(folder); !found) {
         return found.error();
     }
     if (!directory.empty() && reach == StudyReach::Listed) {
         scan.keepListed(directory);
     }
     scan.dropDirectories();
+    return scan.read();
+}
+
+core::Result<StudyTree> readSeriesFolders(const std::vector<std::string>& folders, const StudyObserver& observe)
+{
+    Scan scan(observe);
+    for (const std::string& folder : folders) {
+        if (auto found = scan.find(folder); !found) {
+            return found.error();
+        }
+    }
     return scan.read();
 }
 

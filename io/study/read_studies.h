@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace angiopose::io {
 
@@ -24,6 +25,9 @@ using StudyObserver = std::function<core::Verdict(const StudyProgress&)>;
 /// What lies in a folder, on a disc, or is listed by a DICOMDIR (the file or its folder). Only headers are read.
 /// Damaged files are named and passed by; Stop keeps what was found. Fails when the folder itself cannot be read.
 core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, const StudyObserver& observe = {});
+
+/// What lies in any of these folders, as if in one; at least one of them.
+core::Result<StudyTree> readSeriesFolders(const std::vector<std::string>& folders, const StudyObserver& observe = {});
 
 /// True for a file named DICOMDIR.
 bool isDicomDirectory(const std::string& path);

@@ -41,6 +41,24 @@ const StudySeries* findUse(const std::vector<StudySeries>& all, SeriesUse use)
     return found == all.end() ? nullptr : &*found;
 }
 
+TEST(ReadStudies, FoldersOfSeriesAreReadTogetherAndNothingBesideThem)
+{
+    const TemporaryFolder folder;
+    test::CtSlice slice = test::sliceOf(test::ctPhantom(), 0);
+    for (const char* series : {"1.2.1", "1.2.2", "1.2.3"}) {
+        slice.seriesUid = series;
+        slice.sopInstanceUid = std::string(series) + ".1";
+        folder.write(std::string(series) + "/1.dcm", test::ctSlice(slice));
+    }
+
+    const auto tree = readSeriesFolders({folder.file("1.2.1"), folder.file("1.2.3")});
+
+    ASSERT_TRUE(tree);
+    EXPECT_EQ(tree.value().readFiles, 2u);
+    EXPECT_EQ(seriesOf(tree.value()).size(), 2u);
+    EXPECT_FALSE(readSeriesFolders({folder.file("1.2.1"), folder.file("gone")}));
+}
+
 TEST(ReadStudies, AFolderBecomesPatientsStudiesAndSeries)
 {
     const TemporaryFolder folder;
