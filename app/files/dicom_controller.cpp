@@ -64,17 +64,34 @@ std::vector<ui::DicomPart> DicomController::possibleParts() const
     return parts;
 }
 
-void DicomController::ask()
+/// Nothing where there is no case yet, which is said.
+ui::DicomDialog* DicomController::askWhat(ui::DicomPurpose purpose)
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
-        emit failed(tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
-        return;
+        emit failed(purpose == ui::DicomPurpose::Send
+                        ? tr("There is nothing to send yet. Open a vessel tree and an angiogram first.")
+                        : tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
+        return nullptr;
     }
-    auto* dialog = new ui::DicomDialog(possibleParts(), &dialogParent_);
-    connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askFolder,
-            Qt::QueuedConnection);   // one dialog goes, then one comes
+    auto* dialog = new ui::DicomDialog(possibleParts(), purpose, &dialogParent_);
     dialog->open();
+    return dialog;
+}
+
+void DicomController::ask()
+{
+    if (const auto* dialog = askWhat(ui::DicomPurpose::Export)) {
+        connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askFolder,
+                Qt::QueuedConnection);   // one dialog goes, then one comes
+    }
+}
+
+void DicomController::askToSend()
+{
+    if (const auto* dialog = askWhat(ui::DicomPurpose::Send)) {
+        connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::wanted, Qt::QueuedConnection);
+    }
 }
 
 void DicomController::askFolder(const ui::DicomChoice& choice)
@@ -105,15 +122,21 @@ DicomExport DicomController::exportFor(const ui::DicomChoice& choice) const
     return wanted;
 }
 
+DicomController::Maker DicomController::makerOf(const ui::DicomChoice& choice) const
+{
+    return [theCase = document_.current(), target = target_.current(), wanted = exportFor(choice)](
+               const std::string& folder, const DicomObserver& observe) {
+        return writeDicomObjects(theCase, target ? *target : core::Centerline2d{}, wanted, folder, observe);
+    };
+}
+
 void DicomController::write(const ui::DicomChoice& choice, const QString& folder)
 {
     emit started();
     const auto made = std::make_shared<DicomFiles>();
     files_.run(
-        [theCase = document_.current(), target = target_.current(), wanted = exportFor(choice), folder,
-         made]() -> core::Result<QString> {
-            auto files =
-                writeDicomObjects(theCase, target ? *target : core::Centerline2d{}, wanted, folder.toStdString());
+        [make = makerOf(choice), folder, made]() -> core::Result<QString> {
+            auto files = make(folder.toStdString(), {});
             if (!files) {
                 return files.error();
             }

@@ -9,6 +9,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <functional>
+
 class QWidget;
 
 namespace angiopose::app {
@@ -23,14 +25,23 @@ public:
                     QObject* parent = nullptr);
 
     void ask();
+    /// `wanted` follows where the user chose objects.
+    void askToSend();
+
+    /// Makes the objects of the case as it is now, in a folder; on any thread.
+    using Maker = std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
+    Maker makerOf(const ui::DicomChoice& choice) const;
+
     void write(const ui::DicomChoice& choice, const QString& folder);   ///< returns at once
 
 signals:
     void started();
     void written(const QString& folder, const QStringList& notes);
     void failed(const QString& reason);
+    void wanted(const ui::DicomChoice& choice);   ///< to be sent
 
 private:
+    ui::DicomDialog* askWhat(ui::DicomPurpose purpose);
     std::vector<ui::DicomPart> possibleParts() const;
     void askFolder(const ui::DicomChoice& choice);
     DicomExport exportFor(const ui::DicomChoice& choice) const;

@@ -1,5 +1,7 @@
 #include "app/files/session_controller.h"
 
+#include "app/archive/archive_controller.h"
+#include "app/archive/archive_sender.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
@@ -32,7 +34,10 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
       studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
       close_(document, save_, registration, ui.actions, ui.dialogParent),
-      recent_(document, {ui.actions, ui.welcome})
+      recent_(document, {ui.actions, ui.welcome}),
+      archive_(std::make_unique<ArchiveController>(
+          ArchiveController::Ui{*ui.actions[ui::Command::HideIdentity], ui.dialogParent})),
+      sender_(std::make_unique<ArchiveSender>(archive_->list(), ui.dialogParent))
 {
     connectFiles();
     connectOpening();
@@ -40,9 +45,12 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
     connectExporting();
     connectDicom();
     connectPacking();
+    connectArchives();
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
     connect(&close_, &CloseController::windowMayClose, this, &SessionController::windowMayClose);
 }
+
+SessionController::~SessionController() = default;
 
 void SessionController::begin(const QStringList& paths)
 {
@@ -215,6 +223,20 @@ void SessionController::connectPacking()
     });
     connect(&pack_, &PackController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Could not pack the case"), reason); });
+}
+
+void SessionController::connectArchives()
+{
+    connect(ui_.actions[ui::Command::OpenArchive], &QAction::triggered, archive_.get(), &ArchiveController::show);
+    connect(archive_.get(), &ArchiveController::retrieved, &studies_, &StudyController::lookAtAll);
+    connect(archive_.get(), &ArchiveController::told, &notices_, &Notices::showNote);
+    connect(ui_.actions[ui::Command::SendToArchive], &QAction::triggered, &dicom_, &DicomController::askToSend);
+    connect(&dicom_, &DicomController::wanted, this,
+            [this](const ui::DicomChoice& choice) { sender_->ask(dicom_.makerOf(choice)); });
+    connect(sender_.get(), &ArchiveSender::sent, this, [this](const QString& words) {
+        notices_.showNote(words);
+        emit exported();
+    });
 }
 
 /// A process of its own: what happens to one case cannot touch another.

@@ -18,6 +18,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <memory>
+
 class QWidget;
 
 namespace angiopose::ui {
@@ -28,6 +30,9 @@ class WindowActions;
 }   // namespace angiopose::ui
 
 namespace angiopose::app {
+
+class ArchiveController;
+class ArchiveSender;
 
 /// From the first start to the last window: notice, opening, saving, exporting, recovery and closing.
 class SessionController : public QObject {
@@ -43,6 +48,7 @@ public:
     };
     SessionController(CaseDocument& document, TargetProvider& target, RegistrationController& registration,
                       const PosePreview& preview, Notices& notices, const Ui& ui, QObject* parent = nullptr);
+    ~SessionController() override;
 
     /// Notice, recovery offer and the files of the command line.
     void begin(const QStringList& paths);
@@ -67,6 +73,7 @@ private:
     void connectExporting();
     void connectDicom();
     void connectPacking();
+    void connectArchives();
     void tellWritten(const QString& there, const QStringList& notes);
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
@@ -86,6 +93,8 @@ private:
     StudyController studies_;
     CloseController close_;
     RecentController recent_;
+    std::unique_ptr<ArchiveController> archive_;
+    std::unique_ptr<ArchiveSender> sender_;
     bool offersRecovery_ = false;   ///< when the files of the command line are open, or could not be opened
     QStringList openingNotes_;
 };

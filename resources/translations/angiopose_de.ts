@@ -8357,6 +8357,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>Export movie …</source>
         <translation>Film exportieren …</translation>
     </message>
+    <message>
+        <source>Open from archive …</source>
+        <translation>Aus Archiv öffnen …</translation>
+    </message>
+    <message>
+        <source>Send to archive …</source>
+        <translation>An Archiv senden …</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ConvergencePlot</name>
@@ -12168,6 +12176,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>Choose archive …</source>
+        <translation>Archiv wählen …</translation>
+    </message>
+    <message>
+        <source>Send to archive</source>
+        <translation>An Archiv senden</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::DicomController</name>
@@ -12178,6 +12194,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Folder for the DICOM objects</source>
         <translation>Ordner für die DICOM-Objekte</translation>
+    </message>
+    <message>
+        <source>There is nothing to send yet. Open a vessel tree and an angiogram first.</source>
+        <translation>Es gibt noch nichts zu senden. Öffnen Sie zuerst einen Gefäßbaum und ein Angiogramm.</translation>
     </message>
 </context>
 <context>
@@ -12232,6 +12252,652 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveCache</name>
+    <message>
+        <source>The cache is empty. Objects dropped: %1.</source>
+        <translation>Der Zwischenspeicher ist leer. Verworfene Objekte: %1.</translation>
+    </message>
+    <message>
+        <source>Empty the cache?</source>
+        <translation>Zwischenspeicher leeren?</translation>
+    </message>
+    <message>
+        <source>All that was retrieved is dropped. Cases whose images lie there ask for them when they are opened; “Pack case for others” keeps case and images together.</source>
+        <translation>Alles Abgerufene wird verworfen. Fälle, deren Bilder dort liegen, fragen beim Öffnen danach; „Fall für andere packen“ hält Fall und Bilder zusammen.</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Emptying the cache …</source>
+        <translation>Zwischenspeicher wird geleert …</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveController</name>
+    <message>
+        <source>what arrived on port %1</source>
+        <translation>was an Port %1 ankam</translation>
+    </message>
+    <message>
+        <source>Objects that arrived: %1</source>
+        <translation>Angekommene Objekte: %1</translation>
+    </message>
+    <message>
+        <source>Nothing arrived yet</source>
+        <translation>Noch nichts angekommen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveEcho</name>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>%1 wird gefragt …</translation>
+    </message>
+    <message>
+        <source>%1 answers, and lets this program in.</source>
+        <translation>%1 antwortet und lässt dieses Programm ein.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveFinder</name>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Search, choose studies or series, then retrieve them.</source>
+        <translation>Suchen, Studien oder Serien wählen, dann abrufen.</translation>
+    </message>
+    <message>
+        <source>“%1” is no date. Write year, month and day: 2024-01-31.</source>
+        <translation>„%1“ ist kein Datum. Schreiben Sie Jahr, Monat und Tag: 2024-01-31.</translation>
+    </message>
+    <message>
+        <source>Searching in %1 …</source>
+        <translation>%1 wird durchsucht …</translation>
+    </message>
+    <message>
+        <source>%1 holds no such study. Ask for less: a shorter name, more days, any modality.</source>
+        <translation>%1 enthält keine solche Studie. Verlangen Sie weniger: einen kürzeren Namen, mehr Tage, jede Modalität.</translation>
+    </message>
+    <message>
+        <source>Search to see what %1 holds.</source>
+        <translation>Suchen Sie, um zu sehen, was %1 enthält.</translation>
+    </message>
+    <message>
+        <source>1 study found.</source>
+        <translation>1 Studie gefunden.</translation>
+    </message>
+    <message>
+        <source>%1 studies found.</source>
+        <translation>%1 Studien gefunden.</translation>
+    </message>
+    <message>
+        <source>Choose studies, or unfold one for its series; several with Ctrl.</source>
+        <translation>Studien wählen oder eine für ihre Serien aufklappen; mehrere mit Strg.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveNodes</name>
+    <message>
+        <source>There is an archive of this name already. Choose another name.</source>
+        <translation>Ein Archiv dieses Namens gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Remove %1 from the list?</source>
+        <translation>%1 aus der Liste entfernen?</translation>
+    </message>
+    <message>
+        <source>The archive itself and what was retrieved from it stay.</source>
+        <translation>Das Archiv selbst und was daraus abgerufen wurde bleiben.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveRetrieval</name>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>%1 wird gefragt …</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects, %3</source>
+        <translation>%1 von %2 Objekten, %3</translation>
+    </message>
+    <message>
+        <source>Study %1 of %2: %3</source>
+        <translation>Studie %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects are here.</source>
+        <translation>%1 von %2 Objekten sind hier.</translation>
+    </message>
+    <message>
+        <source>Retrieve again to get the others.</source>
+        <translation>Rufen Sie noch einmal ab, um die übrigen zu bekommen.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveSender</name>
+    <message>
+        <source>Stopping …</source>
+        <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+        <source>Making the objects …</source>
+        <translation>Objekte werden erzeugt …</translation>
+    </message>
+    <message>
+        <source>Sent: %1 of %2 objects, %3</source>
+        <translation>Gesendet: %1 von %2 Objekten, %3</translation>
+    </message>
+    <message>
+        <source>%1 has all objects: %2 (%3).</source>
+        <translation>%1 hat alle Objekte: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects arrived.</source>
+        <translation>%1 von %2 Objekten sind angekommen.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Angehalten.</translation>
+    </message>
+    <message>
+        <source>Send again for the others.</source>
+        <translation>Senden Sie noch einmal für die übrigen.</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was sent.</source>
+        <translation>Angehalten. Nichts wurde gesendet.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveWords</name>
+    <message>
+        <source>Without name</source>
+        <translation>Ohne Namen</translation>
+    </message>
+    <message>
+        <source>Patient %1 (identity hidden)</source>
+        <translation>Patient %1 (Identität verborgen)</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Faults beside this one: %1.</source>
+        <translation>Fehler außer diesem: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ArchiveDialog</name>
+    <message>
+        <source>Open what came</source>
+        <translation>Angekommenes öffnen</translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation>Abrufen</translation>
+    </message>
+    <message>
+        <source>Open from archive</source>
+        <translation>Aus Archiv öffnen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Choose from the objects that arrived</source>
+        <translation>Aus den angekommenen Objekten wählen</translation>
+    </message>
+    <message>
+        <source>Bring the chosen studies and series here, then choose which are vessels and which views</source>
+        <translation>Die gewählten Studien und Serien herholen, dann wählen, was Gefäße und was Ansichten sind</translation>
+    </message>
+    <message>
+        <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
+        <translation>Noch ist kein Archiv bekannt. Fügen Sie eines hinzu: Wer es betreibt, nennt Ihnen Host, Port und AE-Titel.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CacheLine</name>
+    <message>
+        <source>Empty …</source>
+        <translation>Leeren …</translation>
+    </message>
+    <message>
+        <source>Most that the cache keeps</source>
+        <translation>So viel behält der Zwischenspeicher höchstens</translation>
+    </message>
+    <message>
+        <source>What was not used for the longest time is dropped first</source>
+        <translation>Am längsten Unbenutztes wird zuerst verworfen</translation>
+    </message>
+    <message>
+        <source>Drop all that was retrieved</source>
+        <translation>Alles Abgerufene verwerfen</translation>
+    </message>
+    <message>
+        <source>of at most</source>
+        <translation>von höchstens</translation>
+    </message>
+    <message>
+        <source>Kept of what was retrieved: %1</source>
+        <translation>Vom Abgerufenen behalten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MatchList</name>
+    <message>
+        <source>Studies and series in the archive</source>
+        <translation>Studien und Serien im Archiv</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>Wird gesucht …</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::NodeBar</name>
+    <message>
+        <source>Test connection</source>
+        <translation>Verbindung testen</translation>
+    </message>
+    <message>
+        <source>Add …</source>
+        <translation>Hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Edit …</source>
+        <translation>Bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>Entfernen …</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>Archiv</translation>
+    </message>
+    <message>
+        <source>No archive yet</source>
+        <translation>Noch kein Archiv</translation>
+    </message>
+    <message>
+        <source>Ask whether the archive answers and lets us in</source>
+        <translation>Fragen, ob das Archiv antwortet und uns einlässt</translation>
+    </message>
+    <message>
+        <source>Add an archive to the list; the command line uses the same list</source>
+        <translation>Ein Archiv zur Liste hinzufügen; die Befehlszeile benutzt dieselbe Liste</translation>
+    </message>
+    <message>
+        <source>Host, port, titles, security</source>
+        <translation>Host, Port, Titel, Sicherheit</translation>
+    </message>
+    <message>
+        <source>Take the archive from the list</source>
+        <translation>Das Archiv aus der Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::NodeDialog</name>
+    <message>
+        <source>File with the authorization</source>
+        <translation>Datei mit der Berechtigung</translation>
+    </message>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>Verschlüsselt (TLS)</translation>
+    </message>
+    <message>
+        <source>Certificates of authorities (PEM)</source>
+        <translation>Zertifikate der Aussteller (PEM)</translation>
+    </message>
+    <message>
+        <source>Our certificate (PEM)</source>
+        <translation>Unser Zertifikat (PEM)</translation>
+    </message>
+    <message>
+        <source>Key of our certificate (PEM)</source>
+        <translation>Schlüssel unseres Zertifikats (PEM)</translation>
+    </message>
+    <message>
+        <source>Its certificate must be one of the host</source>
+        <translation>Sein Zertifikat muss das des Hosts sein</translation>
+    </message>
+    <message>
+        <source>Security, DICOMweb and more</source>
+        <translation>Sicherheit, DICOMweb und mehr</translation>
+    </message>
+    <message>
+        <source>Test connection</source>
+        <translation>Verbindung testen</translation>
+    </message>
+    <message>
+        <source>Add archive</source>
+        <translation>Archiv hinzufügen</translation>
+    </message>
+    <message>
+        <source>Edit archive</source>
+        <translation>Archiv bearbeiten</translation>
+    </message>
+    <message>
+        <source>Ask who runs the archive for these, and have our AE title entered there.</source>
+        <translation>Fragen Sie, wer das Archiv betreibt, danach, und lassen Sie unseren AE-Titel dort eintragen.</translation>
+    </message>
+    <message>
+        <source>PACS of radiology</source>
+        <translation>PACS der Radiologie</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What you call it</source>
+        <translation>Wie Sie es nennen</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Name or address of its computer; empty where it is asked by DICOMweb only</source>
+        <translation>Name oder Adresse seines Rechners; leer, wo es nur über DICOMweb gefragt wird</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>104 or 11112 as a rule</source>
+        <translation>In der Regel 104 oder 11112</translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation>Sein AE-Titel</translation>
+    </message>
+    <message>
+        <source>By which the archive wants to be called</source>
+        <translation>Unter dem das Archiv angesprochen werden will</translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation>Unser AE-Titel</translation>
+    </message>
+    <message>
+        <source>By which the archive knows this program</source>
+        <translation>Unter dem das Archiv dieses Programm kennt</translation>
+    </message>
+    <message>
+        <source>Authorities</source>
+        <translation>Aussteller</translation>
+    </message>
+    <message>
+        <source>PEM file; empty: those that the system trusts</source>
+        <translation>PEM-Datei; leer: die, denen das System vertraut</translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation>Unser Zertifikat</translation>
+    </message>
+    <message>
+        <source>PEM file; empty: none</source>
+        <translation>PEM-Datei; leer: keines</translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation>Sein Schlüssel</translation>
+    </message>
+    <message>
+        <source>PEM file; only its path is stored</source>
+        <translation>PEM-Datei; nur ihr Pfad wird gespeichert</translation>
+    </message>
+    <message>
+        <source>DICOMweb address</source>
+        <translation>DICOMweb-Adresse</translation>
+    </message>
+    <message>
+        <source>Used where no host is given</source>
+        <translation>Benutzt, wo kein Host angegeben ist</translation>
+    </message>
+    <message>
+        <source>Authorization</source>
+        <translation>Berechtigung</translation>
+    </message>
+    <message>
+        <source>File whose first line is sent as the header Authorization; only its path is stored</source>
+        <translation>Datei, deren erste Zeile als Header Authorization gesendet wird; nur ihr Pfad wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Port for C-MOVE</source>
+        <translation>Port für C-MOVE</translation>
+    </message>
+    <message>
+        <source>Only where the archive does not offer C-GET: it sends to this port of ours. 0: not used</source>
+        <translation>Nur wo das Archiv kein C-GET anbietet: Es sendet an diesen Port von uns. 0: unbenutzt</translation>
+    </message>
+    <message>
+        <source>Time for an answer</source>
+        <translation>Zeit für eine Antwort</translation>
+    </message>
+    <message>
+        <source>Afterwards the archive counts as dead</source>
+        <translation>Danach gilt das Archiv als tot</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PathField</name>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>Datei wählen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ReceiveLine</name>
+    <message>
+        <source>Receive on port</source>
+        <translation>Empfangen an Port</translation>
+    </message>
+    <message>
+        <source>Look at them</source>
+        <translation>Ansehen</translation>
+    </message>
+    <message>
+        <source>Take what modalities and archives push to this computer, until switched off or the window closes</source>
+        <translation>Nehmen, was Modalitäten und Archive an diesen Rechner schicken, bis es ausgeschaltet wird oder das Fenster schließt</translation>
+    </message>
+    <message>
+        <source>Port to receive on</source>
+        <translation>Port zum Empfangen</translation>
+    </message>
+    <message>
+        <source>AE title to receive as</source>
+        <translation>AE-Titel zum Empfangen</translation>
+    </message>
+    <message>
+        <source>Callers must use this AE title</source>
+        <translation>Anrufer müssen diesen AE-Titel benutzen</translation>
+    </message>
+    <message>
+        <source>Choose from what came</source>
+        <translation>Aus dem Angekommenen wählen</translation>
+    </message>
+    <message>
+        <source>as AE title</source>
+        <translation>als AE-Titel</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SearchFields</name>
+    <message>
+        <source>Meier, or *mei*</source>
+        <translation>Meier, oder *mei*</translation>
+    </message>
+    <message>
+        <source>Beginning of the name; * and ? stand for any letters</source>
+        <translation>Anfang des Namens; * und ? stehen für beliebige Zeichen</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s ID; * and ? stand for any letters</source>
+        <translation>Die ID des Patienten; * und ? stehen für beliebige Zeichen</translation>
+    </message>
+    <message>
+        <source>2024-01-31</source>
+        <translation>2024-01-31</translation>
+    </message>
+    <message>
+        <source>Studies of this day and later; empty: from the beginning</source>
+        <translation>Studien von diesem Tag an; leer: von Anfang an</translation>
+    </message>
+    <message>
+        <source>Studies of this day and earlier; empty: until today</source>
+        <translation>Studien bis zu diesem Tag; leer: bis heute</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Jede</translation>
+    </message>
+    <message>
+        <source>XA: angiograms, CT: scans</source>
+        <translation>XA: Angiogramme, CT: Schichtbilder</translation>
+    </message>
+    <message>
+        <source>List the studies of the archive to which all of this applies</source>
+        <translation>Die Studien des Archivs auflisten, auf die alles zutrifft</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s name</source>
+        <translation>Name des Patienten</translation>
+    </message>
+    <message>
+        <source>Patient ID</source>
+        <translation>Patienten-ID</translation>
+    </message>
+    <message>
+        <source>Study date from</source>
+        <translation>Studiendatum von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SendDialog</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Send to archive</source>
+        <translation>An Archiv senden</translation>
+    </message>
+    <message>
+        <source>The objects are made once. Sending them again after a fault sends the same ones, so that none is in the archive twice.</source>
+        <translation>Die Objekte werden einmal erzeugt. Wird nach einem Fehler noch einmal gesendet, gehen dieselben, damit keines zweimal im Archiv liegt.</translation>
+    </message>
+    <message>
+        <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
+        <translation>Noch ist kein Archiv bekannt. Fügen Sie eines hinzu: Wer es betreibt, nennt Ihnen Host, Port und AE-Titel.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TransferLine</name>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>End it; what is whole is kept</source>
+        <translation>Beenden; was ganz da ist, bleibt</translation>
     </message>
 </context>
 </TS>

@@ -8357,6 +8357,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>Export movie …</source>
         <translation>导出影片……</translation>
     </message>
+    <message>
+        <source>Open from archive …</source>
+        <translation>从归档打开 …</translation>
+    </message>
+    <message>
+        <source>Send to archive …</source>
+        <translation>发送到归档 …</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ConvergencePlot</name>
@@ -12167,6 +12175,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>Choose archive …</source>
+        <translation>选择归档 …</translation>
+    </message>
+    <message>
+        <source>Send to archive</source>
+        <translation>发送到归档</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::DicomController</name>
@@ -12177,6 +12193,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Folder for the DICOM objects</source>
         <translation>DICOM 对象的文件夹</translation>
+    </message>
+    <message>
+        <source>There is nothing to send yet. Open a vessel tree and an angiogram first.</source>
+        <translation>尚无可发送的内容。请先打开血管树和造影。</translation>
     </message>
 </context>
 <context>
@@ -12231,6 +12251,652 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveCache</name>
+    <message>
+        <source>The cache is empty. Objects dropped: %1.</source>
+        <translation>缓存已清空。已删除对象：%1。</translation>
+    </message>
+    <message>
+        <source>Empty the cache?</source>
+        <translation>清空缓存？</translation>
+    </message>
+    <message>
+        <source>All that was retrieved is dropped. Cases whose images lie there ask for them when they are opened; “Pack case for others” keeps case and images together.</source>
+        <translation>所有获取的内容都将删除。图像存放于此的病例在打开时会询问图像位置；“打包病例给他人”可将病例与图像保存在一起。</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Emptying the cache …</source>
+        <translation>正在清空缓存 …</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveController</name>
+    <message>
+        <source>what arrived on port %1</source>
+        <translation>端口 %1 收到的内容</translation>
+    </message>
+    <message>
+        <source>Objects that arrived: %1</source>
+        <translation>已收到对象：%1</translation>
+    </message>
+    <message>
+        <source>Nothing arrived yet</source>
+        <translation>尚未收到任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveEcho</name>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>正在询问 %1 …</translation>
+    </message>
+    <message>
+        <source>%1 answers, and lets this program in.</source>
+        <translation>%1 有应答，并允许本程序访问。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveFinder</name>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>Search, choose studies or series, then retrieve them.</source>
+        <translation>先搜索，选择检查或序列，然后获取。</translation>
+    </message>
+    <message>
+        <source>“%1” is no date. Write year, month and day: 2024-01-31.</source>
+        <translation>“%1”不是日期。请写年、月、日：2024-01-31。</translation>
+    </message>
+    <message>
+        <source>Searching in %1 …</source>
+        <translation>正在 %1 中搜索 …</translation>
+    </message>
+    <message>
+        <source>%1 holds no such study. Ask for less: a shorter name, more days, any modality.</source>
+        <translation>%1 中没有这样的检查。请放宽条件：更短的姓名、更多天数、任意模态。</translation>
+    </message>
+    <message>
+        <source>Search to see what %1 holds.</source>
+        <translation>请搜索以查看 %1 中的内容。</translation>
+    </message>
+    <message>
+        <source>1 study found.</source>
+        <translation>找到 1 项检查。</translation>
+    </message>
+    <message>
+        <source>%1 studies found.</source>
+        <translation>找到 %1 项检查。</translation>
+    </message>
+    <message>
+        <source>Choose studies, or unfold one for its series; several with Ctrl.</source>
+        <translation>请选择检查，或展开检查以选择序列；按 Ctrl 可多选。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveNodes</name>
+    <message>
+        <source>There is an archive of this name already. Choose another name.</source>
+        <translation>已有同名的归档。请换一个名称。</translation>
+    </message>
+    <message>
+        <source>Remove %1 from the list?</source>
+        <translation>从列表中移除 %1？</translation>
+    </message>
+    <message>
+        <source>The archive itself and what was retrieved from it stay.</source>
+        <translation>归档本身及已从中获取的内容都会保留。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveRetrieval</name>
+    <message>
+        <source>Asking %1 …</source>
+        <translation>正在询问 %1 …</translation>
+    </message>
+    <message>
+        <source>Stopping …</source>
+        <translation>正在停止 …</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects, %3</source>
+        <translation>%1 / %2 个对象，%3</translation>
+    </message>
+    <message>
+        <source>Study %1 of %2: %3</source>
+        <translation>检查 %1 / %2：%3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects are here.</source>
+        <translation>%2 个对象中已有 %1 个在本机。</translation>
+    </message>
+    <message>
+        <source>Retrieve again to get the others.</source>
+        <translation>再次获取即可取回其余的。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveSender</name>
+    <message>
+        <source>Stopping …</source>
+        <translation>正在停止 …</translation>
+    </message>
+    <message>
+        <source>Making the objects …</source>
+        <translation>正在生成对象 …</translation>
+    </message>
+    <message>
+        <source>Sent: %1 of %2 objects, %3</source>
+        <translation>已发送：%1 / %2 个对象，%3</translation>
+    </message>
+    <message>
+        <source>%1 has all objects: %2 (%3).</source>
+        <translation>%1 已有全部对象：%2（%3）。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 objects arrived.</source>
+        <translation>%2 个对象中已到达 %1 个。</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>已停止。</translation>
+    </message>
+    <message>
+        <source>Send again for the others.</source>
+        <translation>再次发送即可发送其余的。</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was sent.</source>
+        <translation>已停止。未发送任何内容。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::ArchiveWords</name>
+    <message>
+        <source>Without name</source>
+        <translation>无姓名</translation>
+    </message>
+    <message>
+        <source>Patient %1 (identity hidden)</source>
+        <translation>患者 %1（身份已隐藏）</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>序列 %1</translation>
+    </message>
+    <message>
+        <source>Faults beside this one: %1.</source>
+        <translation>除此之外的错误：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ArchiveDialog</name>
+    <message>
+        <source>Open what came</source>
+        <translation>打开已到达的内容</translation>
+    </message>
+    <message>
+        <source>Retrieve</source>
+        <translation>获取</translation>
+    </message>
+    <message>
+        <source>Open from archive</source>
+        <translation>从归档打开</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Choose from the objects that arrived</source>
+        <translation>从已到达的对象中选择</translation>
+    </message>
+    <message>
+        <source>Bring the chosen studies and series here, then choose which are vessels and which views</source>
+        <translation>取回所选检查和序列，然后选择哪些是血管、哪些是视图</translation>
+    </message>
+    <message>
+        <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
+        <translation>尚无已知的归档。请添加一个：管理者会告知主机、端口和 AE 标题。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::CacheLine</name>
+    <message>
+        <source>Empty …</source>
+        <translation>清空 …</translation>
+    </message>
+    <message>
+        <source>Most that the cache keeps</source>
+        <translation>缓存最多保留的大小</translation>
+    </message>
+    <message>
+        <source>What was not used for the longest time is dropped first</source>
+        <translation>最久未用的先被删除</translation>
+    </message>
+    <message>
+        <source>Drop all that was retrieved</source>
+        <translation>删除所有获取的内容</translation>
+    </message>
+    <message>
+        <source>of at most</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>Kept of what was retrieved: %1</source>
+        <translation>获取后保留：%1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::MatchList</name>
+    <message>
+        <source>Studies and series in the archive</source>
+        <translation>归档中的检查和序列</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>患者</translation>
+    </message>
+    <message>
+        <source>ID</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>模态</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>描述</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图像数</translation>
+    </message>
+    <message>
+        <source>Looking …</source>
+        <translation>正在查找 …</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::NodeBar</name>
+    <message>
+        <source>Test connection</source>
+        <translation>测试连接</translation>
+    </message>
+    <message>
+        <source>Add …</source>
+        <translation>添加 …</translation>
+    </message>
+    <message>
+        <source>Edit …</source>
+        <translation>编辑 …</translation>
+    </message>
+    <message>
+        <source>Remove …</source>
+        <translation>移除 …</translation>
+    </message>
+    <message>
+        <source>Archive</source>
+        <translation>归档</translation>
+    </message>
+    <message>
+        <source>No archive yet</source>
+        <translation>尚无归档</translation>
+    </message>
+    <message>
+        <source>Ask whether the archive answers and lets us in</source>
+        <translation>询问归档是否应答并允许访问</translation>
+    </message>
+    <message>
+        <source>Add an archive to the list; the command line uses the same list</source>
+        <translation>将归档添加到列表；命令行使用同一列表</translation>
+    </message>
+    <message>
+        <source>Host, port, titles, security</source>
+        <translation>主机、端口、标题、安全</translation>
+    </message>
+    <message>
+        <source>Take the archive from the list</source>
+        <translation>将归档从列表中移除</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::NodeDialog</name>
+    <message>
+        <source>File with the authorization</source>
+        <translation>授权文件</translation>
+    </message>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>加密（TLS）</translation>
+    </message>
+    <message>
+        <source>Certificates of authorities (PEM)</source>
+        <translation>颁发机构证书（PEM）</translation>
+    </message>
+    <message>
+        <source>Our certificate (PEM)</source>
+        <translation>我方证书（PEM）</translation>
+    </message>
+    <message>
+        <source>Key of our certificate (PEM)</source>
+        <translation>我方证书的密钥（PEM）</translation>
+    </message>
+    <message>
+        <source>Its certificate must be one of the host</source>
+        <translation>其证书必须属于该主机</translation>
+    </message>
+    <message>
+        <source>Security, DICOMweb and more</source>
+        <translation>安全、DICOMweb 及更多</translation>
+    </message>
+    <message>
+        <source>Test connection</source>
+        <translation>测试连接</translation>
+    </message>
+    <message>
+        <source>Add archive</source>
+        <translation>添加归档</translation>
+    </message>
+    <message>
+        <source>Edit archive</source>
+        <translation>编辑归档</translation>
+    </message>
+    <message>
+        <source>Ask who runs the archive for these, and have our AE title entered there.</source>
+        <translation>请向归档管理者询问这些信息，并让其登记我方的 AE 标题。</translation>
+    </message>
+    <message>
+        <source>PACS of radiology</source>
+        <translation>放射科 PACS</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>What you call it</source>
+        <translation>您对它的称呼</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>Name or address of its computer; empty where it is asked by DICOMweb only</source>
+        <translation>其计算机的名称或地址；仅用 DICOMweb 时留空</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>104 or 11112 as a rule</source>
+        <translation>通常为 104 或 11112</translation>
+    </message>
+    <message>
+        <source>Its AE title</source>
+        <translation>其 AE 标题</translation>
+    </message>
+    <message>
+        <source>By which the archive wants to be called</source>
+        <translation>访问归档时使用的标题</translation>
+    </message>
+    <message>
+        <source>Our AE title</source>
+        <translation>我方 AE 标题</translation>
+    </message>
+    <message>
+        <source>By which the archive knows this program</source>
+        <translation>归档识别本程序所用的标题</translation>
+    </message>
+    <message>
+        <source>Authorities</source>
+        <translation>颁发机构</translation>
+    </message>
+    <message>
+        <source>PEM file; empty: those that the system trusts</source>
+        <translation>PEM 文件；留空：系统信任的机构</translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation>我方证书</translation>
+    </message>
+    <message>
+        <source>PEM file; empty: none</source>
+        <translation>PEM 文件；留空：无</translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation>其密钥</translation>
+    </message>
+    <message>
+        <source>PEM file; only its path is stored</source>
+        <translation>PEM 文件；仅保存其路径</translation>
+    </message>
+    <message>
+        <source>DICOMweb address</source>
+        <translation>DICOMweb 地址</translation>
+    </message>
+    <message>
+        <source>Used where no host is given</source>
+        <translation>未填写主机时使用</translation>
+    </message>
+    <message>
+        <source>Authorization</source>
+        <translation>授权</translation>
+    </message>
+    <message>
+        <source>File whose first line is sent as the header Authorization; only its path is stored</source>
+        <translation>其首行作为 Authorization 头发送的文件；仅保存其路径</translation>
+    </message>
+    <message>
+        <source>Port for C-MOVE</source>
+        <translation>C-MOVE 端口</translation>
+    </message>
+    <message>
+        <source>Only where the archive does not offer C-GET: it sends to this port of ours. 0: not used</source>
+        <translation>仅当归档不提供 C-GET 时：它发送到我方此端口。0：不使用</translation>
+    </message>
+    <message>
+        <source>Time for an answer</source>
+        <translation>应答时限</translation>
+    </message>
+    <message>
+        <source>Afterwards the archive counts as dead</source>
+        <translation>超过后视为归档无响应</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::PathField</name>
+    <message>
+        <source>Choose a file</source>
+        <translation>选择文件</translation>
+    </message>
+    <message>
+        <source>Choose a file: %1</source>
+        <translation>选择文件：%1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ReceiveLine</name>
+    <message>
+        <source>Receive on port</source>
+        <translation>在端口接收</translation>
+    </message>
+    <message>
+        <source>Look at them</source>
+        <translation>查看</translation>
+    </message>
+    <message>
+        <source>Take what modalities and archives push to this computer, until switched off or the window closes</source>
+        <translation>接收设备和归档推送到本机的内容，直到关闭此开关或窗口</translation>
+    </message>
+    <message>
+        <source>Port to receive on</source>
+        <translation>接收端口</translation>
+    </message>
+    <message>
+        <source>AE title to receive as</source>
+        <translation>接收用 AE 标题</translation>
+    </message>
+    <message>
+        <source>Callers must use this AE title</source>
+        <translation>呼叫方必须使用此 AE 标题</translation>
+    </message>
+    <message>
+        <source>Choose from what came</source>
+        <translation>从收到的内容中选择</translation>
+    </message>
+    <message>
+        <source>as AE title</source>
+        <translation>AE 标题</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SearchFields</name>
+    <message>
+        <source>Meier, or *mei*</source>
+        <translation>Meier 或 *mei*</translation>
+    </message>
+    <message>
+        <source>Beginning of the name; * and ? stand for any letters</source>
+        <translation>姓名开头；* 和 ? 代表任意字符</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s ID; * and ? stand for any letters</source>
+        <translation>患者 ID；* 和 ? 代表任意字符</translation>
+    </message>
+    <message>
+        <source>2024-01-31</source>
+        <translation>2024-01-31</translation>
+    </message>
+    <message>
+        <source>Studies of this day and later; empty: from the beginning</source>
+        <translation>该日及以后的检查；留空：从最早开始</translation>
+    </message>
+    <message>
+        <source>Studies of this day and earlier; empty: until today</source>
+        <translation>该日及以前的检查；留空：直到今天</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>XA: angiograms, CT: scans</source>
+        <translation>XA：造影，CT：扫描</translation>
+    </message>
+    <message>
+        <source>List the studies of the archive to which all of this applies</source>
+        <translation>列出归档中符合全部条件的检查</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s name</source>
+        <translation>患者姓名</translation>
+    </message>
+    <message>
+        <source>Patient ID</source>
+        <translation>患者 ID</translation>
+    </message>
+    <message>
+        <source>Study date from</source>
+        <translation>检查日期从</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>模态</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SendDialog</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Send to archive</source>
+        <translation>发送到归档</translation>
+    </message>
+    <message>
+        <source>The objects are made once. Sending them again after a fault sends the same ones, so that none is in the archive twice.</source>
+        <translation>对象只生成一次。出错后再次发送的是同样的对象，因此归档中不会重复。</translation>
+    </message>
+    <message>
+        <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
+        <translation>尚无已知的归档。请添加一个：管理者会告知主机、端口和 AE 标题。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::TransferLine</name>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>End it; what is whole is kept</source>
+        <translation>结束；完整的部分予以保留</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@ enum class Command {
     // File
     Open,
     OpenFolder,
+    OpenArchive,
     OpenSample,
     NewWindow,
     Save,
@@ -21,6 +22,7 @@ enum class Command {
     ExportBent,
     ExportReport,
     ExportDicom,
+    SendToArchive,
     PackCase,
     ExportFollowed,
     ExportMeasurements,

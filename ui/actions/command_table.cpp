@@ -17,6 +17,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
     static constexpr CommandRow rows[]{
         {Command::Open, QT_TR_NOOP("Open …"), "Ctrl+O"},
         {Command::OpenFolder, QT_TR_NOOP("Open folder or disc …"), "Ctrl+Shift+O"},
+        {Command::OpenArchive, QT_TR_NOOP("Open from archive …"), "Ctrl+Shift+A"},
         {Command::OpenSample, QT_TR_NOOP("Open sample case")},
         {Command::NewWindow, QT_TR_NOOP("New window"), "Ctrl+N"},
         {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
@@ -25,6 +26,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportMovie, QT_TR_NOOP("Export movie …"), "Ctrl+Shift+E"},
         {Command::ExportReport, QT_TR_NOOP("Export report …")},
         {Command::ExportDicom, QT_TR_NOOP("Export DICOM objects …")},
+        {Command::SendToArchive, QT_TR_NOOP("Send to archive …")},
         {Command::PackCase, QT_TR_NOOP("Pack case for others …")},
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},

@@ -11,7 +11,7 @@
 
 namespace angiopose::ui {
 
-DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, QWidget* parent)
+DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent)
     : QDialog(parent),
       boxes_{new QCheckBox(tr("Picture of the overlay (Secondary Capture)")),
              new QCheckBox(tr("Pictures of the run (Secondary Capture)")),
@@ -21,10 +21,10 @@ DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, QWidget* parent
              new QCheckBox(tr("Vessels in the scan (Segmentation)")),
              new QCheckBox(tr("Measurements (Structured Report)"))},
       identity_(new QCheckBox(tr("Patient identity in pictures and report"))),
-      export_(new QPushButton(tr("Export …")))
+      export_(new QPushButton(purpose == DicomPurpose::Send ? tr("Choose archive …") : tr("Export …")))
 {
     setObjectName(QStringLiteral("dicomDialog"));
-    setWindowTitle(tr("Export DICOM objects"));
+    setWindowTitle(purpose == DicomPurpose::Send ? tr("Send to archive") : tr("Export DICOM objects"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
     auto* layout = new QVBoxLayout(this);

@@ -16,13 +16,15 @@ struct DicomChoice {
     Choice identity = Choice::Off;   ///< burned into pictures and report
 };
 
-/// Asks which DICOM objects are written of a case. What the case does not allow cannot be chosen. `chosen` follows on
-/// Export.
+enum class DicomPurpose { Export, Send };
+
+/// Asks which DICOM objects are made of a case. What the case does not allow cannot be chosen. `chosen` follows on
+/// Export, or on the way to an archive.
 class DicomDialog : public QDialog {
     Q_OBJECT
 public:
     /// `possible` can be chosen, and is at first.
-    DicomDialog(const std::vector<DicomPart>& possible, QWidget* parent);
+    DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent);
 
     DicomChoice choice() const;
 

@@ -1,0 +1,148 @@
+#include "app/archive/archive_nodes.h"
+
+#include "app/archive/archive_habits.h"
+#include "app/archive/archive_words.h"
+#include "ui/archive/node_bar.h"
+#include "ui/archive/node_dialog.h"
+#include "ui/archive/transfer_line.h"
+#include "ui/dialogs/message_dialog.h"
+#include "ui/words/message_text.h"
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+void dropNode(std::vector<io::ArchiveNode>& nodes, const std::string& name)
+{
+    std::erase_if(nodes, [&name](const io::ArchiveNode& node) { return node.name == name; });
+}
+
+/// In the place of the former one, where there is one.
+void putNode(std::vector<io::ArchiveNode>& nodes, const io::ArchiveNode& node, const std::string& former)
+{
+    const auto place = std::ranges::find(nodes, former, &io::ArchiveNode::name);
+    if (former.empty() || place == nodes.end()) {
+        nodes.push_back(node);
+    } else {
+        *place = node;
+    }
+}
+
+}   // namespace
+
+ArchiveNodes::ArchiveNodes(ArchiveList& list, const Ui& ui, QObject* parent)
+    : QObject(parent), list_(list), ui_(ui), echo_(ui.line)
+{
+    connect(&list_, &ArchiveList::changed, this, &ArchiveNodes::show);
+    connect(&list_, &ArchiveList::failed, this, [this](const QString& reason) { ui_.line.showProblem(reason); });
+    connect(&ui_.bar, &ui::NodeBar::nodeChosen, this, [this](const QString& name) {
+        settings::archiveNode.write(name);
+        emit chosen();
+    });
+    connect(&ui_.bar, &ui::NodeBar::testRequested, this, &ArchiveNodes::test);
+    connect(&ui_.bar, &ui::NodeBar::addRequested, this, &ArchiveNodes::add);
+    connect(&ui_.bar, &ui::NodeBar::editRequested, this, &ArchiveNodes::edit);
+    connect(&ui_.bar, &ui::NodeBar::removeRequested, this, &ArchiveNodes::askRemoval);
+}
+
+std::optional<io::ArchiveNode> ArchiveNodes::node() const
+{
+    return list_.node(ui_.bar.node());
+}
+
+void ArchiveNodes::show()
+{
+    ui_.bar.showNodes(list_.names(), settings::archiveNode.read());
+    emit chosen();
+}
+
+void ArchiveNodes::test()
+{
+    if (const auto asked = node()) {
+        echo_.ask(*asked);
+    }
+}
+
+void ArchiveNodes::add()
+{
+    openDialog({}, {});
+}
+
+void ArchiveNodes::edit()
+{
+    if (const auto edited = node()) {
+        openDialog(entryOf(*edited), ui_.bar.node());
+    }
+}
+
+void ArchiveNodes::openDialog(const ui::ArchiveEntry& entry, const QString& former)
+{
+    using ui::NodeDialog;
+    editor_ =
+        new NodeDialog(entry, former.isEmpty() ? NodeDialog::Purpose::Add : NodeDialog::Purpose::Edit, &ui_.dialog);
+    auto* echo = new ArchiveEcho(editor_->line(), editor_);
+    connect(editor_, &NodeDialog::testRequested, echo, [this, echo](const ui::ArchiveEntry& tested) {
+        const io::ArchiveNode node = nodeOf(tested);
+        if (const auto checked = io::checkNode(node); checked) {
+            echo->ask(node);
+        } else {
+            editor_->line().showProblem(ui::messageText(checked.error().message));
+        }
+    });
+    connect(editor_, &NodeDialog::saveRequested, this,
+            [this, former](const ui::ArchiveEntry& wanted) { save(wanted, former); });
+    editor_->open();
+}
+
+void ArchiveNodes::save(const ui::ArchiveEntry& entry, const QString& former)
+{
+    const io::ArchiveNode node = nodeOf(entry);
+    if (const auto checked = io::checkNode(node); !checked) {
+        editor_->line().showProblem(ui::messageText(checked.error().message));
+        return;
+    }
+    if (entry.name != former && list_.node(entry.name)) {
+        editor_->line().showProblem(tr("There is an archive of this name already. Choose another name."));
+        return;
+    }
+    settings::archiveNode.write(entry.name);
+    list_.change(
+        [node, former = former.toStdString()](io::ArchiveSettings& settings) -> core::Status {
+            putNode(settings.nodes, node, former);
+            return core::Done{};
+        },
+        [editor = editor_](const std::optional<core::Message>& problem) {
+            if (editor && problem) {
+                editor->line().showProblem(ui::messageText(*problem));
+            } else if (editor) {
+                editor->accept();
+            }
+        });
+}
+
+void ArchiveNodes::askRemoval()
+{
+    const QString name = ui_.bar.node();
+    auto* question = new ui::QuestionDialog(
+        {tr("Remove %1 from the list?").arg(name), tr("The archive itself and what was retrieved from it stay."), {}},
+        {tr("Remove"), tr("Cancel")}, &ui_.dialog);
+    question->setObjectName(QStringLiteral("archiveRemoval"));
+    connect(question, &ui::QuestionDialog::answered, this, [this, name](int index) {
+        if (index == 0) {
+            list_.change(
+                [name = name.toStdString()](io::ArchiveSettings& settings) -> core::Status {
+                    dropNode(settings.nodes, name);
+                    return core::Done{};
+                },
+                [line = QPointer(&ui_.line)](const std::optional<core::Message>& problem) {
+                    if (line && problem) {
+                        line->showProblem(ui::messageText(*problem));
+                    }
+                });
+        }
+    });
+    question->open();
+}
+
+}   // namespace angiopose::app

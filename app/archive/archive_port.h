@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/jobs/job.h"
+#include "io/archive/model/transfer.h"
+
+#include <QObject>
+#include <QStringList>
+
+#include <optional>
+#include <set>
+#include <string>
+
+namespace angiopose::app {
+
+/// A port to which others push objects, into the cache. Off until switched on; it goes with this.
+class ArchivePort : public QObject {
+    Q_OBJECT
+public:
+    struct Wish {
+        int port = 0;
+        std::string title;
+        std::string folder;
+        std::uint64_t mostBytes = 0;
+    };
+    /// What came since it was switched on.
+    struct Arrived {
+        std::size_t objects = 0;
+        std::set<std::string> folders;   ///< of the series
+    };
+
+    explicit ArchivePort(QObject* parent = nullptr);
+
+    void open(const Wish& wish);
+    void close();   ///< returns at once; `closed` follows
+    bool isOpen() const { return job_.isRunning(); }
+    const Arrived& arrived() const { return arrived_; }
+    int port() const { return port_; }
+    QStringList folders() const;   ///< of the series that came
+
+signals:
+    void changed();   ///< something came
+    void closed(const QString& problem);   ///< empty: as wished
+
+private:
+    int port_ = 0;
+    Arrived arrived_;
+    Job<io::TransferReport, Arrived> job_;
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,139 @@
+#include "app/archive/archive_retrieval.h"
+
+#include "app/archive/archive_words.h"
+#include "app/archive/network_wait.h"
+#include "ui/archive/archive_dialog.h"
+#include "ui/archive/transfer_line.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+
+#include <QLocale>
+
+namespace angiopose::app {
+namespace {
+
+/// What came of one study added to what came of those before it.
+void add(io::TransferReport& sum, const io::TransferReport& part)
+{
+    sum.all += part.all;
+    sum.transferred += part.transferred;
+    sum.duplicates += part.duplicates;
+    sum.failed += part.failed;
+    sum.bytes += part.bytes;
+    sum.folders.insert(sum.folders.end(), part.folders.begin(), part.folders.end());
+    for (const core::Message& problem : part.problems) {
+        sum.note(problem);
+    }
+    sum.end = part.end;
+}
+
+QString numbered(std::size_t number)
+{
+    return QLocale().toString(static_cast<qulonglong>(number));
+}
+
+}   // namespace
+
+ArchiveRetrieval::ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent)
+    : QObject(parent),
+      dialog_(dialog),
+      job_({[this](const io::TransferReport& report) { take(report); },
+            [this](const core::Error& error) {
+                dialog_.line().showProblem(ui::messageText(error.message));
+                emit ended();
+            },
+            [this](const Progress& progress) { follow(progress); }})
+{
+    connect(&dialog_.line(), &ui::TransferLine::stopRequested, this, &ArchiveRetrieval::stop);
+}
+
+ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveNode& node,
+                                                              const io::ArchiveSettings& settings,
+                                                              const std::vector<io::RetrieveWish>& wishes)
+{
+    return [node, settings, wishes](JobLink<Progress>& link) -> core::Result<io::TransferReport> {
+        const NetworkWait waiting;
+        const auto store = io::ObjectStore::open(settings.cache(), io::defaultObjectBytes);
+        if (!store) {
+            return store.error();
+        }
+        io::StoreLimit limit;
+        limit.mostBytes = settings.cacheBytes;
+        io::TransferReport sum;
+        for (std::size_t i = 0; i < wishes.size() && !sum.end; ++i) {
+            const auto observe = [&](const io::ArchiveProgress& progress) {
+                return link.tell({progress, i + 1, wishes.size()});
+            };
+            add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, wishes[i], store.value(), limit, observe));
+        }
+        return sum;
+    };
+}
+
+void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
+                             const std::vector<io::RetrieveWish>& wishes)
+{
+    hasBegun_ = false;
+    dialog_.offerPart(false);
+    dialog_.line().showBusy(tr("Asking %1 …").arg(QString::fromStdString(node.name)));
+    job_.start(workOf(node, settings, wishes));
+}
+
+/// Before anything came, what hangs is not waited for.
+void ArchiveRetrieval::stop()
+{
+    if (!job_.isRunning()) {
+        return;
+    }
+    if (hasBegun_) {
+        job_.requestStop();
+        dialog_.line().showBusy(tr("Stopping …"));
+    } else {
+        job_.drop();
+        dialog_.line().showHint(tr("Stopped."));
+        emit ended();
+    }
+}
+
+void ArchiveRetrieval::follow(const Progress& progress)
+{
+    if (progress.archive.all == 0) {
+        return;
+    }
+    hasBegun_ = true;
+    QString words =
+        tr("%1 of %2 objects, %3")
+            .arg(numbered(progress.archive.objects), numbered(progress.archive.all), sizeWords(progress.archive.bytes));
+    if (progress.studies > 1) {
+        words = tr("Study %1 of %2: %3").arg(numbered(progress.study), numbered(progress.studies), words);
+    }
+    dialog_.line().showProgress(words, static_cast<qsizetype>(progress.archive.objects),
+                                static_cast<qsizetype>(progress.archive.all));
+}
+
+/// Stop is an outcome: what came is kept, and the rest comes when it is retrieved again.
+void ArchiveRetrieval::take(const io::TransferReport& report)
+{
+    folders_.clear();
+    for (const std::string& folder : report.folders) {
+        folders_ << QString::fromStdString(folder);
+    }
+    const std::size_t came = report.transferred + report.duplicates;
+    const QString count = tr("%1 of %2 objects are here.").arg(numbered(came), numbered(report.all));
+    if (report.isWhole()) {
+        dialog_.line().showDone(count);
+        emit ended();
+        emit retrieved();
+        return;
+    }
+    if (report.end && report.end->isStop()) {
+        dialog_.line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Retrieve again to get the others.")}));
+    } else {
+        QStringList words{report.end ? ui::messageText(report.end->message) : problemWords(report.problems)};
+        dialog_.line().showProblem(ui::joinedSentences(words << count));
+    }
+    dialog_.offerPart(came > 0);
+    emit ended();
+}
+
+}   // namespace angiopose::app

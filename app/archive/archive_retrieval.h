@@ -1,0 +1,50 @@
+#pragma once
+
+#include "app/jobs/job.h"
+#include "io/archive/archive.h"
+#include "io/archive/node_file.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace angiopose::ui {
+class ArchiveDialog;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// Brings studies and series from an archive into the cache, and says what became of them.
+class ArchiveRetrieval : public QObject {
+    Q_OBJECT
+public:
+    explicit ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent = nullptr);
+
+    void start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
+               const std::vector<io::RetrieveWish>& wishes);
+    const QStringList& folders() const { return folders_; }   ///< of the series that came, in part at least
+
+signals:
+    void retrieved();   ///< all of it
+    void ended();   ///< whatever came
+
+private:
+    /// How far it is, of which of the studies.
+    struct Progress {
+        io::ArchiveProgress archive;
+        std::size_t study = 0, studies = 0;
+    };
+    using RetrievalJob = Job<io::TransferReport, Progress>;
+
+    static RetrievalJob::Work workOf(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
+                                     const std::vector<io::RetrieveWish>& wishes);
+    void stop();
+    void follow(const Progress& progress);
+    void take(const io::TransferReport& report);
+
+    ui::ArchiveDialog& dialog_;
+    QStringList folders_;
+    bool hasBegun_ = false;   ///< objects are on their way
+    RetrievalJob job_;
+};
+
+}   // namespace angiopose::app

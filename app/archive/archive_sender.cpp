@@ -1,0 +1,143 @@
+#include "app/archive/archive_sender.h"
+
+#include "app/archive/archive_nodes.h"
+#include "app/archive/archive_words.h"
+#include "app/archive/network_wait.h"
+#include "io/support/scratch_folder.h"
+#include "ui/archive/node_bar.h"
+#include "ui/archive/send_dialog.h"
+#include "ui/archive/transfer_line.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+
+#include <QDir>
+
+namespace angiopose::app {
+
+/// Only one worker at a time looks into it; whoever lets go of it last removes the folder.
+struct ArchiveSender::Made {
+    Maker maker;
+    io::ScratchFolder folder{QDir(QDir::tempPath()).filePath(QStringLiteral("objects")).toStdString()};
+    bool isMade = false;
+};
+
+ArchiveSender::ArchiveSender(ArchiveList& list, QWidget& dialogParent, QObject* parent)
+    : QObject(parent),
+      list_(list),
+      dialogParent_(dialogParent),
+      job_({[this](const io::TransferReport& report) { take(report); },
+            [this](const core::Error& error) { fail(error); }, [this](const Progress& progress) { follow(progress); }})
+{
+}
+
+void ArchiveSender::ask(const Maker& maker)
+{
+    made_ = std::make_shared<Made>();
+    made_->maker = maker;
+    dialog_ = new ui::SendDialog(&dialogParent_);
+    nodes_ = new ArchiveNodes(list_, {dialog_->nodes(), dialog_->line(), *dialog_}, dialog_);
+    connect(nodes_, &ArchiveNodes::chosen, dialog_, &ui::SendDialog::showState);
+    connect(dialog_, &ui::SendDialog::sendRequested, this, &ArchiveSender::send);
+    connect(&dialog_->line(), &ui::TransferLine::stopRequested, this, [this] {
+        if (job_.isRunning()) {
+            job_.requestStop();
+            dialog_->line().showBusy(tr("Stopping …"));
+        }
+    });
+    connect(dialog_, &QDialog::finished, this, [this] {
+        job_.drop();
+        made_.reset();
+    });
+    list_.read();
+    dialog_->open();
+}
+
+void ArchiveSender::send()
+{
+    const auto node = nodes_->node();
+    if (!node) {
+        return;
+    }
+    dialog_->line().showBusy(tr("Making the objects …"));
+    job_.start([made = made_, node = *node](JobLink<Progress>& link) { return work(*made, node, link); });
+}
+
+core::Result<io::TransferReport> ArchiveSender::work(Made& made, const io::ArchiveNode& node, JobLink<Progress>& link)
+{
+    const std::string folder = made.folder.path().string();
+    if (!made.isMade) {
+        if (auto there = made.folder.make(); !there) {
+            return there.error();
+        }
+        const auto files = made.maker(folder, [&link](double fraction) {
+            return link.tell({fraction, io::ArchiveProgress()});
+        });
+        if (!files) {
+            return files.error();
+        }
+        made.isMade = true;
+    }
+    const NetworkWait waiting;
+    return io::sendToArchive(node, io::ArchiveWay::Usual, {folder}, [&link](const io::ArchiveProgress& progress) {
+        return link.tell({1.0, progress});
+    });
+}
+
+void ArchiveSender::follow(const Progress& progress)
+{
+    if (!dialog_) {
+        return;
+    }
+    if (progress.sending.all == 0) {
+        dialog_->line().showProgress(tr("Making the objects …"), static_cast<qsizetype>(1000.0 * progress.made), 1000);
+        return;
+    }
+    dialog_->line().showProgress(tr("Sent: %1 of %2 objects, %3")
+                                     .arg(progress.sending.objects)
+                                     .arg(progress.sending.all)
+                                     .arg(sizeWords(progress.sending.bytes)),
+                                 static_cast<qsizetype>(progress.sending.objects),
+                                 static_cast<qsizetype>(progress.sending.all));
+}
+
+void ArchiveSender::take(const io::TransferReport& report)
+{
+    if (!dialog_) {
+        return;
+    }
+    const QString name = dialog_->nodes().node();
+    const std::size_t there = report.transferred + report.duplicates;
+    if (report.isWhole()) {
+        const QString words = tr("%1 has all objects: %2 (%3).").arg(name).arg(there).arg(sizeWords(report.bytes));
+        dialog_->showSent(words);
+        emit sent(words);
+        return;
+    }
+    const QString count = tr("%1 of %2 objects arrived.").arg(there).arg(report.all);
+    if (report.end && report.end->isStop()) {
+        dialog_->line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Send again for the others.")}));
+        return;
+    }
+    QStringList words;
+    if (report.end) {
+        words << ui::messageText(report.end->message);
+    }
+    for (const core::Message& problem : report.problems) {
+        words << ui::messageText(problem);
+    }
+    dialog_->line().showProblem((words << count).join(u'\n'));
+}
+
+void ArchiveSender::fail(const core::Error& error)
+{
+    if (!dialog_) {
+        return;
+    }
+    if (error.isStop()) {
+        dialog_->line().showHint(tr("Stopped. Nothing was sent."));
+    } else {
+        dialog_->line().showProblem(ui::messageText(error.message));
+    }
+}
+
+}   // namespace angiopose::app

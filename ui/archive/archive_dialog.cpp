@@ -1,0 +1,95 @@
+#include "ui/archive/archive_dialog.h"
+
+#include "ui/archive/cache_line.h"
+#include "ui/archive/match_list.h"
+#include "ui/archive/node_bar.h"
+#include "ui/archive/receive_line.h"
+#include "ui/archive/search_fields.h"
+#include "ui/archive/transfer_line.h"
+#include "ui/controls/screen_room.h"
+#include "ui/controls/section.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr QSize archiveDialogSize(1080, 720);
+
+}   // namespace
+
+ArchiveDialog::ArchiveDialog(QWidget* parent)
+    : QDialog(parent),
+      nodes_(new NodeBar),
+      fields_(new SearchFields),
+      list_(new MatchList),
+      line_(new TransferLine),
+      cache_(new CacheLine),
+      receive_(new ReceiveLine),
+      part_(new QPushButton(tr("Open what came"))),
+      retrieve_(new QPushButton(tr("Retrieve")))
+{
+    setObjectName(QStringLiteral("archiveDialog"));
+    setWindowTitle(tr("Open from archive"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    resizeOnScreen(*this, archiveDialogSize);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(12);
+    layout->addWidget(nodes_);
+    layout->addWidget(fields_);
+    layout->addWidget(list_, 1);
+    layout->addWidget(line_);
+    layout->addWidget(receive_);
+    layout->addLayout(makeButtons());
+    connect(line_, &TransferLine::busyChanged, this, &ArchiveDialog::showState);
+    connect(list_, &MatchList::choiceChanged, this, &ArchiveDialog::showState);
+    connect(list_, &MatchList::retrieveRequested, retrieve_, &QPushButton::click);
+    showState();
+}
+
+QLayout* ArchiveDialog::makeButtons()
+{
+    auto* close = new QPushButton(tr("Close"));
+    part_->setProperty("role", "link");
+    part_->setToolTip(tr("Choose from the objects that arrived"));
+    part_->hide();
+    retrieve_->setProperty("role", "primary");
+    retrieve_->setToolTip(
+        tr("Bring the chosen studies and series here, then choose which are vessels and which views"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(cache_, 1);
+    row->addWidget(part_);
+    row->addWidget(close);
+    row->addWidget(retrieve_);
+    for (QPushButton* button : {part_, close, retrieve_}) {
+        button->setAutoDefault(false);   // Return in a field searches
+    }
+    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(part_, &QPushButton::clicked, this, &ArchiveDialog::partRequested);
+    connect(retrieve_, &QPushButton::clicked, this, &ArchiveDialog::retrieveRequested);
+    return row;
+}
+
+void ArchiveDialog::showState()
+{
+    const bool isFree = !line_->isBusy();
+    const bool hasNode = !nodes_->node().isEmpty();
+    nodes_->setBusy(!isFree);
+    cache_->setBusy(!isFree);
+    fields_->setSearchEnabled(isFree && hasNode);
+    retrieve_->setEnabled(isFree && hasNode && !list_->selectedItems().isEmpty());
+    if (list_->topLevelItemCount() == 0 && !hasNode) {
+        list_->setEmptyWords(tr("No archive is known yet. Add one: who runs it tells you host, port and AE title."));
+    }
+}
+
+void ArchiveDialog::offerPart(bool isOffered)
+{
+    part_->setVisible(isOffered);
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "ui/archive/archive_rows.h"
+
+#include <QHash>
+#include <QTreeWidget>
+
+namespace angiopose::ui {
+
+/// Studies of an archive, each with its series once they are asked for. Several may be chosen.
+class MatchList : public QTreeWidget {
+    Q_OBJECT
+public:
+    explicit MatchList(QWidget* parent = nullptr);
+
+    void showStudies(const std::vector<MatchRow>& studies);
+    void showSeries(const QString& studyKey, const std::vector<MatchRow>& series);
+    /// Why the series of a study are not there; they are asked for again when it is unfolded again.
+    void showNoSeries(const QString& studyKey);
+    /// Said in the middle of an empty list.
+    void setEmptyWords(const QString& words);
+
+    struct Chosen {
+        QString study, series;   ///< keys; without a series: all of the study
+    };
+    std::vector<Chosen> chosen() const;
+
+signals:
+    void seriesWanted(const QString& studyKey);
+    void choiceChanged();
+    void retrieveRequested();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void wantSeries(QTreeWidgetItem* study);
+    void activate(QTreeWidgetItem* item);
+    void fill(QTreeWidgetItem& item, const MatchRow& row);
+    void addPlaceholder(QTreeWidgetItem& study);
+
+    QHash<QString, QTreeWidgetItem*> studies_;
+    QString emptyWords_;
+};
+
+}   // namespace angiopose::ui

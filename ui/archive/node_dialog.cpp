@@ -1,0 +1,185 @@
+#include "ui/archive/node_dialog.h"
+
+#include "ui/archive/path_field.h"
+#include "ui/archive/transfer_line.h"
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int mostAeLetters = 16;
+constexpr int mostNameLetters = 64;
+constexpr int nodeDialogWidth = 560;
+
+}   // namespace
+
+NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* parent)
+    : QDialog(parent),
+      name_(new QLineEdit),
+      host_(new QLineEdit),
+      port_(new NumberField({1.0, 65535.0, 0, {}, 1.0})),
+      title_(new QLineEdit),
+      ownTitle_(new QLineEdit),
+      webUrl_(new QLineEdit),
+      authorization_(new PathField(tr("File with the authorization"))),
+      isTls_(new QCheckBox(tr("Encrypted (TLS)"))),
+      ca_(new PathField(tr("Certificates of authorities (PEM)"))),
+      certificate_(new PathField(tr("Our certificate (PEM)"))),
+      key_(new PathField(tr("Key of our certificate (PEM)"))),
+      checksHost_(new QCheckBox(tr("Its certificate must be one of the host"))),
+      receivePort_(new NumberField({0.0, 65535.0, 0, {}, 1.0})),
+      answerSeconds_(new NumberField({1.0, 600.0, 0, QStringLiteral("s"), 1.0})),
+      more_(new QPushButton(tr("Security, DICOMweb and more"))),
+      line_(new TransferLine),
+      test_(new QPushButton(tr("Test connection")))
+{
+    setObjectName(QStringLiteral("archiveNodeDialog"));
+    setWindowTitle(purpose == Purpose::Add ? tr("Add archive") : tr("Edit archive"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(nodeDialogWidth);
+    further_ = makeFurther();
+    more_->setProperty("role", "link");
+    more_->setCheckable(true);
+    more_->setAutoDefault(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(10);
+    layout->setSizeConstraint(QLayout::SetMinAndMaxSize);
+    layout->addLayout(makeAddress());
+    layout->addWidget(more_, 0, Qt::AlignLeft);
+    layout->addWidget(further_);
+    layout->addWidget(line_);
+    layout->addLayout(makeButtons(purpose));
+    connect(more_, &QPushButton::toggled, further_, &QWidget::setVisible);
+    connect(line_, &TransferLine::busyChanged, test_, &QWidget::setDisabled);
+    fill(entry);
+    line_->showHint(tr("Ask who runs the archive for these, and have our AE title entered there."));
+}
+
+void NodeDialog::addRow(QFormLayout& form, const QString& name, QWidget* field, const QString& tip)
+{
+    auto* label = roleLabel("label", name);
+    label->setBuddy(field);
+    field->setAccessibleName(name);
+    field->setToolTip(tip);
+    form.addRow(label, field);
+}
+
+QFormLayout* NodeDialog::makeAddress()
+{
+    name_->setObjectName(QStringLiteral("nodeName"));
+    host_->setObjectName(QStringLiteral("nodeHost"));
+    port_->setObjectName(QStringLiteral("nodePort"));
+    title_->setObjectName(QStringLiteral("nodeTitle"));
+    name_->setMaxLength(mostNameLetters);
+    title_->setMaxLength(mostAeLetters);
+    ownTitle_->setMaxLength(mostAeLetters);
+    name_->setPlaceholderText(tr("PACS of radiology"));
+    host_->setPlaceholderText(QStringLiteral("pacs.example.org"));
+    port_->setFixedWidth(90);
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    addRow(*form, tr("Name"), name_, tr("What you call it"));
+    addRow(*form, tr("Host"), host_, tr("Name or address of its computer; empty where it is asked by DICOMweb only"));
+    addRow(*form, tr("Port"), port_, tr("104 or 11112 as a rule"));
+    addRow(*form, tr("Its AE title"), title_, tr("By which the archive wants to be called"));
+    addRow(*form, tr("Our AE title"), ownTitle_, tr("By which the archive knows this program"));
+    return form;
+}
+
+QWidget* NodeDialog::makeFurther()
+{
+    auto* further = new QWidget;
+    auto* form = new QFormLayout(further);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    webUrl_->setPlaceholderText(QStringLiteral("https://pacs.example.org/dicom-web"));
+    receivePort_->setFixedWidth(90);
+    answerSeconds_->setFixedWidth(90);
+    form->addRow(QString(), isTls_);
+    addRow(*form, tr("Authorities"), ca_, tr("PEM file; empty: those that the system trusts"));
+    addRow(*form, tr("Our certificate"), certificate_, tr("PEM file; empty: none"));
+    addRow(*form, tr("Its key"), key_, tr("PEM file; only its path is stored"));
+    form->addRow(QString(), checksHost_);
+    addRow(*form, tr("DICOMweb address"), webUrl_, tr("Used where no host is given"));
+    addRow(*form, tr("Authorization"), authorization_,
+           tr("File whose first line is sent as the header Authorization; only its path is stored"));
+    addRow(*form, tr("Port for C-MOVE"), receivePort_,
+           tr("Only where the archive does not offer C-GET: it sends to this port of ours. 0: not used"));
+    addRow(*form, tr("Time for an answer"), answerSeconds_, tr("Afterwards the archive counts as dead"));
+    further->hide();
+    return further;
+}
+
+QLayout* NodeDialog::makeButtons(Purpose purpose)
+{
+    auto* cancel = new QPushButton(tr("Cancel"));
+    auto* save = new QPushButton(purpose == Purpose::Add ? tr("Add") : tr("Save"));
+    save->setProperty("role", "primary");
+    save->setDefault(true);
+    for (QPushButton* button : {test_, cancel}) {
+        button->setAutoDefault(false);
+    }
+    auto* row = new QHBoxLayout;
+    row->addWidget(test_);
+    row->addStretch(1);
+    row->addWidget(cancel);
+    row->addWidget(save);
+    connect(test_, &QPushButton::clicked, this, [this] { emit testRequested(entry()); });
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(save, &QPushButton::clicked, this, [this] { emit saveRequested(entry()); });
+    return row;
+}
+
+void NodeDialog::fill(const ArchiveEntry& entry)
+{
+    name_->setText(entry.name);
+    host_->setText(entry.host);
+    port_->showValue(entry.port);
+    title_->setText(entry.title);
+    ownTitle_->setText(entry.ownTitle);
+    webUrl_->setText(entry.webUrl);
+    authorization_->setPath(entry.authorizationFile);
+    isTls_->setChecked(entry.isTls);
+    ca_->setPath(entry.caFile);
+    certificate_->setPath(entry.certificateFile);
+    key_->setPath(entry.keyFile);
+    checksHost_->setChecked(entry.checksHost);
+    receivePort_->showValue(entry.receivePort);
+    answerSeconds_->showValue(entry.answerSeconds);
+    const bool isPlain = !entry.isTls && entry.webUrl.isEmpty() && entry.receivePort == 0;
+    more_->setChecked(!isPlain);
+    further_->setVisible(!isPlain);
+}
+
+ArchiveEntry NodeDialog::entry() const
+{
+    ArchiveEntry entry;
+    entry.name = name_->text().trimmed();
+    entry.host = host_->text().trimmed();
+    entry.port = static_cast<int>(port_->value().value_or(0.0));
+    entry.title = title_->text().trimmed();
+    entry.ownTitle = ownTitle_->text().trimmed();
+    entry.webUrl = webUrl_->text().trimmed();
+    entry.authorizationFile = authorization_->path();
+    entry.isTls = isTls_->isChecked();
+    entry.caFile = ca_->path();
+    entry.certificateFile = certificate_->path();
+    entry.keyFile = key_->path();
+    entry.checksHost = checksHost_->isChecked();
+    entry.receivePort = static_cast<int>(receivePort_->value().value_or(0.0));
+    entry.answerSeconds = static_cast<int>(answerSeconds_->value().value_or(0.0));
+    return entry;
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,86 @@
+#include "ui/archive/receive_line.h"
+
+#include "ui/controls/number_field.h"
+#include "ui/controls/section.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int mostTitleLetters = 16;   // PS3.5 6.2, AE
+
+}   // namespace
+
+ReceiveLine::ReceiveLine(QWidget* parent)
+    : QWidget(parent),
+      on_(new QCheckBox(tr("Receive on port"))),
+      port_(new NumberField({1.0, 65535.0, 0, {}, 1.0})),
+      title_(new QLineEdit),
+      words_(roleLabel("label")),
+      open_(new QPushButton(tr("Look at them")))
+{
+    on_->setObjectName(QStringLiteral("receiveSwitch"));
+    on_->setToolTip(
+        tr("Take what modalities and archives push to this computer, until switched off or the window closes"));
+    port_->setObjectName(QStringLiteral("receivePort"));
+    port_->setAccessibleName(tr("Port to receive on"));
+    port_->setFixedWidth(90);
+    title_->setObjectName(QStringLiteral("receiveTitle"));
+    title_->setAccessibleName(tr("AE title to receive as"));
+    title_->setToolTip(tr("Callers must use this AE title"));
+    title_->setMaxLength(mostTitleLetters);
+    title_->setFixedWidth(170);
+    words_->setObjectName(QStringLiteral("receiveWords"));
+    words_->setWordWrap(true);
+    open_->setAutoDefault(false);
+    open_->setToolTip(tr("Choose from what came"));
+    open_->hide();
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(on_);
+    layout->addWidget(port_);
+    layout->addWidget(roleLabel("label", tr("as AE title")));
+    layout->addWidget(title_);
+    layout->addWidget(words_, 1);
+    layout->addWidget(open_);
+    connect(on_, &QCheckBox::clicked, this, &ReceiveLine::switched);
+    connect(open_, &QPushButton::clicked, this, &ReceiveLine::openRequested);
+}
+
+void ReceiveLine::showPort(int port, const QString& title)
+{
+    port_->showValue(port);
+    title_->setText(title);
+}
+
+void ReceiveLine::showListening(bool isListening)
+{
+    const QSignalBlocker silent(on_);
+    on_->setChecked(isListening);
+    port_->setEnabled(!isListening);
+    title_->setEnabled(!isListening);
+}
+
+void ReceiveLine::showArrivals(const QString& words, bool canOpen)
+{
+    words_->setText(words);
+    open_->setVisible(canOpen);
+}
+
+int ReceiveLine::port() const
+{
+    return static_cast<int>(port_->value().value_or(0.0));
+}
+
+QString ReceiveLine::title() const
+{
+    return title_->text().trimmed();
+}
+
+}   // namespace angiopose::ui

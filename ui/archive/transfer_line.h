@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace angiopose::ui {
+
+/// What is going on with an archive, how far it is, Stop; afterwards what became of it.
+class TransferLine : public QWidget {
+    Q_OBJECT
+public:
+    explicit TransferLine(QWidget* parent = nullptr);
+
+    void showHint(const QString& words);   ///< what to do next
+    void showBusy(const QString& words);   ///< without an end in sight
+    void showProgress(const QString& words, qsizetype done, qsizetype all);
+    void showDone(const QString& words);
+    void showProblem(const QString& words);   ///< and what to do about it
+    bool isBusy() const { return isBusy_; }
+    QString words() const;
+
+signals:
+    void stopRequested();
+    void busyChanged(bool isBusy);
+
+private:
+    void show(const char* role, const QString& words, bool isBusy);
+
+    bool isBusy_ = false;
+    QProgressBar* progress_;
+    QLabel* words_;
+    QPushButton* stop_;
+};
+
+}   // namespace angiopose::ui
