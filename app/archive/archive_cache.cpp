@@ -28,7 +28,8 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
       list_(list),
       ui_(ui),
       measuring_([this](const std::uint64_t& bytes) {
-          ui_.line.showCache(sizeWords(bytes), bytes == 0, static_cast<double>(list_.settings().cacheBytes) / 1e9,
+          ui_.line.showCache(bytes == 0 ? tr("empty") : sizeWords(bytes), bytes == 0,
+                             static_cast<double>(list_.settings().cacheBytes) / 1e9,
                              QString::fromStdString(list_.settings().cache()));
       }),
       emptying_({[this](const std::size_t& dropped) {

@@ -12257,6 +12257,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::app::ArchiveCache</name>
     <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
         <source>The cache is empty. Objects dropped: %1.</source>
         <translation>Der Zwischenspeicher ist leer. Verworfene Objekte: %1.</translation>
     </message>
@@ -12512,8 +12516,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>von höchstens</translation>
     </message>
     <message>
-        <source>Kept of what was retrieved: %1</source>
-        <translation>Vom Abgerufenen behalten: %1</translation>
+        <source>Cache: %1</source>
+        <translation>Zwischenspeicher: %1</translation>
     </message>
 </context>
 <context>

@@ -12256,6 +12256,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::app::ArchiveCache</name>
     <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
         <source>The cache is empty. Objects dropped: %1.</source>
         <translation>缓存已清空。已删除对象：%1。</translation>
     </message>
@@ -12511,8 +12515,8 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>上限</translation>
     </message>
     <message>
-        <source>Kept of what was retrieved: %1</source>
-        <translation>获取后保留：%1</translation>
+        <source>Cache: %1</source>
+        <translation>缓存：%1</translation>
     </message>
 </context>
 <context>

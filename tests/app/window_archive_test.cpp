@@ -125,7 +125,11 @@ TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
     EXPECT_TRUE(QTest::qWaitFor([&] { return browser->list().seriesCount() == 2; }, test::patienceMs));
     EXPECT_TRUE(w.dialogs("archiveDialog").isEmpty());
     RecordProperty("longestGapMs", static_cast<int>(beat.longestMs()));
-    browser->reject();
+    QTest::keyClick(browser, Qt::Key_Escape);
+    QTest::qWait(0);
+    dialog = opened();
+    ASSERT_TRUE(dialog);
+    EXPECT_EQ(dialog->list().topLevelItemCount(), 1) << "what was found is there again";
 }
 
 TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
@@ -199,7 +203,7 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
     const auto questions = w.window.findChildren<QDialog*>(QStringLiteral("cacheEmptying"));
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), QStringLiteral("Empty"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return size->text().contains(QStringLiteral(": 0 kB")); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return size->text().contains(QStringLiteral("empty")); }, test::patienceMs));
     EXPECT_FALSE(std::filesystem::exists(folder.file("cache/1.2/1.2.3/1.2.3.4.dcm")));
 }
 

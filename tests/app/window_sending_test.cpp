@@ -42,10 +42,12 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
     auto* field = dialog->findChild<QLineEdit*>(QStringLiteral("receivePort"));
     field->selectAll();
     QTest::keyClicks(field, QString::number(port));
-    QTest::keyClick(field, Qt::Key_Tab);
+    QTest::keyClick(field, Qt::Key_Return);
     auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
-    QTest::qWait(200);
+    EXPECT_TRUE(onOff->isChecked());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !field->isEnabled(); }, test::patienceMs));
+    QTest::qWait(200);   // until it listens
     io::ArchiveNode us = nodeAt(port);
     us.title = "ANGIOPOSE";
     io::TransferReport report;
@@ -55,7 +57,8 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return said->text() == QStringLiteral("Objects that arrived: 3"); }, test::patienceMs));
     peer.join();
-    EXPECT_TRUE(report.isWhole());
+    EXPECT_TRUE(report.isWhole()) << (report.end ? report.end->message.text() : std::string())
+                                  << dialog->line().words().toStdString();
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
     EXPECT_TRUE(QTest::qWaitFor([&] { return field->isEnabled(); }, test::patienceMs)) << "it is off";
 }

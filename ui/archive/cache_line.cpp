@@ -37,7 +37,7 @@ CacheLine::CacheLine(QWidget* parent)
 void CacheLine::showCache(const QString& size, bool isEmpty, double limitGb, const QString& folder)
 {
     isEmpty_ = isEmpty;
-    size_->setText(tr("Kept of what was retrieved: %1").arg(size));
+    size_->setText(tr("Cache: %1").arg(size));
     size_->setToolTip(folder);
     limit_->showValue(limitGb);
     setBusy(false);

@@ -43,6 +43,7 @@ MatchList::MatchList(QWidget* parent) : QTreeWidget(parent)
     setObjectName(QStringLiteral("archiveMatches"));
     setAccessibleName(tr("Studies and series in the archive"));
     setHeaderLabels({tr("Patient"), tr("ID"), tr("Date"), tr("Modality"), tr("Description"), tr("Images")});
+    headerItem()->setTextAlignment(MatchImages, Qt::AlignRight | Qt::AlignVCenter);
     setSelectionMode(ExtendedSelection);
     setIndentation(18);
     setAllColumnsShowFocus(true);

@@ -51,6 +51,9 @@ void NodeBar::showNodes(const QStringList& names, const QString& chosen)
     nodes_->addItems(names);
     nodes_->setCurrentIndex(names.isEmpty() ? -1 : std::max(0, static_cast<int>(names.indexOf(chosen))));
     showState();
+    if (names.isEmpty()) {
+        add_->setFocus();   // nothing else can be done yet
+    }
 }
 
 QString NodeBar::node() const

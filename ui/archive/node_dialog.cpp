@@ -17,7 +17,7 @@ namespace {
 
 constexpr int mostAeLetters = 16;
 constexpr int mostNameLetters = 64;
-constexpr int nodeDialogWidth = 560;
+constexpr int nodeFieldWidth = 400;
 
 }   // namespace
 
@@ -44,7 +44,6 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
     setObjectName(QStringLiteral("archiveNodeDialog"));
     setWindowTitle(purpose == Purpose::Add ? tr("Add archive") : tr("Edit archive"));
     setAttribute(Qt::WA_DeleteOnClose);
-    setMinimumWidth(nodeDialogWidth);
     further_ = makeFurther();
     more_->setProperty("role", "link");
     more_->setCheckable(true);
@@ -84,6 +83,7 @@ QFormLayout* NodeDialog::makeAddress()
     ownTitle_->setMaxLength(mostAeLetters);
     name_->setPlaceholderText(tr("PACS of radiology"));
     host_->setPlaceholderText(QStringLiteral("pacs.example.org"));
+    host_->setMinimumWidth(nodeFieldWidth);
     port_->setFixedWidth(90);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
