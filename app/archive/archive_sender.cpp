@@ -18,6 +18,7 @@ namespace angiopose::app {
 struct ArchiveSender::Made {
     Maker maker;
     io::ScratchFolder folder{QDir(QDir::tempPath()).filePath(QStringLiteral("objects")).toStdString()};
+    core::Messages notes;   ///< of the making
     bool isMade = false;
 };
 
@@ -36,7 +37,7 @@ void ArchiveSender::ask(const Maker& maker)
     made_->maker = maker;
     dialog_ = new ui::SendDialog(&dialogParent_);
     nodes_ = new ArchiveNodes(list_, {dialog_->nodes(), dialog_->line(), *dialog_}, dialog_);
-    connect(nodes_, &ArchiveNodes::chosen, dialog_, &ui::SendDialog::showState);
+    connect(nodes_, &ArchiveNodes::chosen, dialog_, &ui::SendDialog::showNode);
     connect(dialog_, &ui::SendDialog::sendRequested, this, &ArchiveSender::send);
     connect(&dialog_->line(), &ui::TransferLine::stopRequested, this, [this] {
         if (job_.isRunning()) {
@@ -75,6 +76,7 @@ core::Result<io::TransferReport> ArchiveSender::work(Made& made, const io::Archi
         if (!files) {
             return files.error();
         }
+        made.notes = files.value().notes;
         made.isMade = true;
     }
     const NetworkWait waiting;
@@ -108,9 +110,14 @@ void ArchiveSender::take(const io::TransferReport& report)
     const QString name = dialog_->nodes().node();
     const std::size_t there = report.transferred + report.duplicates;
     if (report.isWhole()) {
-        const QString words = tr("%1 has all objects: %2 (%3).").arg(name).arg(there).arg(sizeWords(report.bytes));
+        const QString words =
+            tr("%1 has all objects: %2 (%3).").arg(name, QString::number(there), sizeWords(report.bytes));
         dialog_->showSent(words);
-        emit sent(words);
+        QStringList notes;
+        for (const core::Message& note : made_->notes) {
+            notes << ui::messageText(note);
+        }
+        emit sent(words, notes);
         return;
     }
     const QString count = tr("%1 of %2 objects arrived.").arg(there).arg(report.all);

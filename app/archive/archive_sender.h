@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QStringList>
 
 #include <functional>
 #include <memory>
@@ -33,7 +34,7 @@ public:
     void ask(const Maker& maker);
 
 signals:
-    void sent(const QString& words);   ///< all of them
+    void sent(const QString& words, const QStringList& notes);   ///< all of them; what is to be known of them
 
 private:
     struct Made;   ///< the objects, while the dialog is open

@@ -233,10 +233,7 @@ void SessionController::connectArchives()
     connect(ui_.actions[ui::Command::SendToArchive], &QAction::triggered, &dicom_, &DicomController::askToSend);
     connect(&dicom_, &DicomController::wanted, this,
             [this](const ui::DicomChoice& choice) { sender_->ask(dicom_.makerOf(choice)); });
-    connect(sender_.get(), &ArchiveSender::sent, this, [this](const QString& words) {
-        notices_.showNote(words);
-        emit exported();
-    });
+    connect(sender_.get(), &ArchiveSender::sent, this, &SessionController::tellWritten);
 }
 
 /// A process of its own: what happens to one case cannot touch another.

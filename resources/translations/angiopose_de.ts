@@ -12184,6 +12184,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>Send to archive</source>
         <translation>An Archiv senden</translation>
     </message>
+    <message>
+        <source>A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which stands in its private elements. The file camera.json is not sent.</source>
+        <translation>Eine Spatial Registration ist eine starre Matrix: Sie kann die perspektivische Kamera nicht enthalten, die in ihren privaten Elementen steht. Die Datei camera.json wird nicht gesendet.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::DicomController</name>
@@ -12265,6 +12269,22 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Der Zwischenspeicher ist leer. Verworfene Objekte: %1.</translation>
     </message>
     <message>
+        <source>Keep less than is there?</source>
+        <translation>Weniger behalten, als da ist?</translation>
+    </message>
+    <message>
+        <source>The cache holds %1. What was not used for the longest time is dropped until %2 are left.</source>
+        <translation>Der Zwischenspeicher enthält %1. Am längsten Unbenutztes wird verworfen, bis %2 übrig sind.</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
         <source>Empty the cache?</source>
         <translation>Zwischenspeicher leeren?</translation>
     </message>
@@ -12275,10 +12295,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Empty</source>
         <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Emptying the cache …</source>
@@ -12887,6 +12903,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
         <translation>Noch ist kein Archiv bekannt. Fügen Sie eines hinzu: Wer es betreibt, nennt Ihnen Host, Port und AE-Titel.</translation>
+    </message>
+    <message>
+        <source>The objects go to %1 when you send them.</source>
+        <translation>Die Objekte gehen an %1, wenn Sie sie senden.</translation>
     </message>
 </context>
 <context>

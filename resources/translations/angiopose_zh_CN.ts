@@ -8359,11 +8359,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Open from archive …</source>
-        <translation>从归档打开 …</translation>
+        <translation>从归档打开……</translation>
     </message>
     <message>
         <source>Send to archive …</source>
-        <translation>发送到归档 …</translation>
+        <translation>发送到归档……</translation>
     </message>
 </context>
 <context>
@@ -12177,11 +12177,15 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Choose archive …</source>
-        <translation>选择归档 …</translation>
+        <translation>选择归档……</translation>
     </message>
     <message>
         <source>Send to archive</source>
         <translation>发送到归档</translation>
+    </message>
+    <message>
+        <source>A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which stands in its private elements. The file camera.json is not sent.</source>
+        <translation>Spatial Registration 是刚性矩阵，无法包含透视相机，后者存放在其私有元素中。文件 camera.json 不会发送。</translation>
     </message>
 </context>
 <context>
@@ -12264,6 +12268,22 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>缓存已清空。已删除对象：%1。</translation>
     </message>
     <message>
+        <source>Keep less than is there?</source>
+        <translation>保留的比现有的更少？</translation>
+    </message>
+    <message>
+        <source>The cache holds %1. What was not used for the longest time is dropped until %2 are left.</source>
+        <translation>缓存现有 %1。将删除最久未用的内容，直到剩余 %2。</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
         <source>Empty the cache?</source>
         <translation>清空缓存？</translation>
     </message>
@@ -12276,12 +12296,8 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>清空</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Emptying the cache …</source>
-        <translation>正在清空缓存 …</translation>
+        <translation>正在清空缓存……</translation>
     </message>
 </context>
 <context>
@@ -12307,7 +12323,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Asking %1 …</source>
-        <translation>正在询问 %1 …</translation>
+        <translation>正在询问 %1……</translation>
     </message>
     <message>
         <source>%1 answers, and lets this program in.</source>
@@ -12330,7 +12346,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Searching in %1 …</source>
-        <translation>正在 %1 中搜索 …</translation>
+        <translation>正在 %1 中搜索……</translation>
     </message>
     <message>
         <source>%1 holds no such study. Ask for less: a shorter name, more days, any modality.</source>
@@ -12380,11 +12396,11 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <name>angiopose::app::ArchiveRetrieval</name>
     <message>
         <source>Asking %1 …</source>
-        <translation>正在询问 %1 …</translation>
+        <translation>正在询问 %1……</translation>
     </message>
     <message>
         <source>Stopping …</source>
-        <translation>正在停止 …</translation>
+        <translation>正在停止……</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -12411,11 +12427,11 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <name>angiopose::app::ArchiveSender</name>
     <message>
         <source>Stopping …</source>
-        <translation>正在停止 …</translation>
+        <translation>正在停止……</translation>
     </message>
     <message>
         <source>Making the objects …</source>
-        <translation>正在生成对象 …</translation>
+        <translation>正在生成对象……</translation>
     </message>
     <message>
         <source>Sent: %1 of %2 objects, %3</source>
@@ -12496,7 +12512,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <name>angiopose::ui::CacheLine</name>
     <message>
         <source>Empty …</source>
-        <translation>清空 …</translation>
+        <translation>清空……</translation>
     </message>
     <message>
         <source>Most that the cache keeps</source>
@@ -12551,7 +12567,7 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Looking …</source>
-        <translation>正在查找 …</translation>
+        <translation>正在查找……</translation>
     </message>
 </context>
 <context>
@@ -12562,15 +12578,15 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
     <message>
         <source>Add …</source>
-        <translation>添加 …</translation>
+        <translation>添加……</translation>
     </message>
     <message>
         <source>Edit …</source>
-        <translation>编辑 …</translation>
+        <translation>编辑……</translation>
     </message>
     <message>
         <source>Remove …</source>
-        <translation>移除 …</translation>
+        <translation>移除……</translation>
     </message>
     <message>
         <source>Archive</source>
@@ -12886,6 +12902,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
         <translation>尚无已知的归档。请添加一个：管理者会告知主机、端口和 AE 标题。</translation>
+    </message>
+    <message>
+        <source>The objects go to %1 when you send them.</source>
+        <translation>发送后，对象将传至 %1。</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,7 @@ TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
     know({nodeAt(line.port())});
     ui::SendDialog* dialog = asked();
     ASSERT_TRUE(dialog);
+    EXPECT_TRUE(dialog->line().words().contains(QStringLiteral("go to pacs")));
     const Heartbeat beat;
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
     const QString fault = words(dialog->line());

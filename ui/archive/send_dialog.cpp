@@ -59,9 +59,14 @@ void SendDialog::showState()
     const bool hasNode = !nodes_->node().isEmpty();
     nodes_->setBusy(!isFree);
     send_->setEnabled(isFree && hasNode);
-    if (!hasNode && isFree) {
-        line_->showHint(tr("No archive is known yet. Add one: who runs it tells you host, port and AE title."));
-    }
+}
+
+void SendDialog::showNode()
+{
+    line_->showHint(nodes_->node().isEmpty()
+                        ? tr("No archive is known yet. Add one: who runs it tells you host, port and AE title.")
+                        : tr("The objects go to %1 when you send them.").arg(nodes_->node()));
+    showState();
 }
 
 void SendDialog::showSent(const QString& words)

@@ -19,6 +19,7 @@ public:
     TransferLine& line() { return *line_; }
 
     void showState();   ///< what can be done now
+    void showNode();   ///< which is chosen now, or that there is none
     void showSent(const QString& words);   ///< nothing is left to do
 
 signals:

@@ -37,9 +37,12 @@ DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose pu
         layout->addWidget(boxes_[i]);
         connect(boxes_[i], &QCheckBox::toggled, this, &DicomDialog::showState);
     }
-    auto* rigid =
-        roleLabel("hint", tr("A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, "
-                             "which is written beside it as camera.json."));
+    auto* rigid = roleLabel(
+        "hint", purpose == DicomPurpose::Send
+                    ? tr("A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which "
+                         "stands in its private elements. The file camera.json is not sent.")
+                    : tr("A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, "
+                         "which is written beside it as camera.json."));
     auto* passedOn = roleLabel("hint", tr("Every object names the patient in its header, as its image does, whatever "
                                           "its pictures show. Each is a new instance in the study of its image."));
     layout->addSpacing(8);
