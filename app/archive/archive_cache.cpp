@@ -28,6 +28,7 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
       list_(list),
       ui_(ui),
       measuring_([this](const std::uint64_t& bytes) {
+          held_ = bytes;
           ui_.line.showCache(bytes == 0 ? tr("empty") : sizeWords(bytes), bytes == 0,
                              static_cast<double>(list_.settings().cacheBytes) / 1e9,
                              QString::fromStdString(list_.settings().cache()));
@@ -42,7 +43,8 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
                  }})
 {
     connect(&list_, &ArchiveList::changed, this, &ArchiveCache::measure);
-    connect(&ui_.line, &ui::CacheLine::limitChosen, this, &ArchiveCache::limit);
+    connect(&ui_.line, &ui::CacheLine::limitChosen, this, &ArchiveCache::limit,
+            Qt::QueuedConnection);   // the Return that commits must not answer what is asked then
     connect(&ui_.line, &ui::CacheLine::emptyRequested, this, &ArchiveCache::askEmptying);
 }
 
@@ -56,6 +58,35 @@ void ArchiveCache::measure()
 void ArchiveCache::limit(double gigabytes)
 {
     const auto bytes = static_cast<std::uint64_t>(gigabytes * 1e9);
+    if (bytes < held_) {
+        askDropping(bytes);
+    } else {
+        setLimit(bytes);
+    }
+}
+
+/// Less than is held: a slip of the finger must not drop anything.
+void ArchiveCache::askDropping(std::uint64_t bytes)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Keep less than is there?"),
+         tr("The cache holds %1. What was not used for the longest time is dropped until %2 are left.")
+             .arg(sizeWords(held_), sizeWords(bytes)),
+         {}},
+        {tr("Drop"), tr("Cancel")}, &ui_.dialog);
+    question->setObjectName(QStringLiteral("cacheDropping"));
+    connect(question, &ui::QuestionDialog::answered, this, [this, bytes](int index) {
+        if (index == 0) {
+            setLimit(bytes);
+        } else {
+            measure();   // shows the former limit
+        }
+    });
+    question->open();
+}
+
+void ArchiveCache::setLimit(std::uint64_t bytes)
+{
     list_.change(
         [bytes](io::ArchiveSettings& settings) -> core::Status {
             settings.cacheBytes = bytes;

@@ -28,11 +28,14 @@ public:
 
 private:
     void limit(double gigabytes);
+    void setLimit(std::uint64_t bytes);
+    void askDropping(std::uint64_t bytes);
     void askEmptying();
     void empty();
 
     ArchiveList& list_;
     Ui ui_;
+    std::uint64_t held_ = 0;   ///< bytes
     Job<std::uint64_t> measuring_;
     Job<std::size_t> emptying_;
 };

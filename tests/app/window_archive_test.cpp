@@ -108,7 +108,7 @@ TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
     QTreeWidgetItem* study = dialog->list().topLevelItem(0);
     EXPECT_EQ(study->text(0), QStringLiteral("Müller Änne"));
     EXPECT_EQ(study->text(2), QStringLiteral("2024-03-05"));
-    EXPECT_TRUE(dialog->list().hasFocus());
+    EXPECT_EQ(dialog->focusWidget(), &dialog->list());
     QTest::keyClick(&dialog->list(), Qt::Key_Right);
     EXPECT_TRUE(QTest::qWaitFor([&] { return study->childCount() == 2; }, test::patienceMs)) << "its series";
 
@@ -199,6 +199,24 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
         return stored && stored.value().cacheBytes == 5'000'000'000;
     };
     EXPECT_TRUE(QTest::qWaitFor(isStored, test::patienceMs));
+    folder.write("cache/1.2/1.2.4/1.2.4.5.dcm", std::string(200'000'000, 'x'));
+    dialog->reject();
+    QTest::qWait(0);
+    dialog = opened();
+    ASSERT_TRUE(dialog);
+    limit = dialog->findChild<QLineEdit*>(QStringLiteral("cacheLimit"));
+    limit->selectAll();
+    QTest::keyClicks(limit, QStringLiteral("0.1"));
+    QTest::keyClick(limit, Qt::Key_Return);
+    QDialog* dropping = nullptr;
+    const auto isAsked = [&] { return (dropping = dialog->findChild<QDialog*>(QStringLiteral("cacheDropping"))); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isAsked() != nullptr; }, test::patienceMs));
+    EXPECT_TRUE(dropping->isVisible()) << "Return does not answer it at once";
+    OpenWindow::clickButton(dropping, QStringLiteral("Cancel"));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return limit->text().startsWith(u'5'); }, test::patienceMs));
+    EXPECT_TRUE(isStored()) << test::readText(io::defaultNodeFile());
+    EXPECT_TRUE(std::filesystem::exists(folder.file("cache/1.2/1.2.4/1.2.4.5.dcm")));
+    size = dialog->findChild<QLabel*>(QStringLiteral("cacheSize"));
     OpenWindow::clickButton(dialog, QStringLiteral("Empty …"));
     const auto questions = w.window.findChildren<QDialog*>(QStringLiteral("cacheEmptying"));
     ASSERT_EQ(questions.size(), 1);

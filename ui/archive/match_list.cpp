@@ -93,14 +93,21 @@ void MatchList::showStudies(const std::vector<MatchRow>& studies)
         studies_.insert(row.key, item);
     }
     setSortingEnabled(true);
-    for (int column : {What, PatientId, Date, MatchModality, MatchImages}) {
-        resizeColumnToContents(column);
-    }
-    setColumnWidth(What, std::min(columnWidth(What) + 12, width() / 3));
+    fitColumns();
     if (topLevelItemCount() > 0) {
         setCurrentItem(topLevelItem(0));
     }
     emit choiceChanged();
+}
+
+/// Long names and IDs leave room for the description.
+void MatchList::fitColumns()
+{
+    for (int column : {What, PatientId, Date, MatchModality, MatchImages}) {
+        resizeColumnToContents(column);
+    }
+    setColumnWidth(What, std::min(columnWidth(What) + 12, width() / 4));
+    setColumnWidth(PatientId, std::min(columnWidth(PatientId), width() / 7));
 }
 
 void MatchList::showSeries(const QString& studyKey, const std::vector<MatchRow>& series)

@@ -38,6 +38,7 @@ private:
     void wantSeries(QTreeWidgetItem* study);
     void activate(QTreeWidgetItem* item);
     void fill(QTreeWidgetItem& item, const MatchRow& row);
+    void fitColumns();
     void addPlaceholder(QTreeWidgetItem& study);
 
     QHash<QString, QTreeWidgetItem*> studies_;

@@ -12,12 +12,28 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace angiopose::ui {
 namespace {
 
 constexpr int mostAeLetters = 16;
 constexpr int mostNameLetters = 64;
 constexpr int nodeFieldWidth = 400;
+
+/// The fields of all forms below each other.
+void alignNames(const QDialog& dialog)
+{
+    int widest = 0;
+    for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+        widest = label->buddy() ? std::max(widest, label->sizeHint().width()) : widest;
+    }
+    for (QLabel* label : dialog.findChildren<QLabel*>()) {
+        if (label->buddy()) {
+            label->setMinimumWidth(widest);
+        }
+    }
+}
 
 }   // namespace
 
@@ -59,6 +75,7 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
     layout->addLayout(makeButtons(purpose));
     connect(more_, &QPushButton::toggled, further_, &QWidget::setVisible);
     connect(line_, &TransferLine::busyChanged, test_, &QWidget::setDisabled);
+    alignNames(*this);
     fill(entry);
     line_->showHint(tr("Ask who runs the archive for these, and have our AE title entered there."));
 }
