@@ -219,6 +219,7 @@ void Gallery::showRareDialogs(ui::MainWindow& window)
     series->open();
     takeDialogs(window, QStringLiteral("series"));
     showStudies(window);
+    showArchives(window);
     window.result().solutions().showSolutions(
         {{QStringLiteral("0.93"), {}}, {QStringLiteral("0.71"), {}}, {QStringLiteral("0.64"), {}}});
     showWindow(window.result().solutions(), QStringLiteral("solutions"));

@@ -34,6 +34,7 @@ private:
     void showDialogs(ui::MainWindow& window);
     void showRareDialogs(ui::MainWindow& window);
     void showStudies(ui::MainWindow& window);
+    void showArchives(ui::MainWindow& window);
     void showTrial(ui::MainWindow& window, app::CaseController& controller);
     void showViews(ui::MainWindow& window, app::CaseController& controller);
     void showModes(ui::MainWindow& window);
