@@ -3,6 +3,7 @@
 #include "io/support/own_leftovers.h"
 #include "tests/kills/autosave_job.h"
 #include "tests/kills/kept_case.h"
+#include "tests/kills/receive_job.h"
 #include "tests/support/temporary_folder.h"
 
 #include <fcntl.h>
@@ -17,12 +18,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <thread>
 
 // kill_table [--kills N] [--seed N]
-// Kills programs at N random moments while they save a case, export, and keep automatic copies; lets programs save on
-// full and read-only drives, and two of them on one case. Counts what is half written or lost afterwards; fails where
-// anything is.
+// Kills programs at N random moments while they save a case, export, keep automatic copies, and receive objects; lets
+// programs save on full and read-only drives, and two of them on one case. Counts what is half written or lost
+// afterwards; fails where anything is.
 
 using namespace angiopose;
 
@@ -70,36 +72,52 @@ std::size_t hiddenFilesIn(const std::string& folder)
     return hidden;
 }
 
-void killDuring(const std::string& job, int kills, core::CounterRandom& random)
+/// What a killed program was at, and how to look at what it left.
+struct KilledJob {
+    std::string name;
+    std::function<std::string(const std::string& folder)> findHalf;
+    std::function<std::size_t(const std::string& folder)> left;   ///< temporary files and locks
+    std::function<void(const std::string& folder)> startAgain;   ///< as the next program does that writes there
+};
+
+KilledJob fileJob(const std::string& name, std::string (*writtenIn)(const std::string& folder))
+{
+    const auto findHalf = [name, writtenIn](const std::string& folder) {
+        const std::string written = writtenIn(folder);
+        return test::findHalfWritten(name, folder) +
+               (written != folder ? test::findHalfWritten(name, written) : std::string());
+    };
+    return {name, findHalf, [writtenIn](const std::string& folder) { return hiddenFilesIn(writtenIn(folder)); },
+            [writtenIn](const std::string& folder) { io::removeLeftovers(writtenIn(folder)); }};
+}
+
+void killDuring(const KilledJob& job, int kills, core::CounterRandom& random)
 {
     const test::TemporaryFolder place;
     const std::string folder = fs::path(place.file("x")).parent_path().string();
-    const std::string written = job == "autosave" ? test::autosaveFolderOf(folder) : folder;
     test::writeSmallCase(folder);
     int half = 0;
     int unexpected = 0;
     std::size_t left = 0;
     std::size_t leftInTheEnd = 0;
     for (int i = 0; i < kills; ++i) {
-        const pid_t child = start(job, folder);
+        const pid_t child = start(job.name, folder);
         std::this_thread::sleep_for(std::chrono::microseconds(static_cast<int>(1000 + 150'000 * random.uniform())));
         ::kill(child, SIGKILL);
         unexpected += endOf(child) == -SIGKILL ? 0 : 1;
-        left += hiddenFilesIn(written);
-        std::string found = test::findHalfWritten(job, folder);
-        found += job == "autosave" ? test::findHalfWritten(job, written) : "";
-        if (!found.empty()) {
+        left += job.left(folder);
+        if (const std::string found = job.findHalf(folder); !found.empty()) {
             ++half;
-            std::printf("  half written after a kill while %s:%s\n", job.c_str(), found.c_str());
+            std::printf("  half written after a kill while %s:%s\n", job.name.c_str(), found.c_str());
         }
-        io::removeLeftovers(written);   // as the next program does that writes there
-        leftInTheEnd += hiddenFilesIn(written);
+        job.startAgain(folder);
+        leftInTheEnd += job.left(folder);
     }
     faults += half + unexpected + static_cast<int>(leftInTheEnd);
     std::printf(
         "%-10s %4d kills, %d files half written, %zu temporary files and locks left, %zu after the next start, %d "
         "ended by themselves\n",
-        job.c_str(), kills, half, left, leftInTheEnd, unexpected);
+        job.name.c_str(), kills, half, left, leftInTheEnd, unexpected);
 }
 
 /// Who saves there gets a sentence, and the old case stays; `drive` says what is done to the folder.
@@ -162,7 +180,9 @@ int runAsChild(char** values)
         makeDrive(folder, values[5]);
     }
     const int ready = std::atoi(values[4]);
-    return job == "autosave" ? test::autosaveForEver(folder, ready) : test::runJob(job, folder, ready);
+    return job == "autosave"  ? test::autosaveForEver(folder, ready)
+           : job == "receive" ? test::receiveForEver(folder, ready)
+                              : test::runJob(job, folder, ready);
 }
 
 }   // namespace
@@ -183,9 +203,11 @@ int main(int count, char** values)
     }
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     core::CounterRandom random(seed);
-    killDuring("save", (kills + 2) / 3, random);
-    killDuring("export", (kills + 1) / 3, random);
-    killDuring("autosave", kills / 3, random);
+    const auto itself = [](const std::string& folder) { return folder; };
+    killDuring(fileJob("save", itself), (kills + 3) / 4, random);
+    killDuring(fileJob("export", itself), (kills + 2) / 4, random);
+    killDuring(fileJob("autosave", test::autosaveFolderOf), (kills + 1) / 4, random);
+    killDuring({"receive", test::findHalfReceived, test::interruptedIn, test::receiveAnew}, kills / 4, random);
     refuseOn("full");
     refuseOn("read-only");
     refuseOn("limited");
