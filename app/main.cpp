@@ -3,6 +3,7 @@
 #include "app/preferences/theme_choice.h"
 #include "app/start/start_words.h"
 #include "app/window_host.h"
+#include "io/support/crash_dumps.h"
 #include "io/support/file_limits.h"
 
 #include <QApplication>
@@ -13,6 +14,7 @@ using namespace angiopose;
 int main(int argc, char** argv)
 {
     io::reportFileSizeLimit();
+    io::beginCrashDumps("angiopose");
     const app::StartWords words = app::readStartWords(argc, argv);
     if (words.exitCode) {
         return *words.exitCode;

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace angiopose::io {
+
+/// Lines for a file that is written while nothing can be trusted: no memory is asked for, no lock is taken.
+class SignalText {
+public:
+    explicit SignalText(int file) : file_(file) {}
+    ~SignalText() { flush(); }
+    SignalText(const SignalText&) = delete;
+    SignalText& operator=(const SignalText&) = delete;
+
+    SignalText& operator<<(std::string_view text);
+    SignalText& decimal(std::uint64_t value, int leastDigits = 1);
+    SignalText& hexadecimal(std::uintptr_t value);
+    void flush();
+
+private:
+    SignalText& number(std::uint64_t value, unsigned base, int leastDigits);
+
+    int file_;
+    std::array<char, 512> line_{};
+    std::size_t size_ = 0;
+};
+
+/// "2026-01-31T08:05:09Z" from seconds since 1970.
+struct SignalTime {
+    explicit SignalTime(std::int64_t seconds);
+    std::array<char, 21> text{};
+};
+
+}   // namespace angiopose::io

@@ -1,0 +1,96 @@
+#include "io/support/crash_dumps.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+
+using namespace angiopose;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Faults of a program that is linked with the handler, in a state folder of their own.
+class CrashDumps : public ::testing::Test {
+protected:
+    CrashDumps() { ::setenv("XDG_STATE_HOME", folder_.file("state").c_str(), 1); }
+    ~CrashDumps() override { ::unsetenv("XDG_STATE_HOME"); }
+
+    /// The signal that ended it.
+    static int crash(const std::string& way)
+    {
+        const int status = std::system((std::string("exec ") + CRASH_PROGRAM + " " + way + " 2>/dev/null").c_str());
+        return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    }
+    static std::string lastDump()
+    {
+        const auto dumps = io::crashDumps("angiopose-test");
+        return dumps.empty() ? std::string() : io::readableDump(dumps.front());
+    }
+
+    test::TemporaryFolder folder_;
+};
+
+bool holds(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(CrashDumps, NameSignalAndFunctionAndEndByTheSameSignal)
+{
+    const std::vector<std::tuple<std::string, int, std::string>> ways{{"segv", SIGSEGV, "SIGSEGV"},
+                                                                      {"fpe", SIGFPE, "SIGFPE"},
+                                                                      {"ill", SIGILL, "SIGILL"},
+                                                                      {"bus", SIGBUS, "SIGBUS"},
+                                                                      {"abort", SIGABRT, "SIGABRT"}};
+    for (const auto& [way, signal, name] : ways) {
+        std::error_code ignored;
+        fs::remove_all(folder_.file("state"), ignored);
+        EXPECT_EQ(crash(way), signal) << way;
+        const std::string dump = lastDump();
+        EXPECT_TRUE(holds(dump, "signal: " + name)) << way << ": " << dump;
+        EXPECT_TRUE(holds(dump, "crashOnPurpose(")) << way << ": " << dump;
+        EXPECT_TRUE(holds(dump, "crash_on_purpose+0x")) << way << ": " << dump;
+        EXPECT_TRUE(holds(dump, "program: angiopose-test " ANGIOPOSE_VERSION)) << dump;
+        EXPECT_TRUE(holds(dump, "time: 20") && holds(dump, "thread: main")) << dump;
+        EXPECT_TRUE(dump.ends_with("end\n")) << dump;
+        EXPECT_FALSE(holds(dump, "/")) << "paths tell whose machine it is: " << dump;
+    }
+}
+
+TEST_F(CrashDumps, AnExceptionNobodyCaughtIsNamedByItsTypeAlone)
+{
+    EXPECT_EQ(crash("terminate"), SIGABRT);
+    EXPECT_TRUE(holds(lastDump(), "std::terminate: St13runtime_error")) << lastDump();
+    EXPECT_FALSE(holds(lastDump(), "Jane"));
+}
+
+TEST_F(CrashDumps, AFullStackAndOtherThreadsLeaveOneToo)
+{
+    EXPECT_EQ(crash("stack"), SIGSEGV);
+    EXPECT_TRUE(holds(lastDump(), "fillStack(")) << lastDump();
+    EXPECT_EQ(crash("thread"), SIGSEGV);
+    EXPECT_EQ(io::crashDumps("angiopose-test").size(), 2U);
+}
+
+TEST_F(CrashDumps, TheNewestTenAreKept)
+{
+    const fs::path folder = fs::path(folder_.file("state")) / "angiopose/crashes";
+    fs::create_directories(folder);
+    for (int i = 10; i < 30; ++i) {
+        std::ofstream(folder / ("angiopose-20250101T0000" + std::to_string(i) + "Z-1.txt")) << "old";
+    }
+    std::ofstream(folder / "notes.txt") << "not ours";
+    crash("segv");
+    crash("segv");
+    EXPECT_LE(io::crashDumps().size(), 11U);   // the last came after the counting
+    EXPECT_EQ(io::crashDumps("angiopose-test").size(), 2U);
+    EXPECT_TRUE(fs::exists(folder / "notes.txt"));
+    EXPECT_EQ(fs::status(folder).permissions() & fs::perms::group_all, fs::perms::none);
+}
+
+}   // namespace
