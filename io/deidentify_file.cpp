@@ -1,5 +1,6 @@
 #include "io/deidentify_file.h"
 
+#include "io/deidentify/output_folder.h"
 #include "io/deidentify/strip_picture.h"
 #include "io/dicom/dicom_file.h"
 #include "io/messages/says.h"
@@ -9,16 +10,9 @@
 #include "io/support/files_in_folder.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <map>
-#include <vector>
 
 namespace angiopose::io {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// What is said of many files is said once.
 void addNew(const core::Messages& from, core::Messages& to)
@@ -41,69 +35,7 @@ core::Result<NamelessDicom> namelessOf(const std::string& path, const Deidentifi
     return file ? withoutIdentity(file.value(), path, wished, pseudonyms) : file.error();
 }
 
-/// The folder that is written to: its own until all is there.
-class OutputFolder {
-public:
-    explicit OutputFolder(std::string path) : path_(std::move(path)) {}
-    ~OutputFolder()
-    {
-        if (!isDone_) {
-            std::error_code ignored;
-            for (const fs::path& folder : made_) {
-                fs::remove_all(folder, ignored);
-            }
-            if (isNew_) {
-                fs::remove(path_, ignored);
-            }
-        }
-    }
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
-
-    core::Status open()
-    {
-        std::error_code failed;
-        isNew_ = !fs::exists(path_, failed);
-        if (!isNew_ && !fs::is_empty(path_, failed)) {
-            return fileError(path_, says::outputNotEmpty());
-        }
-        fs::create_directories(path_, failed);
-        return failed ? core::Status(fileError(path_, says::fileNotWritten(failed.message()))) : core::Done{};
-    }
-
-    core::Status write(const NamelessDicom& image)
-    {
-        const auto [series, isNew] =
-            counts_.try_emplace(image.seriesUid, std::pair(counts_.size() + 1, std::size_t{0}));
-        auto& [number, count] = series->second;
-        const fs::path folder = fs::path(path_) / ("series-" + std::to_string(number));
-        if (isNew) {
-            std::error_code failed;
-            fs::create_directories(folder, failed);
-            made_.push_back(folder);
-        }
-        return writeAtomically((folder / instanceFileName(++count)).string(), image.content);
-    }
-
-    bool isEmpty() const { return counts_.empty(); }
-    void keep() { isDone_ = true; }
-
-private:
-    std::string path_;
-    std::map<std::string, std::pair<std::size_t, std::size_t>> counts_;   ///< number and files of each series
-    std::vector<fs::path> made_;
-    bool isNew_ = false;
-    bool isDone_ = false;
-};
-
 }   // namespace
-
-std::string instanceFileName(std::size_t number)
-{
-    std::array<char, 32> name{};
-    std::snprintf(name.data(), name.size(), "%05zu.dcm", number);
-    return name.data();
-}
 
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
                                             const Deidentification& wished, const Pseudonyms& pseudonyms)

@@ -2,14 +2,12 @@
 
 #include "core/support/result.h"
 #include "io/deidentify/deidentify_dicom.h"
+#include "io/deidentify/output_folder.h"
 #include "io/support/read_observer.h"
 
 #include <string>
 
 namespace angiopose::io {
-
-/// "00001.dcm": what the images of a series are called where names could tell.
-std::string instanceFileName(std::size_t number);
 
 /// Writes a DICOM image, PNG or JPEG without identity (FORMATS §7); warnings name what to look at.
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/support/result.h"
+#include "io/deidentify/deidentify_dicom.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace angiopose::io {
+
+/// "00001.dcm": what the images of a series are called where names could tell.
+std::string instanceFileName(std::size_t number);
+
+/// The new or empty folder that files without identity are written to: `series-1/00001.dcm`, `picture-1.png`. Its own
+/// until `keep`: else nothing is left of it.
+class OutputFolder {
+public:
+    explicit OutputFolder(std::string path) : path_(std::move(path)) {}
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    core::Status open();
+    core::Status write(const NamelessDicom& image);
+    core::Status writePicture(const std::string& content, const std::string& ending);
+
+    bool isEmpty() const { return counts_.empty() && pictures_ == 0; }
+    void keep() { isDone_ = true; }
+
+private:
+    std::string path_;
+    std::map<std::string, std::pair<std::size_t, std::size_t>> counts_;   ///< number and files of each series
+    std::size_t pictures_ = 0;
+    std::vector<std::filesystem::path> made_;
+    bool isNew_ = false;
+    bool isDone_ = false;
+};
+
+}   // namespace angiopose::io

@@ -1,0 +1,132 @@
+#include "io/deidentify_files.h"
+
+#include "io/deidentify/output_folder.h"
+#include "io/deidentify/strip_picture.h"
+#include "io/dicom/dicom_file.h"
+#include "io/messages/says_deidentify.h"
+#include "io/support/file_error.h"
+#include "io/support/files_in_folder.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace angiopose::io {
+namespace {
+
+/// Files as they are, folders as what is in them; each once.
+core::Result<std::vector<std::string>> filesOfAll(const std::vector<std::string>& paths)
+{
+    std::vector<std::string> files;
+    for (const std::string& path : paths) {
+        std::error_code failed;
+        if (!std::filesystem::is_directory(path, failed)) {
+            files.push_back(path);
+            continue;
+        }
+        auto inside = filesInFolder(path, Reach::Below);
+        if (!inside) {
+            return inside.error();
+        }
+        files.insert(files.end(), inside.value().begin(), inside.value().end());
+    }
+    std::ranges::sort(files);
+    files.erase(std::ranges::unique(files).begin(), files.end());
+    return files;
+}
+
+class FileCleaner {
+public:
+    FileCleaner(const std::string& output, const Deidentification& wished, const Pseudonyms& pseudonyms)
+        : folder_(output), wished_(wished), pseudonyms_(pseudonyms)
+    {
+    }
+
+    core::Status open() { return folder_.open(); }
+
+    /// Fails only where nothing more can be written.
+    core::Status take(const std::string& path) { return isDicomFile(path) ? takeDicom(path) : takePicture(path); }
+
+    bool isEmpty() const { return folder_.isEmpty(); }
+    DeidentifiedFiles keep()
+    {
+        folder_.keep();
+        return std::move(done_);
+    }
+    const core::Messages& refused() const { return done_.refused; }
+
+private:
+    core::Status takeDicom(const std::string& path)
+    {
+        const auto input = openDicom(path);
+        const auto file = input ? parseDicom(input.value().view(), path) : core::Result<DicomFile>(input.error());
+        const auto image = file ? withoutIdentity(file.value(), path, wished_, pseudonyms_)
+                                : core::Result<NamelessDicom>(file.error());
+        if (!image) {
+            return refuse(image.error());
+        }
+        for (const core::Message& warning : image.value().warnings) {
+            if (std::ranges::find(done_.warnings, warning) == done_.warnings.end()) {
+                done_.warnings.push_back(warning);
+            }
+        }
+        return count(folder_.write(image.value()));
+    }
+
+    core::Status takePicture(const std::string& path)
+    {
+        const auto input = openInput(path);
+        const auto stripped =
+            input ? strippedPicture(input.value().view(), path) : core::Result<std::string>(input.error());
+        const std::string ending = stripped && stripped.value().starts_with("\x89PNG") ? ".png" : ".jpg";
+        return stripped ? count(folder_.writePicture(stripped.value(), ending)) : refuse(stripped.error());
+    }
+
+    core::Status refuse(const core::Error& error)
+    {
+        done_.refused.push_back(error.message);
+        return core::Done{};
+    }
+
+    core::Status count(core::Status written)
+    {
+        done_.written += written ? 1 : 0;
+        return written;
+    }
+
+    OutputFolder folder_;
+    const Deidentification& wished_;
+    const Pseudonyms& pseudonyms_;
+    DeidentifiedFiles done_;
+};
+
+}   // namespace
+
+core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
+                                                const Deidentification& wished, const Pseudonyms& pseudonyms,
+                                                const ReadObserver& observe)
+{
+    const auto files = filesOfAll(paths);
+    if (!files) {
+        return files.error();
+    }
+    FileCleaner cleaner(output, wished, pseudonyms);
+    if (const auto opened = cleaner.open(); !opened) {
+        return opened.error();
+    }
+    for (std::size_t n = 0; n < files.value().size(); ++n) {
+        if (isStopWished(observe, static_cast<double>(n) / static_cast<double>(files.value().size()))) {
+            return stoppedReading(output);
+        }
+        if (const auto taken = cleaner.take(files.value()[n]); !taken) {
+            return taken.error();
+        }
+    }
+    if (cleaner.isEmpty()) {
+        const auto& refused = cleaner.refused();
+        return refused.size() == 1 ? core::Error(refused.front())
+                                   : fileError(paths.empty() ? output : paths.front(), says::nothingToDeidentify());
+    }
+    return cleaner.keep();
+}
+
+}   // namespace angiopose::io
