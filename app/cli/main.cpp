@@ -1,4 +1,5 @@
 #include "app/cli/archive_commands.h"
+#include "app/cli/audit_hook.h"
 #include "app/cli/case_commands.h"
 #include "app/cli/console.h"
 #include "app/cli/description/add_description.h"
@@ -6,10 +7,12 @@
 #include "app/cli/file_commands.h"
 #include "app/cli/pack_command.h"
 #include "app/cli/study_commands.h"
+#include "app/cli/support_command.h"
 #include "app/cli/thumbnail_command.h"
 #include "app/cli/usage_help.h"
 #include "app/cli/vessel_commands.h"
 #include "app/messages/says.h"
+#include "io/support/crash_dumps.h"
 #include "io/support/file_limits.h"
 
 #include <CLI/CLI.hpp>
@@ -53,12 +56,15 @@ int parseAndRun(int argc, char** argv)
     addThumbnail(app, exitCode);
     addDescription(app, exitCode);
     addArchive(app, exitCode);
+    addSupportBundle(app, exitCode);
+    addAudit(app);
     app.failure_message(usageHelp);
     try {
         app.parse(asOptions({argv + 1, argv + argc}));
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? exitDone : exitUsage;
     }
+    auditOutcome(app, exitCode);
     return exitCode;
 }
 
@@ -69,6 +75,7 @@ int main(int argc, char** argv)
     std::setlocale(LC_ALL, "C");
     app::catchInterrupts();
     io::reportFileSizeLimit();
+    io::beginCrashDumps("angiopose-cli");
     try {
         return app::finishOutput(parseAndRun(argc, argv));
     } catch (const std::bad_alloc&) {

@@ -1,0 +1,121 @@
+#include "app/cli/audit_hook.h"
+
+#include "app/cli/console.h"
+#include "io/sharing/audit_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace angiopose::app {
+namespace {
+
+using io::AuditEvent;
+
+/// Arguments that name what is read and what is written, whichever command they belong to.
+constexpr std::array inputNames{"CASE",  "IN",       "FILE",   "FOLDER", "VOLUME",
+                                "IMAGE", "MANIFEST", "--view", "--pose", "--case"};
+constexpr std::array outputNames{"OUT", "PICTURE", "OUTPUT", "--output", "--mask", "--bent"};
+
+std::string auditPathOf(const CLI::App& app)
+{
+    const CLI::Option* option = app.get_option_no_throw("--audit");
+    return option != nullptr && option->count() > 0 ? option->results().front() : io::auditFileOfEnvironment();
+}
+
+std::vector<std::string> valuesOf(const CLI::App& command, const auto& names)
+{
+    std::vector<std::string> values;
+    for (const char* name : names) {
+        const CLI::Option* option = command.get_option_no_throw(name);
+        if (option != nullptr && option->count() > 0) {
+            const auto results = option->results();
+            values.insert(values.end(), results.begin(), results.end());
+        }
+    }
+    return values;
+}
+
+/// Only what is there: hashes are of files.
+std::vector<std::string> existing(std::vector<std::string> paths)
+{
+    std::erase_if(paths, [](const std::string& path) {
+        std::error_code failed;
+        return !std::filesystem::exists(path, failed);
+    });
+    return paths;
+}
+
+void record(const std::string& auditPath, AuditEvent event, std::vector<std::string> paths)
+{
+    if (paths.empty()) {
+        return;
+    }
+    const core::Status written = io::recordAudit(auditPath, {event, "angiopose-cli", std::move(paths)});
+    if (!written) {
+        printMessage("warning: " + written.error().message.text());
+    }
+}
+
+bool isDeidentifying(const CLI::App& command)
+{
+    const CLI::Option* option = command.get_option_no_throw("--deidentify");
+    return option != nullptr && option->count() > 0;
+}
+
+std::vector<std::string> outputsOf(const CLI::App& command)
+{
+    std::vector<std::string> outputs = valuesOf(command, outputNames);
+    if (outputs.empty() && command.get_name() == "register") {
+        const auto cases = valuesOf(command, std::array{"CASE"});
+        outputs = {std::filesystem::path(cases.empty() ? "" : cases.front()).stem().string() + "-registered"};
+    }
+    return outputs;
+}
+
+void recordOutcome(const std::string& auditPath, const CLI::App& command)
+{
+    const std::string name = command.get_name();
+    if (name == "pack") {
+        record(auditPath, AuditEvent::Packed, existing(valuesOf(command, std::array{"ARCHIVE"})));
+    } else if (name == "send") {
+        record(auditPath, AuditEvent::Sent, existing(valuesOf(command, std::array{"FILE"})));
+    } else {
+        const AuditEvent event = name == "register" || name == "batch" ? AuditEvent::Registered
+                                 : isDeidentifying(command)            ? AuditEvent::Deidentified
+                                                                       : AuditEvent::Exported;
+        record(auditPath, event, existing(outputsOf(command)));
+    }
+}
+
+}   // namespace
+
+void addAudit(CLI::App& app)
+{
+    app.add_option("--audit", "File to which a line is added for all that is opened and written (FORMATS §4)")
+        ->option_text("FILE");
+    for (CLI::App* command : app.get_subcommands(nullptr)) {
+        command->parse_complete_callback([&app, command] {
+            const std::string auditPath = auditPathOf(app);
+            if (!auditPath.empty()) {
+                record(auditPath, AuditEvent::Opened, existing(valuesOf(*command, inputNames)));
+            }
+        });
+    }
+}
+
+void auditOutcome(const CLI::App& app, int exitCode)
+{
+    const std::string auditPath = auditPathOf(app);
+    if (auditPath.empty() || (exitCode != exitDone && exitCode != exitNotTrustworthy)) {
+        return;
+    }
+    for (const CLI::App* command : app.get_subcommands()) {
+        const auto below = command->get_subcommands();
+        recordOutcome(auditPath, below.empty() ? *command : *below.front());
+    }
+}
+
+}   // namespace angiopose::app

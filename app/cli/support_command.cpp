@@ -1,0 +1,90 @@
+#include "app/cli/support_command.h"
+
+#include "app/cli/console.h"
+#include "io/opening/read_case_inputs.h"
+#include "io/sharing/case_identifiers.h"
+#include "io/sharing/case_summary.h"
+#include "io/sharing/support_bundle.h"
+
+#include <cstdio>
+#include <memory>
+
+namespace angiopose::app {
+namespace {
+
+struct SupportArguments {
+    std::string archivePath;
+    std::string casePath;
+    bool isShownAlone = false;
+};
+
+/// Says what a case is made of, and has the redaction know whom it tells of.
+core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportText>& texts)
+{
+    core::Messages nobodyReads;
+    const auto theCase = io::openCase(
+        path, nobodyReads, [](double) { return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue; });
+    if (!theCase) {
+        return theCase.error();
+    }
+    redaction.addPath(path);
+    io::addIdentifiers(theCase.value(), redaction);
+    for (const core::InputFile* file : {&theCase.value().vessels.file, &theCase.value().vessels.scanFile}) {
+        io::addIdentifiersOfFile(file->path, redaction);
+    }
+    for (const core::View& view : theCase.value().views) {
+        io::addIdentifiersOfFile(view.imageFile.path, redaction);
+    }
+    texts.push_back({"case.txt", io::caseSummary(theCase.value())});
+    return core::Done{};
+}
+
+int runSupportBundle(const SupportArguments& arguments)
+{
+    io::Redaction redaction;
+    auto texts = io::programTexts();
+    if (!arguments.casePath.empty()) {
+        if (const auto added = addCase(arguments.casePath, redaction, texts); !added) {
+            return failInput(added.error());
+        }
+    }
+    texts = io::cleaned(std::move(texts), redaction);
+    if (arguments.isShownAlone) {
+        std::fputs(io::asOneText(texts).c_str(), stdout);
+        return exitDone;
+    }
+    if (const auto written = io::writeSupportBundle(texts, arguments.archivePath); !written) {
+        return failInput(written.error());
+    }
+    for (const io::SupportText& each : texts) {
+        printMessage("in it: " + each.name + ", " + std::to_string(each.text.size()) + " bytes");
+    }
+    std::printf("%s\n", arguments.archivePath.c_str());
+    return exitDone;
+}
+
+}   // namespace
+
+void addSupportBundle(CLI::App& app, int& exitCode)
+{
+    auto* command =
+        app.add_subcommand("support-bundle", "Put what helps to mend a fault into an archive, without names");
+    auto arguments = std::make_shared<SupportArguments>();
+    auto* archive = command->add_option("OUTPUT", arguments->archivePath, "Archive to write, .zip");
+    command->add_option("--case", arguments->casePath, "Case that is summed up in it: kinds, sizes, options");
+    auto* show = command->add_flag("--show", arguments->isShownAlone, "Print all that would go in, and write nothing");
+    archive->excludes(show);
+    command->footer(
+        "Versions, machine, the last dumps of faults. Names, folders, UIDs and dates are taken out; read it before "
+        "you\n"
+        "hand it on.\n\n"
+        "Example: angiopose-cli support-bundle for-support.zip --case case.angiopose");
+    command->callback([arguments, archive, show, &exitCode] {
+        if (archive->count() == 0 && show->count() == 0) {
+            throw CLI::RequiredError("OUTPUT or --show");
+        }
+        exitCode = runSupportBundle(*arguments);
+    });
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,98 @@
+#include "io/sharing/audit_file.h"
+
+#include "io/file_hash.h"
+#include "io/messages/says_support.h"
+#include "io/support/files_in_folder.h"
+#include "io/support/system/appended_line.h"
+#include "io/support/system/machine_facts.h"
+#include "io/support/system/signal_text.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json entryOf(const std::string& path)
+{
+    Json entry{{"path", path}};
+    const auto hash = sha256OfFile(path);
+    if (hash) {
+        entry["sha256"] = hash.value();
+    } else {
+        entry["unread"] = true;
+    }
+    return entry;
+}
+
+void addFiles(const std::string& path, Json& files)
+{
+    std::error_code failed;
+    const std::string absolute = fs::absolute(path, failed).lexically_normal().string();
+    if (!fs::is_directory(absolute, failed)) {
+        files.push_back(entryOf(absolute));
+        return;
+    }
+    if (const auto inside = filesInFolder(absolute, Reach::Below)) {
+        for (const std::string& file : inside.value()) {
+            files.push_back(entryOf(file));
+        }
+    }
+}
+
+std::string timeNow()
+{
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return SignalTime(std::chrono::duration_cast<std::chrono::seconds>(now).count()).text.data();
+}
+
+}   // namespace
+
+std::string_view toText(AuditEvent event)
+{
+    switch (event) {
+        case AuditEvent::Opened:
+            return "opened";
+        case AuditEvent::Saved:
+            return "saved";
+        case AuditEvent::Registered:
+            return "registered";
+        case AuditEvent::Exported:
+            return "exported";
+        case AuditEvent::Packed:
+            return "packed";
+        case AuditEvent::Sent:
+            return "sent";
+        case AuditEvent::Deidentified:
+            break;
+    }
+    return "deidentified";
+}
+
+core::Status recordAudit(const std::string& auditPath, const AuditRecord& record)
+{
+    Json line{{"time", timeNow()},
+              {"user", accountName()},
+              {"program", record.program},
+              {"version", ANGIOPOSE_VERSION},
+              {"event", std::string(toText(record.event))},
+              {"files", Json::array()}};
+    for (const std::string& path : record.paths) {
+        addFiles(path, line["files"]);
+    }
+    const std::string problem = appendLine(auditPath, line.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return problem.empty() ? core::Status(core::Done{}) : core::Error(says::auditNotWritten(problem).about(auditPath));
+}
+
+std::string auditFileOfEnvironment()
+{
+    const char* path = std::getenv("ANGIOPOSE_AUDIT_FILE");
+    return path != nullptr ? path : "";
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/support/result.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace angiopose::io {
+
+enum class AuditEvent { Opened, Saved, Registered, Exported, Packed, Sent, Deidentified };
+
+/// "opened", "saved", …
+std::string_view toText(AuditEvent event);
+
+struct AuditRecord {
+    AuditEvent event = AuditEvent::Opened;
+    std::string program;   ///< "angiopose"
+    std::vector<std::string> paths;   ///< files and folders that it is about
+};
+
+/// Adds a line of JSON to the audit file (FORMATS §4): time in UTC, account, program and version, event, and the
+/// SHA-256 of every file, of a folder those of the files in it. Reads them whole. Fails where the line cannot be
+/// written.
+core::Status recordAudit(const std::string& auditPath, const AuditRecord& record);
+
+/// The file that `ANGIOPOSE_AUDIT_FILE` names; empty: none.
+std::string auditFileOfEnvironment();
+
+}   // namespace angiopose::io
