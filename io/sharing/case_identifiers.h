@@ -10,8 +10,8 @@ namespace angiopose::io {
 /// Has a redaction know whom and what a case tells of: paths, what was typed, and what its headers said.
 void addIdentifiers(const core::Case& theCase, Redaction& redaction);
 
-/// The same of an input file, or of the first file of a folder: its path and, of a DICOM file, every text, name, UID and
-/// date in it. A file that cannot be read gives its path alone.
+/// The same of an input file, or of the first file of a folder: its path and, of a DICOM file, every text, name, UID
+/// and date in it. A file that cannot be read gives its path alone.
 void addIdentifiersOfFile(const std::string& path, Redaction& redaction);
 
 }   // namespace angiopose::io

@@ -56,10 +56,10 @@ void writeVessels(std::ostream& out, const core::Vessels& vessels)
         out << "volume: " << geometry.size.transpose() << " voxels of " << geometry.spacingMm.transpose() << " mm\n";
     }
     out << "branches auxiliary, excluded, hidden: " << listed(vessels.auxiliaryBranchIds) << ", "
-        << listed(vessels.excludedBranchIds) << ", " << listed(vessels.hiddenBranchIds)
-        << "\nedited by hand: lumen " << vessels.isLumenEdited << ", tree " << vessels.isTreeEdited
-        << "\ncheck points and rings: " << vessels.marks.size() << "\nmeasures in slices: "
-        << vessels.measurements.size() << "\n";
+        << listed(vessels.excludedBranchIds) << ", " << listed(vessels.hiddenBranchIds) << "\nedited by hand: lumen "
+        << vessels.isLumenEdited << ", tree " << vessels.isTreeEdited
+        << "\ncheck points and rings: " << vessels.marks.size()
+        << "\nmeasures in slices: " << vessels.measurements.size() << "\n";
 }
 
 void writeNumber(std::ostream& out, const char* key, const core::Sourced<double>& number)

@@ -10,8 +10,8 @@ fs::path stateFolder()
 {
     const char* state = std::getenv("XDG_STATE_HOME");
     const char* home = std::getenv("HOME");
-    const fs::path base = state != nullptr && *state == '/' ? fs::path(state)
-                                                            : fs::path(home != nullptr ? home : ".") / ".local/state";
+    const fs::path base =
+        state != nullptr && *state == '/' ? fs::path(state) : fs::path(home != nullptr ? home : ".") / ".local/state";
     return base / "angiopose";
 }
 

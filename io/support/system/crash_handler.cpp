@@ -61,7 +61,8 @@ int openDump(const SignalTime& time)
     static std::array<char, 4096 + 64> path{};
     const Preparation& known = prepared();
     std::size_t size = 0;
-    for (const char* part : {known.pathBegin.data(), static_cast<const char*>(time.text.data()), known.process.data()}) {
+    for (const char* part :
+         {known.pathBegin.data(), static_cast<const char*>(time.text.data()), known.process.data()}) {
         for (; *part != '\0' && size + 1 < path.size(); ++part) {
             if (*part != ':') {   // some drives know no names with it
                 path[size++] = *part;

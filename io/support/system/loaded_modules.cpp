@@ -63,7 +63,7 @@ private:
 };
 
 struct SymbolTable {
-    const ElfW(Sym)* symbols = nullptr;
+    const ElfW(Sym) * symbols = nullptr;
     std::size_t count = 0;
     const char* names = nullptr;
     std::size_t nameBytes = 0;
