@@ -9,7 +9,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
       window_(window),
       notices_(window.strip(), window,
-               [this] { return registration_.isRunning() || session_.isLoading() || tracing_.isRunning(); }),
+               [this] {
+                   return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() ||
+                          session_.isWriting();
+               }),
       preview_(document_),
       sync_(document_, preview_,
             {window.angiogramView(), window.treeView(), window.slices(), window.branches(), window.registration(),
@@ -80,7 +83,8 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       scan_(document_, {window.actions(), window.treeView(), window.corner(), window.slices(), window.strip()}),
       detectorRadiograph_(document_, sync_, {window.actions(), window.treeView()}),
       habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
-      help_(window)
+      help_(window),
+      support_(document_, {window.actions(), window.strip(), window.faultBar(), window})
 {
     connectWindow();
     connectNotes();
@@ -94,10 +98,17 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     ui::speak(this, [this] { followDocument(); });
 }
 
+void CaseController::begin(const QStringList& paths)
+{
+    support_.tellOfFault();
+    session_.begin(paths);
+}
+
 bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || mask_.isRunning() ||
-           follow_.isRunning() || movie_.isRunning() || poses_.isBusy() || views_.isLooking() || document_.isInTrial();
+           follow_.isRunning() || movie_.isRunning() || session_.isWriting() || poses_.isBusy() || views_.isLooking() ||
+           document_.isInTrial();
 }
 
 /// What the window itself hears: files, clicks, keys, its end.
@@ -159,6 +170,12 @@ void CaseController::connectTracing()
 
 void CaseController::connectReview()
 {
+    connect(&movie_, &MovieController::written, &session_.audit(),
+            [this](const QString& path) { session_.audit().note(io::AuditEvent::Exported, {path}); });
+    connect(&support_, &SupportController::written, &notices_,
+            [this](const QString& path) { notices_.showNote(tr("Support bundle written: %1").arg(path)); });
+    connect(&support_, &SupportController::failed, &notices_,
+            [this](const QString& reason) { notices_.showProblem(tr("Could not save the support bundle"), reason); });
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
     connect(&window_.registration(), &ui::RegistrationPanel::allViewsToggled, &preview_,
             &PosePreview::setMovesAllViews);

@@ -20,6 +20,7 @@
 #include "app/files/title_controller.h"
 #include "app/habits/habits.h"
 #include "app/help/help_controller.h"
+#include "app/help/support_controller.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
 #include "app/review/detector_radiograph_controller.h"
@@ -60,7 +61,7 @@ public:
     explicit CaseController(ui::MainWindow& window, QObject* parent = nullptr);
 
     /// Notice, recovery offer and the files of the command line.
-    void begin(const QStringList& paths) { session_.begin(paths); }
+    void begin(const QStringList& paths);
     void open(const QStringList& paths) { session_.open(paths); }
     bool isLoading() const { return session_.isLoading(); }
     bool isBusy() const;   ///< a worker that may take long, or a trial
@@ -141,6 +142,7 @@ private:
     DetectorRadiographController detectorRadiograph_;
     Habits habits_;
     HelpController help_;
+    SupportController support_;
 };
 
 }   // namespace angiopose::app

@@ -67,6 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
       result_(new ResultPanel),
       snapshots_(new SnapshotPanel),
       trialBar_(new TrialBar),
+      faultBar_(new FaultBar),
       rightPanels_(new QScrollArea),
       strip_(new BottomStrip),
       columns_(new QSplitter(Qt::Horizontal)),
@@ -128,6 +129,7 @@ void MainWindow::layOut()
     layout->addWidget(steps_);
     layout->addWidget(patient_);
     layout->addWidget(trialBar_);
+    layout->addWidget(faultBar_);
     layout->addWidget(columns_, 1);
     layout->addWidget(strip_);
     setCentralWidget(central);

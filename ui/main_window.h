@@ -4,6 +4,7 @@
 #include "ui/panels/angiogram_panel.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/branch_panel.h"
+#include "ui/panels/fault_bar.h"
 #include "ui/panels/geometry_panel.h"
 #include "ui/panels/header_bar.h"
 #include "ui/panels/landmark_panel.h"
@@ -74,6 +75,7 @@ public:
     ResultPanel& result() { return *result_; }
     SnapshotPanel& snapshots() { return *snapshots_; }
     TrialBar& trialBar() { return *trialBar_; }
+    FaultBar& faultBar() { return *faultBar_; }
     BottomStrip& strip() { return *strip_; }
     WelcomePage& welcome() { return *welcome_; }
     WindowActions& actions() { return *actions_; }
@@ -159,6 +161,7 @@ private:
     ResultPanel* result_;
     SnapshotPanel* snapshots_;
     TrialBar* trialBar_;
+    FaultBar* faultBar_;
     QScrollArea* rightPanels_;
     BottomStrip* strip_;
     QSplitter* columns_;

@@ -1,5 +1,6 @@
 #include "app/files/autosave.h"
 
+#include "app/preferences/private_mode.h"
 #include "io/case/case_file.h"
 #include "io/support/atomic_file.h"
 #include "io/support/own_leftovers.h"
@@ -24,6 +25,7 @@ QDir dataFolder(const char* name)
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QLatin1Char('/') +
                       QLatin1String(name));
     folder.mkpath(QStringLiteral("."));
+    QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return folder;
 }
 
@@ -64,8 +66,8 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
         return saved.error();
     }
     QFile::remove(vesselsBeside(path));
-    const core::Status origin =
-        io::writeAtomically(sidecarOf(path).toStdString(), original.toStdString() + '\n' + snapshot.title);
+    const core::Status origin = io::writeAtomically(sidecarOf(path).toStdString(),
+                                                    original.toStdString() + '\n' + outgoingCase(snapshot).title);
     return origin ? core::Result<QString>(path) : origin.error();
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/files/pdf_picture.h"
 #include "app/jobs/radiograph_source.h"
+#include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "app/texts/bent_vessels.h"
@@ -61,8 +62,9 @@ void ExportController::askFile(const FileQuestion& question, const Write& write,
 
 void ExportController::askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use)
 {
-    const QString base = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
-                                                    : QFileInfo(document_.path()).completeBaseName();
+    const QString own = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
+                                                   : QFileInfo(document_.path()).completeBaseName();
+    const QString base = isPrivate() ? QStringLiteral("case") : own;
     const QString suggested = suggestedPath(document_.path(), base + QLatin1Char('.') + question.suffix);
     auto* dialog = new QFileDialog(&dialogParent_, question.title, suggested, question.filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -178,12 +180,13 @@ ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& 
 {
     const OverlayPictureOptions options = lookOf(choice);
     const PictureFile file{static_cast<PictureContent>(choice.part), static_cast<double>(choice.dotsPerInch)};
-    return [snapshot = document_.current(), target = target_.current(), options, file](const QString& path) {
-        const core::Centerline2d traced = target ? *target : core::Centerline2d{};
-        return path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)
-                   ? writePdf(snapshot, traced, options, file, path)
-                   : writePictureFile(snapshot, traced, options, file, path.toStdString());
-    };
+    return
+        [snapshot = outgoingCase(document_.current()), target = target_.current(), options, file](const QString& path) {
+            const core::Centerline2d traced = target ? *target : core::Centerline2d{};
+            return path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)
+                       ? writePdf(snapshot, traced, options, file, path)
+                       : writePictureFile(snapshot, traced, options, file, path.toStdString());
+        };
 }
 
 void ExportController::exportOverlay(const ui::ExportChoice& choice, const QString& path)

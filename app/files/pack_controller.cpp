@@ -1,13 +1,15 @@
 #include "app/files/pack_controller.h"
 
+#include "app/files/deidentify_controller.h"
 #include "app/preferences/save_folder.h"
 #include "io/sharing/pack_case.h"
+#include "ui/panels/bottom_strip.h"
 #include "ui/words/message_text.h"
+#include "ui/words/number.h"
 
 #include <QDir>
 #include <QFileDialog>
 
-#include <memory>
 #include <optional>
 
 namespace angiopose::app {
@@ -15,20 +17,34 @@ namespace {
 
 std::optional<io::Deidentification> deidentificationFor(const ui::PackChoice& choice)
 {
-    if (choice.identity == ui::Choice::On) {
-        return {};
-    }
-    return io::Deidentification{
-        choice.shiftedDates == ui::Choice::On ? io::KeptDates::Shifted : io::KeptDates::None,
-        choice.blackedOut == ui::Choice::On ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Told,
-        choice.pseudonym.trimmed().toStdString()};
+    return choice.identity == ui::Choice::On ? std::nullopt : std::optional(deidentificationOf(choice));
 }
 
 }   // namespace
 
-PackController::PackController(CaseDocument& document, QWidget& dialogParent, QObject* parent)
-    : QObject(parent), document_(document), dialogParent_(dialogParent)
+PackController::PackController(CaseDocument& document, ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent)
+    : QObject(parent),
+      document_(document),
+      strip_(strip),
+      dialogParent_(dialogParent),
+      job_({[this](const QStringList& notes) {
+                strip_.showIdle(tr("Ready"));
+                rememberSaveFolder(archive_);
+                emit written(archive_, notes);
+            },
+            [this](const core::Error& error) {
+                strip_.showIdle(tr("Ready"));
+                if (error.isStop()) {
+                    emit stopped();
+                } else {
+                    emit failed(ui::messageText(error.message));
+                }
+            },
+            [this](double fraction) {
+                strip_.showProgress(tr("Packing: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+            }})
 {
+    connect(&strip_, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
 }
 
 void PackController::ask()
@@ -36,6 +52,10 @@ void PackController::ask()
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
         emit failed(tr("There is nothing to pack yet. Open a vessel tree and an angiogram first."));
+        return;
+    }
+    if (job_.isRunning()) {
+        emit failed(tr("A case is being packed already. Let that end, or stop it."));
         return;
     }
     auto* dialog = new ui::PackDialog(&dialogParent_);
@@ -57,29 +77,25 @@ void PackController::askPath(const ui::PackChoice& choice)
 
 void PackController::write(const ui::PackChoice& choice, const QString& path)
 {
-    emit started();
-    const auto notes = std::make_shared<QStringList>();
-    files_.run(
-        [theCase = document_.current(), wish = deidentificationFor(choice), path, notes]() -> core::Result<QString> {
-            const auto pseudonyms = io::Pseudonyms::create();
-            const auto packed =
-                pseudonyms ? io::packCase(theCase, path.toStdString(), {wish, pseudonyms.value()}) : pseudonyms.error();
-            if (!packed) {
-                return packed.error();
-            }
-            for (const core::Message& note : packed.value()) {
-                notes->push_back(ui::messageText(note));
-            }
-            return path;
-        },
-        [this, notes](const core::Result<QString>& outcome) {
-            if (!outcome) {
-                emit failed(ui::messageText(outcome.error().message));
-                return;
-            }
-            rememberSaveFolder(outcome.value());
-            emit written(outcome.value(), *notes);
-        });
+    archive_ = path;
+    strip_.showBusy(tr("Packing …"));
+    job_.start([theCase = document_.current(), wish = deidentificationFor(choice),
+                archive = path.toStdString()](JobLink<double>& link) -> core::Result<QStringList> {
+        const auto pseudonyms = io::Pseudonyms::create();
+        if (!pseudonyms) {
+            return pseudonyms.error();
+        }
+        const auto packed = io::packCase(theCase, archive, {wish, pseudonyms.value()},
+                                         [&link](double fraction) { return link.tell(fraction); });
+        if (!packed) {
+            return packed.error();
+        }
+        QStringList notes;
+        for (const core::Message& note : packed.value()) {
+            notes << ui::messageText(note);
+        }
+        return notes;
+    });
 }
 
 }   // namespace angiopose::app

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/jobs/file_queue.h"
+#include "app/jobs/job.h"
 #include "ui/dialogs/pack_dialog.h"
 
 #include <QObject>
@@ -9,19 +9,24 @@
 
 class QWidget;
 
+namespace angiopose::ui {
+class BottomStrip;
+}   // namespace angiopose::ui
+
 namespace angiopose::app {
 
-/// The case with its inputs in one archive, as it stands: asked for, then written by a worker.
+/// The case with its inputs in one archive, as it stands: asked for, then written by a worker with progress and Stop.
 class PackController : public QObject {
     Q_OBJECT
 public:
-    PackController(CaseDocument& document, QWidget& dialogParent, QObject* parent = nullptr);
+    PackController(CaseDocument& document, ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
 
     void ask();
     void write(const ui::PackChoice& choice, const QString& path);   ///< returns at once
+    bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void started();
+    void stopped();
     void written(const QString& path, const QStringList& notes);
     void failed(const QString& reason);
 
@@ -29,8 +34,10 @@ private:
     void askPath(const ui::PackChoice& choice);
 
     CaseDocument& document_;
+    ui::BottomStrip& strip_;
     QWidget& dialogParent_;
-    FileQueue files_;
+    QString archive_;   ///< that is being written
+    Job<QStringList> job_;   ///< the notes on it
 };
 
 }   // namespace angiopose::app

@@ -1,6 +1,7 @@
 #include "app/files/recent_cases.h"
 
 #include "app/files/case_pictures.h"
+#include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 
 #include <QFileInfo>
@@ -32,6 +33,9 @@ QStringList recentCases()
 
 void rememberCase(const QString& path)
 {
+    if (isPrivate()) {
+        return;
+    }
     const QString absolute = QFileInfo(path).absoluteFilePath();
     const QStringList pinned = settings::pinnedCases.read();
     QStringList cases = settings::recentCases.read();

@@ -3,6 +3,7 @@
 #include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
 #include "app/messages/says.h"
+#include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/welcome_page.h"
@@ -135,7 +136,7 @@ void RecentController::setPictures(bool wanted)
 void RecentController::pictureOpened()
 {
     const QString path = document_.path();
-    if (path.isEmpty() || !settings::recentPictures.read()) {
+    if (path.isEmpty() || isPrivate() || !settings::recentPictures.read()) {
         return;
     }
     pictures_.run(

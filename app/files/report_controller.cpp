@@ -3,6 +3,7 @@
 #include "app/files/case_report.h"
 #include "app/files/export_controller.h"
 #include "app/files/report_template.h"
+#include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 #include "app/words/snapshot_texts.h"
 #include "io/support/atomic_file.h"
@@ -63,7 +64,7 @@ void ReportController::askCopy()
 void ReportController::askFile(const ui::ReportChoice& choice)
 {
     settings::reportTemplate.write(choice.templatePath);
-    const core::Case& current = document_.current();
+    const core::Case current = outgoingCase(document_.current());
     if (!target_.current()) {
         return;   // gone meanwhile
     }

@@ -29,7 +29,8 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       export_(document, target, preview, ui.view, ui.dialogParent),
       report_(document, target, export_, ui.dialogParent),
       dicom_(document, target, export_, ui.dialogParent),
-      pack_(document, ui.dialogParent),
+      pack_(document, ui.strip, ui.dialogParent),
+      deidentify_(ui.strip, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
       dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
       studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
@@ -37,7 +38,9 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       recent_(document, {ui.actions, ui.welcome}),
       archive_(std::make_unique<ArchiveController>(
           ArchiveController::Ui{*ui.actions[ui::Command::HideIdentity], ui.dialogParent})),
-      sender_(std::make_unique<ArchiveSender>(archive_->list(), ui.dialogParent))
+      sender_(std::make_unique<ArchiveSender>(archive_->list(), ui.dialogParent)),
+      privacy_(*ui.actions[ui::Command::PrivateMode], ui.dialogParent),
+      audit_(document, *ui.actions[ui::Command::KeepAudit], ui.dialogParent)
 {
     connectFiles();
     connectOpening();
@@ -46,6 +49,8 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
     connectDicom();
     connectPacking();
     connectArchives();
+    connectDeidentifying();
+    connectAudit(registration);
     connect(&close_, &CloseController::aboutToClose, this, &SessionController::aboutToClose);
     connect(&close_, &CloseController::windowMayClose, this, &SessionController::windowMayClose);
 }
@@ -217,7 +222,7 @@ void SessionController::tellWritten(const QString& there, const QStringList& not
 void SessionController::connectPacking()
 {
     connect(ui_.actions[ui::Command::PackCase], &QAction::triggered, &pack_, &PackController::ask);
-    connect(&pack_, &PackController::started, this, [this] { notices_.showNote(tr("Packing …")); });
+    connect(&pack_, &PackController::stopped, this, [this] { notices_.showNote(tr("Stopped; nothing was written.")); });
     connect(&pack_, &PackController::written, this, [this](const QString& path, const QStringList& notes) {
         tellWritten(tr("Case packed: %1").arg(QFileInfo(path).fileName()), notes);
     });
@@ -234,6 +239,40 @@ void SessionController::connectArchives()
     connect(&dicom_, &DicomController::wanted, this,
             [this](const ui::DicomChoice& choice) { sender_->ask(dicom_.makerOf(choice)); });
     connect(sender_.get(), &ArchiveSender::sent, this, &SessionController::tellWritten);
+}
+
+void SessionController::connectDeidentifying()
+{
+    connect(ui_.actions[ui::Command::DeidentifyFiles], &QAction::triggered, &deidentify_, &DeidentifyController::ask);
+    connect(&deidentify_, &DeidentifyController::written, this,
+            [this](const QString&, const QString& words) { notices_.showWarnings(words); });
+    connect(&deidentify_, &DeidentifyController::partlyRefused, this,
+            [this](const QString& words, const QString& lines) {
+                ui::MessageDialog::show({tr("Some files were refused"), words, lines}, &ui_.dialogParent);
+            });
+    connect(&deidentify_, &DeidentifyController::stopped, this,
+            [this] { notices_.showNote(tr("Stopped; nothing was written.")); });
+    connect(&deidentify_, &DeidentifyController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("Could not de-identify the files"), reason); });
+}
+
+void SessionController::connectAudit(RegistrationController& registration)
+{
+    using io::AuditEvent;
+    connect(&open_, &OpenController::opened, &audit_, &AuditController::noteOpened);
+    connect(&save_, &SaveController::saved, &audit_, [this] { audit_.noteCase(AuditEvent::Saved); });
+    connect(&registration, &RegistrationController::finished, &audit_,
+            [this] { audit_.noteCase(AuditEvent::Registered); });
+    connect(&export_, &ExportController::written, &audit_,
+            [this](const QString& path) { audit_.note(AuditEvent::Exported, {path}); });
+    connect(&dicom_, &DicomController::written, &audit_,
+            [this](const QString& folder) { audit_.note(AuditEvent::Exported, {folder}); });
+    connect(&pack_, &PackController::written, &audit_,
+            [this](const QString& path) { audit_.note(AuditEvent::Packed, {path}); });
+    connect(&deidentify_, &DeidentifyController::written, &audit_,
+            [this](const QString& folder) { audit_.note(AuditEvent::Deidentified, {folder}); });
+    connect(&audit_, &AuditController::failed, this,
+            [this](const QString& reason) { notices_.showProblem(tr("The audit file is not complete"), reason); });
 }
 
 /// A process of its own: what happens to one case cannot touch another.

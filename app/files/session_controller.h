@@ -1,12 +1,15 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/files/audit_controller.h"
 #include "app/files/close_controller.h"
+#include "app/files/deidentify_controller.h"
 #include "app/files/dicom_controller.h"
 #include "app/files/export_controller.h"
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
 #include "app/files/pack_controller.h"
+#include "app/files/privacy_controller.h"
 #include "app/files/recent_controller.h"
 #include "app/files/report_controller.h"
 #include "app/files/save_controller.h"
@@ -56,9 +59,11 @@ public:
     void closeWindow() { close_.closeWindow(); }   ///< asks first where something would be lost
     void abandonLoading();
     bool isLoading() const { return open_.isLoading() || studies_.isLooking(); }
+    bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< what may take long
 
     SaveController& saving() { return save_; }
     ExportController& exporting() { return export_; }
+    AuditController& audit() { return audit_; }
 
 signals:
     void startedAnew();   ///< for the first time, the notice read and no file given
@@ -74,6 +79,8 @@ private:
     void connectDicom();
     void connectPacking();
     void connectArchives();
+    void connectDeidentifying();
+    void connectAudit(RegistrationController& registration);
     void tellWritten(const QString& there, const QStringList& notes);
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
@@ -88,6 +95,7 @@ private:
     ReportController report_;
     DicomController dicom_;
     PackController pack_;
+    DeidentifyController deidentify_;
     SaveController save_;
     OpenDialogs dialogs_;
     StudyController studies_;
@@ -95,6 +103,8 @@ private:
     RecentController recent_;
     std::unique_ptr<ArchiveController> archive_;
     std::unique_ptr<ArchiveSender> sender_;
+    PrivacyController privacy_;
+    AuditController audit_;
     bool offersRecovery_ = false;   ///< when the files of the command line are open, or could not be opened
     QStringList openingNotes_;
 };

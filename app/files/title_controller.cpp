@@ -1,5 +1,6 @@
 #include "app/files/title_controller.h"
 
+#include "app/preferences/private_mode.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/header_bar.h"
 #include "ui/words/spoken.h"
@@ -24,7 +25,7 @@ TitleController::TitleController(CaseDocument& document, SaveController& saving,
 
 void TitleController::show()
 {
-    const QString name = QString::fromStdString(document_.current().title);
+    const QString name = isPrivate() ? tr("Case") : QString::fromStdString(document_.current().title);
     const QString star = document_.holdsWork() ? QStringLiteral("*") : QString();
     const QString shown = document_.isEmpty() ? QString() : (name.isEmpty() ? tr("Untitled case") : name) + star;
     window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
@@ -47,7 +48,7 @@ QString TitleController::studyLine() const
     }
     const core::StudyIdentity& identity = current.shown().angiogram->identity;
     QStringList parts;
-    for (const std::string& part : {identity.studyDate, identity.modality}) {
+    for (const std::string& part : {isPrivate() ? std::string() : identity.studyDate, identity.modality}) {
         if (!part.empty()) {
             parts << QString::fromStdString(part);
         }

@@ -1,5 +1,6 @@
 #include "app/review/brightness_memory.h"
 
+#include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 #include "ui/views/angiogram_view.h"
 
@@ -38,6 +39,14 @@ std::optional<core::DisplayRange> automaticRange(const core::View& view)
     return core::displayRange(run.frames[static_cast<std::size_t>(fullest)]);
 }
 
+/// Whoever has an image can tell by its hash that it was open here.
+void storeBrightness(const QStringList& remembered)
+{
+    if (!isPrivate()) {
+        settings::brightness.write(remembered);
+    }
+}
+
 }   // namespace
 
 BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent)
@@ -45,7 +54,7 @@ BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::AngiogramVi
 {
     storing_.setSingleShot(true);
     storing_.setInterval(2s);
-    connect(&storing_, &QTimer::timeout, this, [this] { settings::brightness.write(remembered_); });
+    connect(&storing_, &QTimer::timeout, this, [this] { storeBrightness(remembered_); });
     connect(&document_, &CaseDocument::changed, this, &BrightnessMemory::followDocument);
     connect(&view_, &ui::AngiogramView::windowLevelChanged, this,
             [this](double window, double level) { keep(series_, window, level); });
@@ -54,7 +63,7 @@ BrightnessMemory::BrightnessMemory(const CaseDocument& document, ui::AngiogramVi
 BrightnessMemory::~BrightnessMemory()
 {
     if (storing_.isActive()) {
-        settings::brightness.write(remembered_);
+        storeBrightness(remembered_);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "app/review/movie_controller.h"
 
+#include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 #include "io/movie/movie_writer.h"
 #include "ui/actions/window_actions.h"
@@ -20,6 +21,7 @@ MovieController::MovieController(const Parts& parts, QObject* parent)
       job_({[this](const QString& path) {
                 on_.strip.showIdle(tr("Ready"));
                 on_.notices.showNote(tr("Written: %1").arg(QFileInfo(path).fileName()));
+                emit written(path);
             },
             [this](const core::Error& error) {
                 on_.strip.showIdle(tr("Ready"));
@@ -91,7 +93,7 @@ void MovieController::start(const ui::MovieChoice& choice, const QString& path)
     OverlayPictureOptions options = on_.exporting.lookOf(look);
     const auto target = on_.target.current();
     on_.strip.showBusy(tr("Writing the movie …"));
-    job_.start([snapshot = on_.document.current(), target, options, plan = planOf(choice),
+    job_.start([snapshot = outgoingCase(on_.document.current()), target, options, plan = planOf(choice),
                 path](JobLink<double>& link) -> core::Result<QString> {
         const auto written = writeMovie(snapshot, target ? *target : core::Centerline2d{}, options, plan,
                                         path.toStdString(), [&link](double fraction) { return link.tell(fraction); });

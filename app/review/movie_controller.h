@@ -33,6 +33,9 @@ public:
 
     bool isRunning() const { return job_.isRunning(); }
 
+signals:
+    void written(const QString& path);
+
 private:
     void ask();
     void askFile(const ui::MovieChoice& choice);

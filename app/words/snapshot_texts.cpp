@@ -1,5 +1,6 @@
 #include "app/words/snapshot_texts.h"
 
+#include "app/preferences/private_mode.h"
 #include "core/support/utc_time.h"
 #include "ui/words/method_words.h"
 #include "ui/words/short_time.h"
@@ -8,7 +9,7 @@ namespace angiopose::app {
 
 QString observerName()
 {
-    return qEnvironmentVariable("USER");
+    return isPrivate() ? QString() : qEnvironmentVariable("USER");
 }
 
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame)

@@ -143,6 +143,14 @@
         <source>Vessels cannot be traced</source>
         <translation>Gefäße lassen sich nicht erfassen</translation>
     </message>
+    <message>
+        <source>Support bundle written: %1</source>
+        <translation>Supportpaket geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>Could not save the support bundle</source>
+        <translation>Supportpaket konnte nicht gespeichert werden</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CaseReport</name>
@@ -1494,10 +1502,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
-        <source>Packing …</source>
-        <translation>Packen …</translation>
-    </message>
-    <message>
         <source>Case packed: %1</source>
         <translation>Fall gepackt: %1</translation>
     </message>
@@ -1572,6 +1576,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The automatic copy cannot be written; it is tried again every minute. %1</source>
         <translation>Die automatische Sicherung lässt sich nicht schreiben; es wird jede Minute wieder versucht. %1</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Gestoppt; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Some files were refused</source>
+        <translation>Einige Dateien wurden abgelehnt</translation>
+    </message>
+    <message>
+        <source>Could not de-identify the files</source>
+        <translation>Dateien konnten nicht von Identität befreit werden</translation>
+    </message>
+    <message>
+        <source>The audit file is not complete</source>
+        <translation>Die Audit-Datei ist unvollständig</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +1953,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 · AngioPose · not for clinical use</source>
         <translation>%1 · AngioPose · nicht für den klinischen Einsatz</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Fall</translation>
     </message>
 </context>
 <context>
@@ -7040,6 +7064,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <comment>run.output-not-written</comment>
         <translation>Was ausgegeben wurde, ist nicht ganz angekommen: Laufwerk oder Pipe hinter der Standardausgabe ist voll oder geschlossen. Schaffen Sie Platz, oder leiten Sie sie anderswohin.</translation>
     </message>
+    <message>
+        <source>the audit file cannot be written (%1), so that what was done is not in it. Make room, or allow writing to it.</source>
+        <comment>audit.not-written</comment>
+        <translation>die Audit-Datei kann nicht geschrieben werden (%1), sodass nicht darin steht, was getan wurde. Schaffen Sie Platz, oder erlauben Sie das Schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -8364,6 +8393,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Send to archive …</source>
         <translation>An Archiv senden …</translation>
+    </message>
+    <message>
+        <source>De-identify files …</source>
+        <translation>Dateien ohne Identität …</translation>
+    </message>
+    <message>
+        <source>Private mode</source>
+        <translation>Privater Modus</translation>
+    </message>
+    <message>
+        <source>Keep an audit file …</source>
+        <translation>Audit-Datei führen …</translation>
+    </message>
+    <message>
+        <source>Save support bundle …</source>
+        <translation>Supportpaket speichern …</translation>
     </message>
 </context>
 <context>
@@ -12218,6 +12263,22 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>Archives (*.zip)</source>
         <translation>Archive (*.zip)</translation>
     </message>
+    <message>
+        <source>A case is being packed already. Let that end, or stop it.</source>
+        <translation>Es wird schon ein Fall gepackt. Abwarten oder stoppen.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Packing …</source>
+        <translation>Packe …</translation>
+    </message>
+    <message>
+        <source>Packing: %1 %</source>
+        <translation>Packe: %1 %</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::PackDialog</name>
@@ -12922,6 +12983,207 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>End it; what is whole is kept</source>
         <translation>Beenden; was ganz da ist, bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::DeidentifyController</name>
+    <message>
+        <source>Taking identity out: %1 %</source>
+        <translation>Identität wird entfernt: %1 %</translation>
+    </message>
+    <message>
+        <source>Files are being written already. Let that end, or stop it.</source>
+        <translation>Es werden schon Dateien geschrieben. Abwarten oder stoppen.</translation>
+    </message>
+    <message>
+        <source>Files to de-identify</source>
+        <translation>Dateien ohne Identität schreiben</translation>
+    </message>
+    <message>
+        <source>Folder to de-identify</source>
+        <translation>Ordner ohne Identität schreiben</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>Ordner, in den geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Taking identity out …</source>
+        <translation>Identität wird entfernt …</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Written without identity: %1, in %2.</source>
+        <translation>Ohne Identität geschrieben: %1, in %2.</translation>
+    </message>
+    <message>
+        <source>%1 files were written without identity, %2 were not, for the reasons below. What was written lies in %3.</source>
+        <translation>%1 Dateien wurden ohne Identität geschrieben, %2 nicht; die Gründe stehen unten. Das Geschriebene liegt in %3.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PrivacyController</name>
+    <message>
+        <source>No list and no pictures of recent cases, no names in the title, no folders remembered.</source>
+        <translation>Keine Liste und keine Bilder letzter Fälle, keine Namen im Titel, keine gemerkten Ordner.</translation>
+    </message>
+    <message>
+        <source>Turn private mode on?</source>
+        <translation>Privaten Modus einschalten?</translation>
+    </message>
+    <message>
+        <source>The list of recent cases, pinned ones too, their pictures and the folders and names remembered so far are forgotten for good. Nothing of the kind is kept until private mode is turned off. Automatic copies of unsaved work are still made, and removed when a case is closed.</source>
+        <translation>Die Liste der letzten Fälle, auch der angehefteten, ihre Bilder und die bisher gemerkten Ordner und Namen werden endgültig vergessen. Nichts dergleichen wird aufgehoben, bis der private Modus ausgeschaltet wird. Automatische Kopien ungesicherter Arbeit werden weiter angelegt und beim Schließen eines Falls entfernt.</translation>
+    </message>
+    <message>
+        <source>Turn on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::AuditController</name>
+    <message>
+        <source>One line for everything that is opened, saved and exported: when, by whom, with the SHA-256 of the files.</source>
+        <translation>Eine Zeile für alles, was geöffnet, gespeichert und exportiert wird: wann, von wem, mit der SHA-256 der Dateien.</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>Geschrieben in %1</translation>
+    </message>
+    <message>
+        <source>Keep an audit file</source>
+        <translation>Audit-Datei führen</translation>
+    </message>
+    <message>
+        <source>Audit files (*.jsonl)</source>
+        <translation>Audit-Dateien (*.jsonl)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::SupportController</name>
+    <message>
+        <source>Save support bundle</source>
+        <translation>Supportpaket speichern</translation>
+    </message>
+    <message>
+        <source>Archives (*.zip)</source>
+        <translation>Archive (*.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::FaultBar</name>
+    <message>
+        <source>Save support bundle …</source>
+        <translation>Supportpaket speichern …</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>AngioPose ended by a fault last time. A note of where in the program, with nothing of the case in it, lies in %1.</source>
+        <translation>AngioPose wurde zuletzt durch einen Fehler beendet. Eine Notiz, wo im Programm das war, ohne etwas vom Fall, liegt in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SupportDialog</name>
+    <message>
+        <source>Save support bundle</source>
+        <translation>Supportpaket speichern</translation>
+    </message>
+    <message>
+        <source>These texts go into the archive, and nothing else: no image, no vessels. Names, numbers, dates and paths that are known of the cases of this session and of this computer were taken out. Read them before you hand them on.</source>
+        <translation>Diese Texte kommen in das Archiv und sonst nichts: kein Bild, keine Gefäße. Namen, Nummern, Daten und Pfade, die von den Fällen dieser Sitzung und von diesem Computer bekannt sind, wurden entfernt. Lesen Sie sie, bevor Sie sie weitergeben.</translation>
+    </message>
+    <message>
+        <source>Texts of the bundle</source>
+        <translation>Texte des Pakets</translation>
+    </message>
+    <message>
+        <source>The text as it is written</source>
+        <translation>Der Text, wie er geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::DeidentifyDialog</name>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Dates shifted instead of removed</source>
+        <translation>Daten verschoben statt entfernt</translation>
+    </message>
+    <message>
+        <source>Black out letters in the pictures</source>
+        <translation>Buchstaben in den Bildern schwärzen</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>De-identify files</source>
+        <translation>Dateien ohne Identität</translation>
+    </message>
+    <message>
+        <source>DICOM images, PNG and JPEG are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
+        <translation>DICOM-Bilder, PNG und JPEG werden neu geschrieben, ohne Namen, Nummern, Daten, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden abgelehnt und genannt. Sehen Sie jedes Bild an, bevor Sie es weitergeben.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Files and folders</source>
+        <translation>Dateien und Ordner</translation>
+    </message>
+    <message>
+        <source>Add files …</source>
+        <translation>Dateien hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add folder …</source>
+        <translation>Ordner hinzufügen …</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>erfunden</translation>
+    </message>
+    <message>
+        <source>a new or empty folder</source>
+        <translation>ein neuer oder leerer Ordner</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>Ordner, in den geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Auswählen …</translation>
+    </message>
+    <message>
+        <source>Name instead</source>
+        <translation>Name stattdessen</translation>
+    </message>
+    <message>
+        <source>Write to</source>
+        <translation>Schreiben nach</translation>
     </message>
 </context>
 </TS>

@@ -143,6 +143,14 @@
         <source>Vessels cannot be traced</source>
         <translation>无法提取血管</translation>
     </message>
+    <message>
+        <source>Support bundle written: %1</source>
+        <translation>已写入支持包：%1</translation>
+    </message>
+    <message>
+        <source>Could not save the support bundle</source>
+        <translation>无法保存支持包</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CaseReport</name>
@@ -1494,10 +1502,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
-        <source>Packing …</source>
-        <translation>正在打包…</translation>
-    </message>
-    <message>
         <source>Case packed: %1</source>
         <translation>病例已打包：%1</translation>
     </message>
@@ -1572,6 +1576,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The automatic copy cannot be written; it is tried again every minute. %1</source>
         <translation>无法写入自动备份；每分钟重试一次。%1</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>已停止；未写入任何内容。</translation>
+    </message>
+    <message>
+        <source>Some files were refused</source>
+        <translation>部分文件被拒绝</translation>
+    </message>
+    <message>
+        <source>Could not de-identify the files</source>
+        <translation>无法对文件去标识</translation>
+    </message>
+    <message>
+        <source>The audit file is not complete</source>
+        <translation>审计文件不完整</translation>
     </message>
 </context>
 <context>
@@ -1933,6 +1953,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 · AngioPose · not for clinical use</source>
         <translation>%1 · AngioPose · 不得用于临床</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>病例</translation>
     </message>
 </context>
 <context>
@@ -7040,6 +7064,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <comment>run.output-not-written</comment>
         <translation>输出未完整送达：标准输出所连的驱动器或管道已满或已关闭。请腾出空间，或将其发送到别处。</translation>
     </message>
+    <message>
+        <source>the audit file cannot be written (%1), so that what was done is not in it. Make room, or allow writing to it.</source>
+        <comment>audit.not-written</comment>
+        <translation>无法写入审计文件（%1），因此所做的操作未被记录。请腾出空间，或允许写入该文件。</translation>
+    </message>
 </context>
 <context>
     <name>main</name>
@@ -8364,6 +8393,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Send to archive …</source>
         <translation>发送到归档……</translation>
+    </message>
+    <message>
+        <source>De-identify files …</source>
+        <translation>文件去标识……</translation>
+    </message>
+    <message>
+        <source>Private mode</source>
+        <translation>隐私模式</translation>
+    </message>
+    <message>
+        <source>Keep an audit file …</source>
+        <translation>保留审计文件……</translation>
+    </message>
+    <message>
+        <source>Save support bundle …</source>
+        <translation>保存支持包……</translation>
     </message>
 </context>
 <context>
@@ -12217,6 +12262,22 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>Archives (*.zip)</source>
         <translation>归档 (*.zip)</translation>
     </message>
+    <message>
+        <source>A case is being packed already. Let that end, or stop it.</source>
+        <translation>已在打包一个病例。请等待其结束，或将其停止。</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Packing …</source>
+        <translation>正在打包……</translation>
+    </message>
+    <message>
+        <source>Packing: %1 %</source>
+        <translation>正在打包：%1 %</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::PackDialog</name>
@@ -12921,6 +12982,207 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>End it; what is whole is kept</source>
         <translation>结束；完整的部分予以保留</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::DeidentifyController</name>
+    <message>
+        <source>Taking identity out: %1 %</source>
+        <translation>正在去标识：%1 %</translation>
+    </message>
+    <message>
+        <source>Files are being written already. Let that end, or stop it.</source>
+        <translation>已在写入文件。请等待其结束，或将其停止。</translation>
+    </message>
+    <message>
+        <source>Files to de-identify</source>
+        <translation>要去标识的文件</translation>
+    </message>
+    <message>
+        <source>Folder to de-identify</source>
+        <translation>要去标识的文件夹</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>写入的文件夹</translation>
+    </message>
+    <message>
+        <source>Taking identity out …</source>
+        <translation>正在去标识……</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Written without identity: %1, in %2.</source>
+        <translation>已去标识写入：%1 个，位于 %2。</translation>
+    </message>
+    <message>
+        <source>%1 files were written without identity, %2 were not, for the reasons below. What was written lies in %3.</source>
+        <translation>%1 个文件已去标识写入，%2 个未写入，原因如下。写入的内容位于 %3。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::PrivacyController</name>
+    <message>
+        <source>No list and no pictures of recent cases, no names in the title, no folders remembered.</source>
+        <translation>不保留最近病例的列表和图片，标题中不显示姓名，不记住文件夹。</translation>
+    </message>
+    <message>
+        <source>Turn private mode on?</source>
+        <translation>开启隐私模式？</translation>
+    </message>
+    <message>
+        <source>The list of recent cases, pinned ones too, their pictures and the folders and names remembered so far are forgotten for good. Nothing of the kind is kept until private mode is turned off. Automatic copies of unsaved work are still made, and removed when a case is closed.</source>
+        <translation>最近病例列表（包括固定的病例）、其图片以及迄今记住的文件夹和姓名将被永久清除。在关闭隐私模式之前，不会保留任何此类内容。未保存工作的自动副本仍会生成，并在关闭病例时删除。</translation>
+    </message>
+    <message>
+        <source>Turn on</source>
+        <translation>开启</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::AuditController</name>
+    <message>
+        <source>One line for everything that is opened, saved and exported: when, by whom, with the SHA-256 of the files.</source>
+        <translation>为每次打开、保存和导出写一行：时间、用户以及文件的 SHA-256。</translation>
+    </message>
+    <message>
+        <source>Written to %1</source>
+        <translation>写入 %1</translation>
+    </message>
+    <message>
+        <source>Keep an audit file</source>
+        <translation>保留审计文件</translation>
+    </message>
+    <message>
+        <source>Audit files (*.jsonl)</source>
+        <translation>审计文件 (*.jsonl)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::app::SupportController</name>
+    <message>
+        <source>Save support bundle</source>
+        <translation>保存支持包</translation>
+    </message>
+    <message>
+        <source>Archives (*.zip)</source>
+        <translation>压缩包 (*.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::FaultBar</name>
+    <message>
+        <source>Save support bundle …</source>
+        <translation>保存支持包……</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>忽略</translation>
+    </message>
+    <message>
+        <source>AngioPose ended by a fault last time. A note of where in the program, with nothing of the case in it, lies in %1.</source>
+        <translation>AngioPose 上次因故障而结束。故障在程序中的位置记录在 %1 中，不含病例内容。</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::SupportDialog</name>
+    <message>
+        <source>Save support bundle</source>
+        <translation>保存支持包</translation>
+    </message>
+    <message>
+        <source>These texts go into the archive, and nothing else: no image, no vessels. Names, numbers, dates and paths that are known of the cases of this session and of this computer were taken out. Read them before you hand them on.</source>
+        <translation>压缩包中只包含这些文本：没有图像，没有血管。本次会话的病例和本计算机的已知姓名、编号、日期和路径均已去除。请在转交之前阅读。</translation>
+    </message>
+    <message>
+        <source>Texts of the bundle</source>
+        <translation>支持包中的文本</translation>
+    </message>
+    <message>
+        <source>The text as it is written</source>
+        <translation>将写入的文本</translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation>保存……</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::DeidentifyDialog</name>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Dates shifted instead of removed</source>
+        <translation>日期平移而非删除</translation>
+    </message>
+    <message>
+        <source>Black out letters in the pictures</source>
+        <translation>涂黑图像中的文字</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>De-identify files</source>
+        <translation>文件去标识</translation>
+    </message>
+    <message>
+        <source>DICOM images, PNG and JPEG are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
+        <translation>DICOM 图像、PNG 和 JPEG 将重新写入，不含姓名、编号、日期、私有元素和文本；UID 会被替换。其他文件会被拒绝并列出。请在转交之前查看每一幅图像。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Files and folders</source>
+        <translation>文件和文件夹</translation>
+    </message>
+    <message>
+        <source>Add files …</source>
+        <translation>添加文件……</translation>
+    </message>
+    <message>
+        <source>Add folder …</source>
+        <translation>添加文件夹……</translation>
+    </message>
+    <message>
+        <source>made up</source>
+        <translation>自动生成</translation>
+    </message>
+    <message>
+        <source>a new or empty folder</source>
+        <translation>新的或空的文件夹</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>写入的文件夹</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>选择……</translation>
+    </message>
+    <message>
+        <source>Name instead</source>
+        <translation>替代姓名</translation>
+    </message>
+    <message>
+        <source>Write to</source>
+        <translation>写入到</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <QCheckBox>
+#include <QDir>
 #include <QProcess>
 
 namespace angiopose::app {
@@ -58,6 +59,19 @@ TEST_F(WindowPack, SampleGoesWithoutIdentity)
     const auto packed = io::loadCase(folder.file("case.angiopose"), warnings);
     ASSERT_TRUE(packed) << packed.error().message.text();
     EXPECT_TRUE(packed.value().title.empty());
+}
+
+TEST_F(WindowPack, StopLeavesNothing)
+{
+    w.openSample();
+    QDialog* dialog = asked();
+    ASSERT_NE(dialog, nullptr);
+    OpenWindow::clickButton(dialog, QStringLiteral("Pack …"));
+    chooseFile(folder.file("case.zip"));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.isBusy(); }, test::patienceMs));
+    emit w.window.strip().stopRequested();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !w.controller.isBusy(); }, test::patienceMs));
+    EXPECT_TRUE(QDir(QString::fromStdString(folder.file(""))).isEmpty(QDir::Files | QDir::Hidden));
 }
 
 TEST_F(WindowPack, NothingIsPackedWithoutACase)

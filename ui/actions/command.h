@@ -24,11 +24,14 @@ enum class Command {
     ExportDicom,
     SendToArchive,
     PackCase,
+    DeidentifyFiles,
     ExportFollowed,
     ExportMeasurements,
     ExportCheckPoints,
     ExportBranches,
     SaveWindow,
+    PrivateMode,
+    KeepAudit,
     CloseCase,
     Close,
     // Edit
@@ -175,6 +178,7 @@ enum class Command {
     GoodFit,
     Keys,
     Messages,
+    SupportBundle,
     About
 };
 

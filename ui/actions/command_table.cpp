@@ -28,6 +28,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportDicom, QT_TR_NOOP("Export DICOM objects …")},
         {Command::SendToArchive, QT_TR_NOOP("Send to archive …")},
         {Command::PackCase, QT_TR_NOOP("Pack case for others …")},
+        {Command::DeidentifyFiles, QT_TR_NOOP("De-identify files …")},
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
@@ -39,6 +40,8 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportCheckPoints, QT_TR_NOOP("Export check points …")},
         {Command::ExportBranches, QT_TR_NOOP("Export measures of the branches …")},
         {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
+        {Command::PrivateMode, QT_TR_NOOP("Private mode"), "", Switch | StartsGroup},
+        {Command::KeepAudit, QT_TR_NOOP("Keep an audit file …"), "", Switch},
         {Command::CloseCase, QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
         {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q"},
     };
@@ -265,6 +268,7 @@ std::span<const CommandRow> CommandTable::helpCommands()
         {Command::GoodFit, QT_TR_NOOP("What a good fit looks like"), "Shift+F1"},
         {Command::Keys, QT_TR_NOOP("Keys and mouse"), "?; Ctrl+F1", StartsGroup},
         {Command::Messages, QT_TR_NOOP("Messages"), "Ctrl+Shift+M"},
+        {Command::SupportBundle, QT_TR_NOOP("Save support bundle …")},
         {Command::About, QT_TR_NOOP("About AngioPose")},
     };
     return rows;

@@ -60,6 +60,7 @@ QSlider::handle:horizontal:hover { background: @textStrong@; }
 QSlider::handle:horizontal:focus { background: @accent@; }
 
 QAbstractItemView { background: @panel@; border: none; alternate-background-color: @window@; color: @text@; }
+QAbstractItemView[role="well"] { border: 1px solid @line@; border-radius: 4px; }
 QAbstractItemView::item { padding: 3px 6px; border: none; }
 QAbstractItemView::item:hover { background: @rowHover@; }
 QAbstractItemView::item:selected { background: @row@; color: @textStrong@; }

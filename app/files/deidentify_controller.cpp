@@ -1,0 +1,127 @@
+#include "app/files/deidentify_controller.h"
+
+#include "app/preferences/save_folder.h"
+#include "app/preferences/settings.h"
+#include "ui/panels/bottom_strip.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+#include "ui/words/number.h"
+
+#include <QFileDialog>
+
+namespace angiopose::app {
+
+io::Deidentification deidentificationOf(const ui::PackChoice& choice)
+{
+    return {choice.shiftedDates == ui::Choice::On ? io::KeptDates::Shifted : io::KeptDates::None,
+            choice.blackedOut == ui::Choice::On ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Told,
+            choice.pseudonym.trimmed().toStdString()};
+}
+
+DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent)
+    : QObject(parent),
+      strip_(strip),
+      dialogParent_(dialogParent),
+      job_({[this](const io::DeidentifiedFiles& done) { take(done); },
+            [this](const core::Error& error) { giveUp(error); },
+            [this](double fraction) {
+                strip_.showProgress(tr("Taking identity out: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+            }})
+{
+    connect(&strip_, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
+}
+
+void DeidentifyController::ask()
+{
+    if (job_.isRunning()) {
+        emit failed(tr("Files are being written already. Let that end, or stop it."));
+        return;
+    }
+    dialog_ = new ui::DeidentifyDialog(&dialogParent_);
+    connect(dialog_, &ui::DeidentifyDialog::filesWanted, this, &DeidentifyController::askFiles);
+    connect(dialog_, &ui::DeidentifyDialog::folderWanted, this, &DeidentifyController::askFolder);
+    connect(dialog_, &ui::DeidentifyDialog::outputWanted, this, &DeidentifyController::askOutput);
+    connect(dialog_, &ui::DeidentifyDialog::chosen, this, &DeidentifyController::write);
+    dialog_->open();
+}
+
+void DeidentifyController::askFiles()
+{
+    auto* files = new QFileDialog(dialog_, tr("Files to de-identify"), settings::lastFolder.read());
+    files->setAttribute(Qt::WA_DeleteOnClose);
+    files->setFileMode(QFileDialog::ExistingFiles);
+    connect(files, &QFileDialog::filesSelected, dialog_, &ui::DeidentifyDialog::addPaths);
+    files->open();
+}
+
+void DeidentifyController::askFolder()
+{
+    auto* folder = new QFileDialog(dialog_, tr("Folder to de-identify"), settings::lastFolder.read());
+    folder->setAttribute(Qt::WA_DeleteOnClose);
+    folder->setFileMode(QFileDialog::Directory);
+    connect(folder, &QFileDialog::fileSelected, dialog_, [this](const QString& path) { dialog_->addPaths({path}); });
+    folder->open();
+}
+
+void DeidentifyController::askOutput()
+{
+    auto* folder = new QFileDialog(dialog_, tr("Folder to write to"), saveFolder({}));
+    folder->setAttribute(Qt::WA_DeleteOnClose);
+    folder->setFileMode(QFileDialog::Directory);
+    connect(folder, &QFileDialog::fileSelected, dialog_, &ui::DeidentifyDialog::setOutputFolder);
+    folder->open();
+}
+
+void DeidentifyController::write(const ui::DeidentifyChoice& choice)
+{
+    std::vector<std::string> paths;
+    for (const QString& path : choice.paths) {
+        paths.push_back(path.toStdString());
+    }
+    output_ = choice.outputFolder;
+    strip_.showBusy(tr("Taking identity out …"));
+    job_.start([paths, output = output_.toStdString(),
+                wished = deidentificationOf(choice.how)](JobLink<double>& link) -> core::Result<io::DeidentifiedFiles> {
+        const auto pseudonyms = io::Pseudonyms::create();
+        if (!pseudonyms) {
+            return pseudonyms.error();
+        }
+        return io::deidentifyFiles(paths, output, wished, pseudonyms.value(),
+                                   [&link](double fraction) { return link.tell(fraction); });
+    });
+}
+
+void DeidentifyController::take(const io::DeidentifiedFiles& done)
+{
+    strip_.showIdle(tr("Ready"));
+    rememberSaveFolder(output_);
+    QStringList words{
+        tr("Written without identity: %1, in %2.").arg(ui::numberText(static_cast<double>(done.written), 0), output_)};
+    if (!done.warnings.empty()) {
+        words << ui::messagesText(done.warnings);
+    }
+    emit written(output_, ui::joinedSentences(words));
+    if (!done.refused.empty()) {
+        QStringList lines;
+        for (const core::Message& refused : done.refused) {
+            lines << ui::messageText(refused);
+        }
+        emit partlyRefused(tr("%1 files were written without identity, %2 were not, for the reasons below. What was "
+                              "written lies in %3.")
+                               .arg(ui::numberText(static_cast<double>(done.written), 0),
+                                    ui::numberText(static_cast<double>(done.refused.size()), 0), output_),
+                           lines.join(QLatin1Char('\n')));
+    }
+}
+
+void DeidentifyController::giveUp(const core::Error& error)
+{
+    strip_.showIdle(tr("Ready"));
+    if (error.isStop()) {
+        emit stopped();
+    } else {
+        emit failed(ui::messageText(error.message));
+    }
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/jobs/job.h"
+#include "io/deidentify_files.h"
+#include "ui/dialogs/deidentify_dialog.h"
+
+#include <QObject>
+#include <QPointer>
+
+class QWidget;
+
+namespace angiopose::ui {
+class BottomStrip;
+}   // namespace angiopose::ui
+
+namespace angiopose::app {
+
+/// How identity is taken out, as a dialog says it.
+io::Deidentification deidentificationOf(const ui::PackChoice& choice);
+
+/// Files and folders written without identity: asked for, then written by a worker with progress and Stop.
+class DeidentifyController : public QObject {
+    Q_OBJECT
+public:
+    DeidentifyController(ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
+
+    void ask();
+    void write(const ui::DeidentifyChoice& choice);   ///< returns at once
+    bool isRunning() const { return job_.isRunning(); }
+
+signals:
+    void written(const QString& folder, const QString& words);
+    void partlyRefused(const QString& words, const QString& details);   ///< one line for each file
+    void stopped();
+    void failed(const QString& reason);
+
+private:
+    void askFiles();
+    void askFolder();
+    void askOutput();
+    void take(const io::DeidentifiedFiles& done);
+    void giveUp(const core::Error& error);
+
+    ui::BottomStrip& strip_;
+    QWidget& dialogParent_;
+    QPointer<ui::DeidentifyDialog> dialog_;
+    QString output_;   ///< of what is under way
+    Job<io::DeidentifiedFiles> job_;
+};
+
+}   // namespace angiopose::app

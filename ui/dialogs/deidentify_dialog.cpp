@@ -1,0 +1,139 @@
+#include "ui/dialogs/deidentify_dialog.h"
+
+#include "ui/controls/section.h"
+#include "ui/dialogs/dialog_buttons.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int inputListHeight = 130;
+
+}   // namespace
+
+DeidentifyDialog::DeidentifyDialog(QWidget* parent)
+    : QDialog(parent),
+      inputs_(new QListWidget),
+      remove_(new QPushButton(tr("Remove"))),
+      shiftedDates_(new QCheckBox(tr("Dates shifted instead of removed"))),
+      blackedOut_(new QCheckBox(tr("Black out letters in the pictures"))),
+      pseudonym_(new QLineEdit),
+      output_(new QLineEdit),
+      accept_(new QPushButton(tr("Write")))
+{
+    setObjectName(QStringLiteral("deidentifyDialog"));
+    setWindowTitle(tr("De-identify files"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    setMinimumWidth(600);
+    auto* hint = roleLabel("hint", tr("DICOM images, PNG and JPEG are written anew without names, IDs, dates, private "
+                                      "elements and texts; UIDs are replaced. Other files are refused, and which is "
+                                      "said. Look at every picture before you hand it on."));
+    hint->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(22, 20, 22, 16);
+    layout->setSpacing(12);
+    layout->addWidget(hint);
+    layout->addWidget(makeInputs());
+    layout->addWidget(makeOptions());
+    layout->addLayout(dialogButtons(*this, tr("Cancel"), *accept_));
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    showState();
+}
+
+QWidget* DeidentifyDialog::makeInputs()
+{
+    inputs_->setAccessibleName(tr("Files and folders"));
+    inputs_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    inputs_->setFixedHeight(inputListHeight);
+    inputs_->setTextElideMode(Qt::ElideMiddle);
+    inputs_->setProperty("role", "well");
+    auto* files = new QPushButton(tr("Add files …"));
+    auto* folder = new QPushButton(tr("Add folder …"));
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {files, folder, remove_}) {
+        button->setAutoDefault(false);
+        buttons->addWidget(button);
+    }
+    buttons->addStretch(1);
+    connect(files, &QPushButton::clicked, this, &DeidentifyDialog::filesWanted);
+    connect(folder, &QPushButton::clicked, this, &DeidentifyDialog::folderWanted);
+    connect(remove_, &QPushButton::clicked, this, &DeidentifyDialog::removeSelected);
+    connect(inputs_, &QListWidget::itemSelectionChanged, this, &DeidentifyDialog::showState);
+    auto* part = new QWidget;
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(roleLabel("label", tr("Files and folders")));
+    layout->addWidget(inputs_);
+    layout->addLayout(buttons);
+    return part;
+}
+
+QWidget* DeidentifyDialog::makeOptions()
+{
+    blackedOut_->setChecked(true);
+    pseudonym_->setPlaceholderText(tr("made up"));
+    output_->setPlaceholderText(tr("a new or empty folder"));
+    output_->setAccessibleName(tr("Folder to write to"));
+    auto* choose = new QPushButton(tr("Choose …"));
+    choose->setAutoDefault(false);
+    auto* place = new QHBoxLayout;
+    place->addWidget(output_, 1);
+    place->addWidget(choose);
+    auto* part = new QWidget;
+    auto* form = new QFormLayout(part);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(shiftedDates_);
+    form->addRow(blackedOut_);
+    form->addRow(tr("Name instead"), pseudonym_);
+    form->addRow(tr("Write to"), place);
+    connect(choose, &QPushButton::clicked, this, &DeidentifyDialog::outputWanted);
+    connect(output_, &QLineEdit::textChanged, this, &DeidentifyDialog::showState);
+    return part;
+}
+
+void DeidentifyDialog::addPaths(const QStringList& paths)
+{
+    for (const QString& path : paths) {
+        if (inputs_->findItems(path, Qt::MatchExactly).isEmpty()) {
+            inputs_->addItem(path);
+            inputs_->item(inputs_->count() - 1)->setToolTip(path);
+        }
+    }
+    showState();
+}
+
+void DeidentifyDialog::setOutputFolder(const QString& folder)
+{
+    output_->setText(folder);
+}
+
+void DeidentifyDialog::removeSelected()
+{
+    qDeleteAll(inputs_->selectedItems());
+    showState();
+}
+
+void DeidentifyDialog::showState()
+{
+    remove_->setEnabled(!inputs_->selectedItems().isEmpty());
+    accept_->setEnabled(inputs_->count() > 0 && !output_->text().trimmed().isEmpty());
+}
+
+DeidentifyChoice DeidentifyDialog::choice() const
+{
+    const auto of = [](const QCheckBox& box) { return box.isChecked() ? Choice::On : Choice::Off; };
+    QStringList paths;
+    for (int i = 0; i < inputs_->count(); ++i) {
+        paths << inputs_->item(i)->text();
+    }
+    return {paths, output_->text().trimmed(), {Choice::Off, of(*shiftedDates_), of(*blackedOut_), pseudonym_->text()}};
+}
+
+}   // namespace angiopose::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDialog>
+
+#include <vector>
+
+class QListWidget;
+class QPlainTextEdit;
+
+namespace angiopose::ui {
+
+/// A text that would go into a support bundle.
+struct SupportPart {
+    QString name;
+    QString text;
+};
+
+/// Shows every text of a support bundle before it is written; `saveRequested` follows on Save.
+class SupportDialog : public QDialog {
+    Q_OBJECT
+public:
+    SupportDialog(std::vector<SupportPart> parts, QWidget* parent);
+
+signals:
+    void saveRequested();
+
+private:
+    void showPart(int row);
+
+    std::vector<SupportPart> parts_;
+    QListWidget* names_;
+    QPlainTextEdit* text_;
+};
+
+}   // namespace angiopose::ui
