@@ -271,6 +271,7 @@ void SessionController::connectAudit(RegistrationController& registration)
             [this](const QString& path) { audit_.note(AuditEvent::Packed, {path}); });
     connect(&deidentify_, &DeidentifyController::written, &audit_,
             [this](const QString& folder) { audit_.note(AuditEvent::Deidentified, {folder}); });
+    connect(sender_.get(), &ArchiveSender::sent, &audit_, [this] { audit_.noteCase(AuditEvent::Sent); });
     connect(&audit_, &AuditController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("The audit file is not complete"), reason); });
 }
