@@ -126,7 +126,7 @@ TEST(WindowStudy, TheKeyboardAloneOpensACase)
     ui::StudyBrowser* browser = browserOf(w);
     ASSERT_TRUE(browser);
     ui::StudyList& list = browser->list();
-    EXPECT_TRUE(list.hasFocus());
+    EXPECT_TRUE(QTest::qWaitFor([&list] { return list.hasFocus(); }, test::patienceMs));
 
     list.setCurrentItem(itemOf(list, QStringLiteral("CTA 0.75")));
     QTest::keyClick(&list, Qt::Key_Space);

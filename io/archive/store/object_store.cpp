@@ -4,6 +4,7 @@
 #include "io/archive/model/transfer.h"
 #include "io/messages/says_archive.h"
 #include "io/study/study_file.h"
+#include "io/support/own_leftovers.h"
 
 #include <array>
 #include <chrono>
@@ -24,15 +25,16 @@ core::Error noFolder(const std::string& path, const std::error_code& why)
     return says::archiveNoFolder(why.message()).about(path);
 }
 
-std::string randomName()
+/// Tells whose it is, as all temporary files do: should this process be killed, the next one clears it away.
+std::string temporaryPathIn(const fs::path& folder)
 {
     std::random_device device;
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string name;
-    for (int i = 0; i < 16; ++i) {
-        name += digits.at(device() % digits.size());
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+    std::string path = temporaryPatternFor((folder / "object").string());
+    for (std::size_t at = path.size() - 6; at < path.size(); ++at) {
+        path[at] = letters.at(device() % letters.size());
     }
-    return name;
+    return path;
 }
 
 /// Patients' images: for the owner alone.
@@ -116,7 +118,7 @@ IncomingObject::IncomingObject(std::string root, std::string temporary, AtomicFi
 
 core::Result<IncomingObject> IncomingObject::begin(const std::string& root, std::uint64_t mostBytes)
 {
-    const std::string temporary = (fs::path(root) / incomingFolder / randomName()).string();
+    const std::string temporary = temporaryPathIn(fs::path(root) / incomingFolder);
     auto file = AtomicFile::create(temporary);
     if (!file) {
         return file.error();
@@ -178,6 +180,7 @@ core::Result<ObjectStore> ObjectStore::open(const std::string& root, std::uint64
             return made.error();
         }
     }
+    removeLeftovers((absolute / incomingFolder).string());
     dropStaleFiles(absolute / incomingFolder);
     return ObjectStore(absolute.string(), mostObjectBytes);
 }
