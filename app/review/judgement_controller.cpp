@@ -31,6 +31,14 @@ std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
 
 constexpr auto restBetween = std::chrono::milliseconds(60);   ///< a drag is judged as it moves, but drawn first
 
+/// After a wire was followed its branches lie on the wire, which is no part of the vessels.
+core::Centerline2d judgedTarget(const core::View& view, const core::Centerline2d& vessels)
+{
+    const auto devices = core::devicesOf(view);
+    const bool isFollowed = devices && view.result && view.result->method == "wire";
+    return isFollowed ? core::together({vessels, *devices}) : vessels;
+}
+
 }   // namespace
 
 JudgementController::JudgementController(const Parts& parts, QObject* parent)
@@ -57,7 +65,8 @@ void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
         judgement_.reset();
         return;
     }
-    if (auto input = core::registrationInputOf(on_.document.current(), *target)) {
+    const core::Case& current = on_.document.current();
+    if (auto input = core::registrationInputOf(current, judgedTarget(current.shown(), *target))) {
         job_.request({std::move(input).value(), cameraFromPatient});
     }
 }

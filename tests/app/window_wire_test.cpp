@@ -76,6 +76,36 @@ TEST(WindowWire, TakesTheChosenWayAndUndoesIt)
     EXPECT_EQ(w.current().shown().result->wirePaths.size(), 2U);
 }
 
+TEST(WindowWire, JudgesTheFollowedBranchesByTheWireThatIsKeptApart)
+{
+    WireWindow w;
+    core::Case wire = w.current();
+    const core::ProjectionCamera camera = core::cameraOf(wire.shown()).value();
+    const auto longest = std::ranges::max_element(wire.vessels.tree->branches, {}, &core::VesselBranch::lengthMm);
+    core::Curve2d course{1, {}, {}};
+    for (const Eigen::Vector3d& point : longest->pointsInPatient) {
+        course.pointsPx.push_back(*core::project(camera, wire.shown().cameraFromPatient * point));
+    }
+    const core::Curve2d vessel{2, {{2.0, 2.0}, {12.0, 2.0}, {22.0, 3.0}}, {}};   // in a corner, far from the wire
+    wire.shown().target.centerline = std::make_shared<const core::Centerline2d>(core::Centerline2d{{vessel}});
+    wire.shown().target.devices = std::make_shared<const core::Centerline2d>(core::Centerline2d{{course}});
+    wire.shown().target.editedFrame = wire.shown().frame;
+    const auto residualPx = [&] {
+        const auto& branches = w.controller.judgement()->result.branches;
+        const auto judged = std::ranges::find(branches, longest->id, &core::BranchResidual::branchId);
+        return judged == branches.end() ? -1.0 : judged->medianPx;
+    };
+    const auto show = [&](const char* method) {
+        wire.shown().result->method = method;
+        w.controller.document().replace(wire, {});
+    };
+    show("angiopose");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return residualPx() > 20.0; }, test::patienceMs)) << "a wire is no vessel";
+    show("wire");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return residualPx() >= 0.0 && residualPx() < 2.0; }, test::patienceMs))
+        << residualPx();
+}
+
 TEST(WindowWire, FollowsAWireOnRequest)
 {
     OpenWindow w;
