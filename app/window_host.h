@@ -2,6 +2,9 @@
 
 #include "app/case_controller.h"
 #include "ui/main_window.h"
+#include "ui/theme/without_style_sheet.h"
+
+#include <optional>
 
 namespace angiopose::app {
 
@@ -14,6 +17,7 @@ public:
     CaseController& controller() { return controller_; }
 
 private:
+    std::optional<ui::WithoutStyleSheet> undressed_{std::in_place};   ///< while the window is put together
     ui::MainWindow window_;
     CaseController controller_;
 };
