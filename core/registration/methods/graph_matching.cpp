@@ -302,8 +302,8 @@ void GraphSearch::refine()
     std::ranges::stable_sort(tried_, std::ranges::greater{}, [](const auto& tried) { return tried.first; });
     std::vector<CentroidPose> finalists;
     for (const auto& [score, pose] : tried_) {
-        const bool isNew = std::ranges::none_of(finalists, [&](const CentroidPose& known) {
-            return stepLengthMm(stepBetween(known, pose), tree().spreadMm) < distinctFinalistsMm;
+        const bool isNew = std::ranges::none_of(finalists, [this, &candidate = pose](const CentroidPose& known) {
+            return stepLengthMm(stepBetween(known, candidate), tree().spreadMm) < distinctFinalistsMm;
         });
         if (isNew && finalists.size() < graphFinalists) {
             finalists.push_back(pose);
