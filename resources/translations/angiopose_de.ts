@@ -7711,6 +7711,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
         <source>Pack case for others …</source>
         <translation>Fall für andere packen …</translation>
     </message>

@@ -7711,6 +7711,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::ui::CommandTable</name>
     <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
         <source>Pack case for others …</source>
         <translation>打包病例给他人…</translation>
     </message>

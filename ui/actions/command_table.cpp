@@ -22,13 +22,25 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::NewWindow, QT_TR_NOOP("New window"), "Ctrl+N"},
         {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
         {Command::SaveAs, QT_TR_NOOP("Save as …"), "Ctrl+Shift+S"},
-        {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E", StartsGroup},
+        {Command::SendToArchive, QT_TR_NOOP("Send to archive …"), "", StartsGroup},
+        {Command::PackCase, QT_TR_NOOP("Pack case for others …")},
+        {Command::DeidentifyFiles, QT_TR_NOOP("De-identify files …")},
+        {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
+        {Command::PrivateMode, QT_TR_NOOP("Private mode"), "", Switch | StartsGroup},
+        {Command::KeepAudit, QT_TR_NOOP("Keep an audit file …"), "", Switch},
+        {Command::CloseCase, QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
+        {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q"},
+    };
+    return rows;
+}
+
+std::span<const CommandRow> CommandTable::exportCommands()
+{
+    static constexpr CommandRow rows[]{
+        {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E"},
         {Command::ExportMovie, QT_TR_NOOP("Export movie …"), "Ctrl+Shift+E"},
         {Command::ExportReport, QT_TR_NOOP("Export report …")},
         {Command::ExportDicom, QT_TR_NOOP("Export DICOM objects …")},
-        {Command::SendToArchive, QT_TR_NOOP("Send to archive …")},
-        {Command::PackCase, QT_TR_NOOP("Pack case for others …")},
-        {Command::DeidentifyFiles, QT_TR_NOOP("De-identify files …")},
         {Command::ExportResult, QT_TR_NOOP("Export result …")},
         {Command::ExportPose, QT_TR_NOOP("Export pose …")},
         {Command::ExportTrace, QT_TR_NOOP("Export traced vessels …")},
@@ -39,11 +51,6 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::ExportMeasurements, QT_TR_NOOP("Export measurements …")},
         {Command::ExportCheckPoints, QT_TR_NOOP("Export check points …")},
         {Command::ExportBranches, QT_TR_NOOP("Export measures of the branches …")},
-        {Command::SaveWindow, QT_TR_NOOP("Save picture of the window …"), "F12"},
-        {Command::PrivateMode, QT_TR_NOOP("Private mode"), "", Switch | StartsGroup},
-        {Command::KeepAudit, QT_TR_NOOP("Keep an audit file …"), "", Switch},
-        {Command::CloseCase, QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
-        {Command::Close, QT_TR_NOOP("Quit"), "Ctrl+Q"},
     };
     return rows;
 }
@@ -278,6 +285,7 @@ std::span<const MenuRows> CommandTable::menus()
 {
     static const std::array table{
         MenuRows{Menu::File, QT_TR_NOOP("&File"), fileCommands()},
+        MenuRows{Menu::Exports, QT_TR_NOOP("Export"), exportCommands()},
         MenuRows{Menu::Edit, QT_TR_NOOP("&Edit"), editCommands()},
         MenuRows{Menu::Vessels, QT_TR_NOOP("Ve&ssels"), vesselsCommands()},
         MenuRows{Menu::Angiogram, QT_TR_NOOP("&Angiogram"), angiogramCommands()},

@@ -10,6 +10,7 @@ namespace angiopose::ui {
 
 enum class Menu {
     File,
+    Exports,
     Edit,
     Vessels,
     Angiogram,
@@ -51,11 +52,12 @@ public:
         Repeats = 4   ///< again and again while the key is held
     };
 
-    /// Menus in the order of the bar; from Brightness to Mouse they lie in View.
+    /// Menus in the order of the bar; Exports lies in File, from Brightness to Mouse they lie in View.
     static std::span<const MenuRows> menus();
 
 private:
     static std::span<const CommandRow> fileCommands();
+    static std::span<const CommandRow> exportCommands();
     static std::span<const CommandRow> editCommands();
     static std::span<const CommandRow> vesselsCommands();
     static std::span<const CommandRow> angiogramCommands();

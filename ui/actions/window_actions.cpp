@@ -34,7 +34,7 @@ QList<QKeySequence> shortcutsOf(const CommandRow& row)
 
 }   // namespace
 
-WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(window))
+WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(window)), exports_(new QMenu(window))
 {
     speak(this, [this] { recent_->setTitle(tr("Open recent")); });
     for (const MenuRows& menu : CommandTable::menus()) {
@@ -61,18 +61,21 @@ void WindowActions::addCommand(const CommandRow& row, QWidget* window)
 
 void WindowActions::fillMenus(QMenuBar* menuBar)
 {
-    std::map<Menu, QMenu*> menus;
+    const std::map<Command, QMenu*> submenuAfter{{Command::OpenSample, recent_}, {Command::SaveAs, exports_}};
+    std::map<Menu, QMenu*> menus{{Menu::Exports, exports_}};
     for (const MenuRows& rows : CommandTable::menus()) {
-        QMenu* menu = liesInView(rows.menu) ? menus.at(Menu::View)->addMenu(QString()) : menuBar->addMenu(QString());
+        QMenu*& menu = menus[rows.menu];
+        if (!menu) {
+            menu = liesInView(rows.menu) ? menus.at(Menu::View)->addMenu(QString()) : menuBar->addMenu(QString());
+        }
         speak(menu, [menu, title = rows.title] { menu->setTitle(CommandTable::tr(title)); });
-        menus[rows.menu] = menu;
         for (const CommandRow& row : rows.commands) {
             if (row.traits & CommandTable::StartsGroup) {
                 menu->addSeparator();
             }
             menu->addAction(actions_.at(row.command));
-            if (row.command == Command::OpenSample) {
-                menu->addMenu(recent_);
+            if (const auto submenu = submenuAfter.find(row.command); submenu != submenuAfter.end()) {
+                menu->addMenu(submenu->second);
             }
         }
     }

@@ -33,6 +33,7 @@ private:
 
     std::map<Command, QAction*> actions_;
     QMenu* recent_;
+    QMenu* exports_;
 };
 
 }   // namespace angiopose::ui
