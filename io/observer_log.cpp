@@ -23,11 +23,19 @@ std::string poseColumns(const std::string& prefix)
     return text;
 }
 
-std::string logHeader()
+const std::string pivotColumns = ",pivot_x,pivot_y,pivot_z";
+
+/// Without the centroid, as logs were begun before it was kept.
+std::string olderHeader()
 {
     return "started_at,observer,case,image_sha256,frame,seed,range_mm,range_deg,duration_s,edits,outcome,"
            "in_plane_from_centre_mm,depth_from_centre_mm,rotation_from_centre_deg" +
-           poseColumns("start") + poseColumns("final") + poseColumns("centre") + "\n";
+           poseColumns("start") + poseColumns("final") + poseColumns("centre");
+}
+
+std::string pivotCells(const Eigen::Vector3d& pivot)
+{
+    return "," + toText(pivot.x()) + "," + toText(pivot.y()) + "," + toText(pivot.z());
 }
 
 std::string rowOf(const ObserverTrial& trial)
@@ -39,27 +47,28 @@ std::string rowOf(const ObserverTrial& trial)
            toText(trial.rangeMm) + "," + toText(trial.rangeDeg) + "," + toText(trial.durationS) + "," +
            std::to_string(trial.editCount) + (trial.isAbandoned ? ",abandoned," : ",done,") +
            toText(difference.inPlaneMm) + "," + toText(difference.depthMm) + "," + toText(difference.rotationDeg) +
-           "," + poseCells(trial.startPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centrePose) +
-           "\n";
+           "," + poseCells(trial.startPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centrePose);
 }
 
 }   // namespace
 
 core::Status appendTrial(const ObserverTrial& trial, const std::string& path)
 {
-    std::string content = logHeader();
+    std::string content = olderHeader() + pivotColumns + "\n";
+    bool hasPivots = true;
     if (std::error_code absent; std::filesystem::exists(path, absent)) {
         const auto before = openInput(path);
         if (!before) {
             return before.error();
         }
-        if (!before.value().view().starts_with(logHeader())) {
+        hasPivots = before.value().view().starts_with(content);
+        if (!hasPivots && !before.value().view().starts_with(olderHeader() + "\n")) {
             return fileError(path, says::noObserverLog());
         }
         content = before.value().view();
         content += content.ends_with('\n') ? "" : "\n";
     }
-    return writeAtomically(path, content + rowOf(trial));
+    return writeAtomically(path, content + rowOf(trial) + (hasPivots ? pivotCells(trial.pivotInPatient) : "") + "\n");
 }
 
 }   // namespace angiopose::io

@@ -98,6 +98,7 @@ struct SimulateArguments {
     std::string outputFolder;
     double nonRigidMm = 0.0;
     int branches = 24;
+    bool withScan = false;   ///< a CT angiogram of the same vessels besides
 };
 int runSimulate(const SimulateArguments& arguments);
 
@@ -117,7 +118,8 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments);
 
 struct EvaluateArguments {
     std::string protocol;
-    std::string methods = "angiopose,dynaweight:seed_noprior,dynaweight:seed_mean,iterative-pnp:seed_mean";
+    std::vector<std::string> inputPaths;   ///< of `own` the list of cases, of `observers` their logs
+    std::string methods;   ///< empty: those of defaultMethods, of own cases each case's own
     std::string conditions;   ///< empty: the standard ones
     std::optional<std::uint64_t> trials;   ///< of each condition; the protocol's own when not given
     std::uint64_t seed = 1;

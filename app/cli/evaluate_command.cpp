@@ -1,11 +1,16 @@
 #include "app/cli/commands.h"
+#include "app/cli/evaluate_own.h"
 #include "app/cli/shard.h"
 #include "app/messages/says.h"
+#include "app/messages/says_own.h"
+#include "core/evaluation/report/observer_report.h"
 #include "core/evaluation/report/plot.h"
 #include "core/evaluation/report/result_table.h"
 #include "core/evaluation/run_experiment.h"
+#include "io/evaluation/html_report.h"
 #include "io/evaluation/run_files.h"
 #include "io/evaluation/table_text.h"
+#include "io/messages/says_own.h"
 #include "io/plot/svg_plot.h"
 #include "io/support/atomic_file.h"
 
@@ -26,7 +31,7 @@ core::Result<core::ExperimentPlan> planOf(const EvaluateArguments& arguments)
     if (!conditions) {
         return conditions.error();
     }
-    auto contestants = core::contestantsFrom(arguments.methods);
+    auto contestants = core::contestantsFrom(arguments.methods.empty() ? defaultMethods : arguments.methods);
     if (!contestants) {
         return contestants.error();
     }
@@ -92,30 +97,109 @@ core::Status writePlots(const std::vector<core::Plot>& plots, const fs::path& fo
     return core::Done{};
 }
 
-core::Status writeReport(const core::RunSet& runs, const fs::path& folder)
+/// What people read, in all its forms.
+struct Report {
+    std::string title;
+    std::vector<core::ResultTable> tables;
+    std::vector<core::Plot> plots;
+};
+
+core::Status makeFolder(const fs::path& folder)
 {
     std::error_code failure;
     fs::create_directories(folder, failure);
-    if (failure) {
-        return core::Error(says::folderNotMade(folder.string(), failure.message()));
+    return failure ? core::Status(core::Error(says::folderNotMade(folder.string(), failure.message())))
+                   : core::Status(core::Done{});
+}
+
+core::Status writeReport(const Report& report, const fs::path& folder)
+{
+    for (const core::ResultTable& table : report.tables) {
+        std::printf("%s\n", io::toPlainText(table).c_str());
+    }
+    if (auto status = writeTables(report.tables, folder); !status) {
+        return status;
+    }
+    if (auto status = writePlots(report.plots, folder); !status) {
+        return status;
+    }
+    return io::writeAtomically((folder / "report.html").string(),
+                               io::htmlReport(report.title, report.tables, report.plots));
+}
+
+core::Status writeRunReport(const core::RunSet& runs, const fs::path& folder)
+{
+    if (auto status = makeFolder(folder); !status) {
+        return status;
     }
     if (auto status = io::writeRuns(runs, folder.string()); !status) {
         return status;
     }
-    const std::vector<core::ResultTable> tables = core::tablesOf(runs);
-    for (const core::ResultTable& table : tables) {
-        std::printf("%s\n", io::toPlainText(table).c_str());
+    return writeReport({"Evaluation: " + runs.protocol, core::tablesOf(runs), core::plotsOf(runs)}, folder);
+}
+
+int finishReport(const core::Status& status, const std::string& folder, int exitCode)
+{
+    if (!status) {
+        return failInput(status.error());
     }
-    if (auto status = writeTables(tables, folder); !status) {
-        return status;
+    std::printf("written        %s\n", (fs::path(folder) / "tables.md").string().c_str());
+    return exitCode;
+}
+
+int runObservers(const EvaluateArguments& arguments)
+{
+    const auto readings = observerReadings(arguments.inputPaths);
+    if (!readings) {
+        return failInput(readings.error());
     }
-    return writePlots(core::plotsOf(runs), folder);
+    const Report report{"Agreement of observers", core::observerTables(readings.value()),
+                        core::observerPlots(readings.value())};
+    if (report.tables.empty()) {
+        return failInput(core::Error(io::says::observerTooFew()));
+    }
+    core::Status status = makeFolder(arguments.outputFolder);
+    if (status) {
+        status = writeReport(report, arguments.outputFolder);
+    }
+    return finishReport(status, arguments.outputFolder, exitDone);
+}
+
+/// Whether the files named are those that the experiment is about.
+std::optional<core::Message> problemOfInputs(const EvaluateArguments& arguments)
+{
+    const std::size_t count = arguments.inputPaths.size();
+    if (arguments.protocol == observerLogs) {
+        return count == 0 ? std::optional<core::Message>(says::observersNoLog()) : std::nullopt;
+    }
+    if (!arguments.mergedFolders.empty() || arguments.protocol != ownCases) {
+        return count == 0 ? std::nullopt
+                          : std::optional<core::Message>(
+                                says::inputOfExperiment(arguments.protocol, arguments.inputPaths.front()));
+    }
+    return count == 1 ? std::nullopt : std::optional<core::Message>(says::ownNoManifest());
+}
+
+core::Result<core::Experiment> runExperimentOf(const EvaluateArguments& arguments)
+{
+    if (arguments.protocol == ownCases) {
+        return runOwnCases(arguments);
+    }
+    const auto plan = planOf(arguments);
+    return plan ? core::Result<core::Experiment>(runWithProgress(plan.value())) : plan.error();
 }
 
 }   // namespace
 
 int runEvaluate(const EvaluateArguments& arguments)
 {
+    if (const auto problem = problemOfInputs(arguments)) {
+        printMessage(problem->text());
+        return exitUsage;
+    }
+    if (arguments.protocol == observerLogs) {
+        return runObservers(arguments);
+    }
     core::Experiment experiment;
     if (!arguments.mergedFolders.empty()) {
         auto runs = mergedRuns(arguments);
@@ -124,22 +208,19 @@ int runEvaluate(const EvaluateArguments& arguments)
         }
         experiment.runs = std::move(runs).value();
     } else {
-        const auto plan = planOf(arguments);
-        if (!plan) {
-            printMessage(plan.error().message.text());
-            return exitUsage;
+        auto run = runExperimentOf(arguments);
+        if (!run) {
+            printMessage(run.error().message.text());
+            return arguments.protocol == ownCases ? exitInput : exitUsage;
         }
-        experiment = runWithProgress(plan.value());
+        experiment = std::move(run).value();
     }
     if (experiment.runs.runs.empty()) {
         printMessage("No trial was finished: nothing is written.");
         return experiment.wasStopped ? exitStopped : exitInput;
     }
-    if (const auto status = writeReport(experiment.runs, arguments.outputFolder); !status) {
-        return failInput(status.error());
-    }
-    std::printf("written        %s\n", (fs::path(arguments.outputFolder) / "tables.md").string().c_str());
-    return experiment.wasStopped ? exitStopped : exitDone;
+    return finishReport(writeRunReport(experiment.runs, arguments.outputFolder), arguments.outputFolder,
+                        experiment.wasStopped ? exitStopped : exitDone);
 }
 
 }   // namespace angiopose::app

@@ -1,6 +1,7 @@
 #include "app/cli/study_commands.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/evaluate_own.h"
 #include "app/cli/method_list.h"
 #include "core/evaluation/protocols/protocol.h"
 
@@ -19,7 +20,10 @@ std::string protocolList()
             text += " " + condition.id + (condition.isStandard ? "*" : "");
         }
     }
-    return text;
+    return text +
+           "\n  own  Cases of your own, with reference poses, landmarks or pairs of points.\n  observers  How "
+           "observers "
+           "agree who fitted the vessels by hand (logs of blind trials).";
 }
 
 std::vector<std::string> protocolIds()
@@ -28,6 +32,8 @@ std::vector<std::string> protocolIds()
     for (const core::Protocol& protocol : core::protocols()) {
         ids.emplace_back(protocol.id);
     }
+    ids.emplace_back(ownCases);
+    ids.emplace_back(observerLogs);
     return ids;
 }
 
@@ -42,7 +48,9 @@ void addSimulate(CLI::App& app, int& exitCode)
     command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
     command->add_option("--non-rigid", arguments->nonRigidMm, "Smooth deformation of the true vessel, std in mm")
         ->check(CLI::Range(0.0, 10.0));
-    command->footer("Example: angiopose-cli simulate --seed 7 --output demo");
+    command->add_flag("--scan", arguments->withScan,
+                      "Also a CT angiogram of the same vessels, scan.nii.gz, as a scanner would give it");
+    command->footer("Example: angiopose-cli simulate --seed 7 --scan --output demo");
     command->callback([arguments, &exitCode] { exitCode = runSimulate(*arguments); });
 }
 
@@ -53,11 +61,12 @@ void addEvaluate(CLI::App& app, int& exitCode)
     command->add_option("EXPERIMENT", arguments->protocol, "See the list below")
         ->required()
         ->check(CLI::IsMember(protocolIds()));
-    command
-        ->add_option("--method", arguments->methods,
-                     "Methods, comma-separated, the one to compare with first; settings after colons: "
-                     "dynaweight:seed_mean:rotationFirst=off. Groups: all, ablation")
-        ->capture_default_str();
+    command->add_option("INPUT", arguments->inputPaths,
+                        "of own: the table of cases and their truth; of observers: logs of blind trials");
+    command->add_option("--method", arguments->methods,
+                        "Methods, comma-separated, the one to compare with first; settings after colons: "
+                        "dynaweight:seed_mean:rotationFirst=off. Groups: all, ablation. Default: " +
+                            std::string(defaultMethods) + "; of own cases each one's own method and options");
     command->add_option("--condition", arguments->conditions,
                         "Conditions or their beginnings, comma-separated, or all");
     command->add_option("--trials", arguments->trials, "Trials of each condition")
@@ -78,7 +87,9 @@ void addEvaluate(CLI::App& app, int& exitCode)
                "\n\nExamples: angiopose-cli evaluate simulation --trials 200 --output simulation\n"
                "          angiopose-cli evaluate simulation --method ablation --condition cam-2-5 --output ablation\n"
                "          angiopose-cli evaluate toy --shard 1/2 --output a   (and 2/2 to b, on another machine)\n"
-               "          angiopose-cli evaluate toy --merge a b --output toy";
+               "          angiopose-cli evaluate toy --merge a b --output toy\n"
+               "          angiopose-cli evaluate own cases.csv --method angiopose,dynaweight --output own\n"
+               "          angiopose-cli evaluate observers trials.csv --output observers";
     });
     command->callback([arguments, &exitCode] { exitCode = runEvaluate(*arguments); });
 }

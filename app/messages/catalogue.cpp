@@ -3,6 +3,7 @@
 #include "app/messages/says.h"
 #include "app/messages/says_dicom.h"
 #include "app/messages/says_keeping.h"
+#include "app/messages/says_own.h"
 
 #include <array>
 
@@ -15,6 +16,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "app/messages/commands.def"
 #include "app/messages/dicom.def"
 #include "app/messages/keeping.def"
+#include "app/messages/own.def"
 #include "app/messages/window.def"
 #undef MESSAGE
     });

@@ -35,7 +35,8 @@ public:
     Status add(const RunRecord& record)
     {
         const std::size_t condition = conditionIndex(protocol_, record.condition);
-        if (condition == protocol_.conditions.size()) {
+        const bool bringsItsConditions = protocol_.conditions.empty();
+        if (condition == protocol_.conditions.size() && !bringsItsConditions) {
             return Error(says::foreignCondition(record.condition, protocol_.id));
         }
         const auto method = methods_.try_emplace(record.method, methods_.size()).first->second;

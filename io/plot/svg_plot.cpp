@@ -110,7 +110,7 @@ private:
             text += band(plot_.series[k], k);
         }
         for (std::size_t k = plot_.series.size(); k-- > 0;) {   // the first on top
-            text += polyline(plot_.series[k], k);
+            text += plot_.series[k].areDots ? dots(plot_.series[k], k) : polyline(plot_.series[k], k);
         }
         return text;
     }
@@ -126,6 +126,23 @@ private:
             }
         }
         return "<polyline points=\"" + points + "\" " + strokeOf(index) + "/>\n";
+    }
+
+    std::string dots(const core::PlotSeries& cloud, std::size_t index) const
+    {
+        std::string text;
+        for (const Eigen::Vector2d& at : cloud.points) {
+            if (at.allFinite()) {
+                text += dot(x_.position(at.x()), y_.position(at.y()), index);
+            }
+        }
+        return text;
+    }
+
+    static std::string dot(double x, double y, std::size_t index)
+    {
+        return "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"3.5\" fill=\"" +
+               std::string(colours[index % colours.size()]) + "\" fill-opacity=\"0.75\"/>\n";
     }
 
     std::string band(const core::PlotSeries& line, std::size_t index) const
@@ -164,7 +181,8 @@ private:
         const double x = plotLeft + plotWidth + legendGap;
         for (std::size_t k = 0; k < plot_.series.size(); ++k) {
             const double y = plotTop + 10.0 + legendLine * static_cast<double>(k);
-            text += lineFrom(x, y, x + legendSample, y, strokeOf(k));
+            text += plot_.series[k].areDots ? dot(x + 0.5 * legendSample, y, k)
+                                            : lineFrom(x, y, x + legendSample, y, strokeOf(k));
             text += textAt(x + legendSample + 8.0, y + 4.0, "fill=\"#111\"", plot_.series[k].name);
         }
         return text;

@@ -13,11 +13,31 @@ namespace {
 
 constexpr std::string_view byteOrderMark = "\xef\xbb\xbf";
 
+/// Where the cell that begins at `start` ends: the next comma that is not within quotes, or the line's end.
+std::size_t endOfCell(std::string_view line, std::size_t start)
+{
+    const std::size_t first = std::min(line.find_first_not_of(" \t", start), line.size());
+    if (first < line.size() && line[first] == '"') {
+        for (std::size_t close = line.find('"', first + 1); close != std::string_view::npos;
+             close = line.find('"', close + 1)) {
+            if (line.substr(close + 1).starts_with('"')) {
+                ++close;   // a doubled quote is one within the cell
+                continue;
+            }
+            const std::size_t next = std::min(line.find_first_not_of(" \t\r", close + 1), line.size());
+            if (next == line.size() || line[next] == ',') {
+                return next;
+            }
+        }
+    }
+    return std::min(line.find(',', start), line.size());
+}
+
 std::vector<std::string_view> splitCells(std::string_view line)
 {
     std::vector<std::string_view> cells;
     for (std::size_t start = 0; start <= line.size();) {
-        const std::size_t comma = std::min(line.find(',', start), line.size());
+        const std::size_t comma = endOfCell(line, start);
         std::string_view cell = trimmed(line.substr(start, comma - start));
         if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
             cell = cell.substr(1, cell.size() - 2);

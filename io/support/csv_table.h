@@ -9,7 +9,8 @@
 
 namespace angiopose::io {
 
-/// A comma-separated table with a header row (lower-cased names). Every row has as many cells as the header.
+/// A comma-separated table with a header row (lower-cased names). Every row has as many cells as the header. A comma
+/// within quotes is part of its cell; quotes doubled in it stay doubled.
 struct CsvTable {
     std::string path;   ///< where it was read, for messages
     std::vector<std::string> columns;

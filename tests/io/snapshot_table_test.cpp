@@ -1,5 +1,6 @@
 #include "io/snapshot_table.h"
 
+#include "io/evaluation/observer_readings.h"
 #include "io/observer_log.h"
 #include "io/support/csv_table.h"
 #include "tests/support/temporary_folder.h"
@@ -97,6 +98,47 @@ TEST(ObserverLog, AddsOneRowPerTrialToWhatIsThere)
     EXPECT_EQ(cell(0, "in_plane_from_centre_mm"), "4");
     EXPECT_EQ(cell(0, "depth_from_centre_mm"), "3");
     EXPECT_EQ(cell(0, "final_t1"), "4");
+}
+
+TEST(ObserverLog, IsReadBackAsReadingsWithoutWhatWasAbandoned)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("trials.csv");
+    io::ObserverTrial trial = trialOf("Ada");
+    trial.caseTitle = "Phantom, view \"IM3\", left";
+    trial.pivotInPatient = {1.5, -2.25, 3.0};
+    trial.centrePose.translation = {0.0, 0.0, 700.5};
+    trial.finalPose.rotation = core::expSo3({0.1, 0.2, 0.3});
+    ASSERT_TRUE(io::appendTrial(trial, path));
+    io::ObserverTrial abandoned = trial;
+    abandoned.isAbandoned = true;
+    ASSERT_TRUE(io::appendTrial(abandoned, path));
+    const auto readings = io::readObserverReadings(path);
+    ASSERT_TRUE(readings) << readings.error().message;
+    ASSERT_EQ(readings.value().size(), 1u);
+    const core::ObserverReading& reading = readings.value().front();
+    EXPECT_EQ(reading.observer, "Ada");
+    EXPECT_EQ(reading.pivotInPatient, trial.pivotInPatient);
+    EXPECT_EQ(reading.cameraFromPatient.rotation, trial.finalPose.rotation);
+    EXPECT_EQ(reading.centreCameraFromPatient.translation, trial.centrePose.translation);
+}
+
+TEST(ObserverLog, OfAnEarlierVersionGoesOnAsItIsAndSaysWhatItLacks)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("trials.csv");
+    ASSERT_TRUE(io::appendTrial(trialOf("Ada"), path));
+    std::string older = readText(path);
+    older.resize(older.find('\n'));
+    older.resize(older.find(",pivot_x"));
+    std::ofstream(path) << older << '\n';
+    ASSERT_TRUE(io::appendTrial(trialOf("Bob"), path));
+    const auto table = io::parseCsv(older = readText(path), path);
+    ASSERT_TRUE(table) << table.error().message;
+    EXPECT_EQ(table.value().rows.size(), 1u);
+    const auto readings = io::readObserverReadings(path);
+    ASSERT_FALSE(readings);
+    EXPECT_NE(readings.error().message.text().find("pivot_x"), std::string::npos);
 }
 
 TEST(ObserverLog, DoesNotTouchAnotherFile)

@@ -17,6 +17,10 @@ std::span<const Protocol> protocols()
 
 const Protocol* findProtocol(std::string_view id)
 {
+    static const Protocol own = ownProtocol();
+    if (id == own.id) {
+        return &own;
+    }
     const auto all = protocols();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Protocol& row) { return row.id == id; });
     return found == all.end() ? nullptr : &*found;

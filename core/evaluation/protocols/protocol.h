@@ -35,9 +35,10 @@ struct Protocol {
     TrialMaker (*prepare)(std::size_t condition, std::uint64_t seed) = nullptr;
 };
 
+/// Those that make their trials.
 std::span<const Protocol> protocols();
 
-/// The protocol with this id, or null.
+/// The protocol with this id, or null. "own" has no conditions and makes no trials: its runs bring theirs.
 const Protocol* findProtocol(std::string_view id);
 
 /// Indices of the conditions in a comma-separated list of ids or their beginnings up to a dash ("clean" is all of

@@ -20,6 +20,7 @@ Protocol robustnessProtocol();
 Protocol clinicalProtocol();
 Protocol captureRangeProtocol();
 Protocol trustProtocol();
+Protocol ownProtocol();   ///< its conditions are those of its runs
 
 template <class Setting>
 std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)

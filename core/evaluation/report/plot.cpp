@@ -12,18 +12,31 @@ namespace {
 constexpr double leastErrorMm = 1e-4;
 constexpr double largestErrorMm = 100.0;
 constexpr double leastErrorPx = 1e-4;
-constexpr int startBins = 8;
-constexpr int fewestPerBin = 5;
+constexpr std::size_t startBins = 8;
+constexpr std::size_t fewestPerBin = 5;
 
 std::string plotId(const RunGroups& groups, const std::string& what, const std::string& condition)
 {
     return std::string(groups.protocol().id) + "-" + condition + "-" + what;
 }
 
+/// An error whose distribution is drawn.
+struct DrawnError {
+    const char* id;
+    const char* label;
+    RunValue value;
+};
+constexpr DrawnError drawnProjectionDistance{"cumulative", "mean projection distance, mm", &RunRecord::meanMm};
+constexpr DrawnError drawnRayDistance{"cumulative-mrpd", "distance to the rays (mRPD), mm", &RunRecord::mrpdMm};
+constexpr DrawnError drawnTargetError{"cumulative-mtre", "target registration error (mTRE), mm", &RunRecord::mtreMm};
+
 /// A staircase: the share of registrations at or below each error.
-PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group)
+PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, RunValue value)
 {
-    std::vector<double> errors = group.values(&RunRecord::meanMm);
+    std::vector<double> errors = group.values(value);
+    if (errors.empty()) {
+        return {method, {}, {}};
+    }
     std::sort(errors.begin(), errors.end());
     PlotSeries series{method, {{leastErrorMm, 0.0}}, {}};
     for (std::size_t k = 0; k < errors.size(); ++k) {
@@ -35,16 +48,16 @@ PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group)
     return series;
 }
 
-Plot cumulativePlot(const RunGroups& groups, const Condition& condition)
+Plot cumulativePlot(const RunGroups& groups, const Condition& condition, const DrawnError& error)
 {
-    Plot plot{plotId(groups, "cumulative", condition.id),
+    Plot plot{plotId(groups, error.id, condition.id),
               condition.title,
-              {"mean projection distance, mm", leastErrorMm, largestErrorMm, true},
+              {error.label, leastErrorMm, largestErrorMm, true},
               {"registrations at or below, %", 0.0, 100.0, false},
               {}};
     for (const std::string& method : groups.methods()) {
         if (groups.of(condition, method).count() > 0) {
-            plot.series.push_back(cumulativeSeries(method, groups.of(condition, method)));
+            plot.series.push_back(cumulativeSeries(method, groups.of(condition, method), error.value));
         }
     }
     return plot;
@@ -73,7 +86,7 @@ PlotSeries successSeries(const Protocol& protocol, const std::string& method, co
 std::vector<RunGroup> equalBins(const RunGroup& group)
 {
     std::vector<double> fractions;
-    for (int k = 0; k <= startBins; ++k) {
+    for (std::size_t k = 0; k <= startBins; ++k) {
         fractions.push_back(static_cast<double>(k) / startBins);
     }
     const std::vector<double> edges = quantiles(group.values(&RunRecord::startMtreMm), fractions);
@@ -114,7 +127,7 @@ Plot successPlot(const RunGroups& groups, const Condition& condition)
         const RunGroup& group = groups.of(condition, method);
         const std::vector<double> starts = group.values(&RunRecord::startMtreMm);
         const auto [least, most] = std::minmax_element(starts.begin(), starts.end());
-        if (group.count() >= startBins * fewestPerBin && *most > 1.01 * *least) {
+        if (starts.size() >= startBins * fewestPerBin && *most > 1.01 * *least) {
             plot.series.push_back(successSeries(groups.protocol(), method, equalBins(group)));
         }
     }
@@ -194,7 +207,11 @@ std::vector<Plot> plotsOf(const RunSet& runs)
                  capturePlot(groups, "degraded", "degraded target")};
     } else {
         for (const Condition& condition : groups.conditions()) {
-            plots.push_back(cumulativePlot(groups, condition));
+            plots.push_back(cumulativePlot(groups, condition, drawnProjectionDistance));
+            if (groups.protocol().id == "own") {
+                plots.push_back(cumulativePlot(groups, condition, drawnRayDistance));
+                plots.push_back(cumulativePlot(groups, condition, drawnTargetError));
+            }
             plots.push_back(successPlot(groups, condition));
             plots.push_back(convergencePlot(groups, condition));
         }

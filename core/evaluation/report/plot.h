@@ -16,11 +16,12 @@ struct PlotAxis {
     bool isLogarithmic = false;   ///< base 10; min and max are above 0
 };
 
-/// One line of a plot; points outside the axes are cut off.
+/// One line or one set of dots of a plot; points outside the axes are cut off.
 struct PlotSeries {
     std::string name;
     std::vector<Eigen::Vector2d> points;   ///< by x
     std::vector<Interval> bands;   ///< one per point, or empty
+    bool areDots = false;   ///< each point for itself instead of a line
 };
 
 /// A line plot; io draws it as SVG.

@@ -9,9 +9,13 @@ namespace angiopose::core {
 std::vector<ResultTable> tablesOf(const RunSet& runs)
 {
     using Layout = std::vector<ResultTable> (*)(const RunGroups&);
-    static const std::map<std::string_view, Layout> errorLayouts{
-        {"toy", toyTables},           {"simulation", simulationTables},      {"robustness", robustnessTables},
-        {"clinical", clinicalTables}, {"capture-range", captureRangeTables}, {"trust", trustTables}};
+    static const std::map<std::string_view, Layout> errorLayouts{{"toy", toyTables},
+                                                                 {"simulation", simulationTables},
+                                                                 {"robustness", robustnessTables},
+                                                                 {"clinical", clinicalTables},
+                                                                 {"capture-range", captureRangeTables},
+                                                                 {"trust", trustTables},
+                                                                 {"own", ownTables}};
     const RunGroups groups(runs);
     std::vector<ResultTable> tables;
     for (const Layout layout : {errorLayouts.at(groups.protocol().id), Layout(statisticsTables), Layout(ablationTables),

@@ -54,7 +54,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
 
 ResultTable robustnessTable(const RunGroups& groups, const Condition& condition)
 {
-    const int anatomyCount = groups.protocol().anatomyCount;
+    const int anatomyCount = groups.anatomyCount();
     ResultTable table;
     table.id = "robustness-" + condition.id;
     table.title = "Robustness: " + condition.title + " (median TRE px / angle ° / Dist mm)";

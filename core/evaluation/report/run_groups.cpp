@@ -54,6 +54,7 @@ RunGroup RunGroup::ofAnatomy(int anatomy) const
 RunGroups::RunGroups(const RunSet& runs) : protocol_(findProtocol(runs.protocol))
 {
     assert(protocol_ != nullptr);
+    anatomyCount_ = protocol_->anatomyCount;
     for (const RunRecord& run : runs.runs) {
         groups_[{run.condition, run.method}].add(run);
         if (std::find(methods_.begin(), methods_.end(), run.method) == methods_.end()) {
@@ -64,6 +65,21 @@ RunGroups::RunGroups(const RunSet& runs) : protocol_(findProtocol(runs.protocol)
         if (std::any_of(groups_.begin(), groups_.end(),
                         [&](const auto& group) { return group.first.first == condition.id; })) {
             conditions_.push_back(condition);
+        }
+    }
+    if (protocol_->prepare == nullptr) {
+        addOwnConditions();
+    }
+}
+
+void RunGroups::addOwnConditions()
+{
+    for (const auto& [place, group] : groups_) {
+        if (conditions_.empty() || conditions_.back().id != place.first) {
+            conditions_.push_back({place.first, place.first, true});
+        }
+        for (const RunRecord* run : group.runs()) {
+            anatomyCount_ = std::max(anatomyCount_, run->anatomy + 1);
         }
     }
 }

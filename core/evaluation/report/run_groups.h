@@ -41,12 +41,17 @@ public:
     explicit RunGroups(const RunSet& runs);
 
     const Protocol& protocol() const { return *protocol_; }
-    const std::vector<Condition>& conditions() const { return conditions_; }   ///< that occur, in the protocol's order
+    /// That occur, in the protocol's order; where it names none, by their ids.
+    const std::vector<Condition>& conditions() const { return conditions_; }
+    int anatomyCount() const { return anatomyCount_; }   ///< the protocol's; where it makes no trials, that of the runs
     const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance
     const RunGroup& of(const Condition& condition, const std::string& method) const;
 
 private:
+    void addOwnConditions();
+
     const Protocol* protocol_ = nullptr;
+    int anatomyCount_ = 1;
     std::vector<Condition> conditions_;
     std::vector<std::string> methods_;
     std::map<std::pair<std::string, std::string>, RunGroup> groups_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace angiopose::core {
 namespace {
@@ -27,7 +28,7 @@ constexpr ComparedQuantile compared95th{"p95", 0.95};
 
 bool comparesByAnatomy(const RunGroups& groups)
 {
-    return groups.protocol().anatomyCount >= fewestAnatomies;
+    return groups.anatomyCount() >= fewestAnatomies;
 }
 
 /// First minus second: by anatomy, where there are enough of them, otherwise by trial.
@@ -36,13 +37,19 @@ std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, c
     const RunValue value = comparedValue(groups.protocol());
     std::vector<double> result;
     if (comparesByAnatomy(groups)) {
-        for (int anatomy = 0; anatomy < groups.protocol().anatomyCount; ++anatomy) {
+        for (int anatomy = 0; anatomy < groups.anatomyCount(); ++anatomy) {
             result.push_back(ours.ofAnatomy(anatomy).quantile(value, fraction) -
                              theirs.ofAnatomy(anatomy).quantile(value, fraction));
         }
     } else {
-        for (std::size_t k = 0; k < std::min(ours.runs().size(), theirs.runs().size()); ++k) {
-            result.push_back(ours.runs()[k]->*value - theirs.runs()[k]->*value);
+        std::map<std::uint64_t, double> byTrial;
+        for (const RunRecord* run : theirs.runs()) {
+            byTrial[run->trial] = run->*value;
+        }
+        for (const RunRecord* run : ours.runs()) {
+            if (const auto partner = byTrial.find(run->trial); partner != byTrial.end()) {
+                result.push_back(run->*value - partner->second);
+            }
         }
     }
     std::erase_if(result, [](double difference) { return std::isnan(difference); });

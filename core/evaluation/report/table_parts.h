@@ -17,6 +17,7 @@ std::vector<ResultTable> robustnessTables(const RunGroups& groups);
 std::vector<ResultTable> clinicalTables(const RunGroups& groups);
 std::vector<ResultTable> captureRangeTables(const RunGroups& groups);
 std::vector<ResultTable> trustTables(const RunGroups& groups);
+std::vector<ResultTable> ownTables(const RunGroups& groups);
 std::vector<ResultTable> statisticsTables(const RunGroups& groups);   ///< paired comparisons, any protocol
 std::vector<ResultTable> ablationTables(const RunGroups& groups);   ///< where settings of DynaWeightPnP were varied
 std::vector<ResultTable> timeTables(const RunGroups& groups);

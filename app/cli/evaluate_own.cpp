@@ -1,0 +1,288 @@
+#include "app/cli/evaluate_own.h"
+
+#include "app/cli/case_input.h"
+#include "app/cli/console.h"
+#include "app/cli/shard.h"
+#include "core/evaluation/own/judge_own.h"
+#include "core/messages/says.h"
+#include "core/support/stopwatch.h"
+#include "core/workflow/register_case.h"
+#include "io/evaluation/observer_readings.h"
+#include "io/evaluation/own_manifest.h"
+#include "io/evaluation/point_table.h"
+#include "io/pose_file.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+namespace angiopose::app {
+namespace {
+
+/// A method with its options; without options a case's own are taken.
+struct OwnMethod {
+    std::string label;
+    std::optional<core::RegistrationOptions> options;
+};
+
+/// A row of the manifest with what its files say.
+struct OwnTask {
+    io::OwnEntry entry;
+    std::uint64_t trial = 0;   ///< its row
+    core::OwnTruth truth;
+    std::optional<core::RigidTransform> start;
+    std::vector<std::pair<std::string, core::RigidTransform>> found;   ///< elsewhere, by what found it
+};
+
+core::Result<std::optional<core::RigidTransform>> poseAt(const std::string& path)
+{
+    if (path.empty()) {
+        return std::optional<core::RigidTransform>();
+    }
+    const auto pose = io::readPose(path);
+    return pose ? core::Result<std::optional<core::RigidTransform>>(pose.value()) : pose.error();
+}
+
+core::Result<core::OwnTruth> truthOf(const io::OwnEntry& entry)
+{
+    core::OwnTruth truth;
+    const auto reference = poseAt(entry.referencePath);
+    if (!reference) {
+        return reference.error();
+    }
+    truth.cameraFromPatient = reference.value();
+    if (!entry.landmarksPath.empty()) {
+        auto landmarks = io::readLandmarks(entry.landmarksPath);
+        if (!landmarks) {
+            return landmarks.error();
+        }
+        truth.landmarksInPatient = std::move(landmarks).value();
+    }
+    if (!entry.pairsPath.empty()) {
+        auto pairs = io::readPointPairs(entry.pairsPath);
+        if (!pairs) {
+            return pairs.error();
+        }
+        truth.pairs = std::move(pairs).value();
+    }
+    return truth;
+}
+
+core::Result<OwnTask> taskOf(const io::OwnEntry& entry, std::uint64_t trial)
+{
+    auto truth = truthOf(entry);
+    if (!truth) {
+        return truth.error();
+    }
+    const auto start = poseAt(entry.startPath);
+    if (!start) {
+        return start.error();
+    }
+    OwnTask task{entry, trial, std::move(truth).value(), start.value(), {}};
+    for (const auto& [name, path] : entry.foundPaths) {
+        const auto pose = io::readPose(path);
+        if (!pose) {
+            return pose.error();
+        }
+        task.found.emplace_back(name, pose.value());
+    }
+    return task;
+}
+
+/// The rows of the shard. Every file of the truth is read before the first case runs.
+core::Result<std::vector<OwnTask>> tasksOf(const std::vector<io::OwnEntry>& entries, const core::Shard& shard)
+{
+    std::vector<OwnTask> tasks;
+    for (std::uint64_t row = shard.index; row < entries.size(); row += shard.count) {
+        auto task = taskOf(entries[row], row);
+        if (!task) {
+            return task.error();
+        }
+        tasks.push_back(std::move(task).value());
+    }
+    return tasks;
+}
+
+core::Result<std::vector<OwnMethod>> methodsOf(const std::string& requests)
+{
+    std::vector<OwnMethod> methods;
+    if (requests.empty()) {
+        methods.push_back({"case", std::nullopt});
+        return methods;
+    }
+    const auto contestants = core::contestantsFrom(requests);
+    if (!contestants) {
+        return contestants.error();
+    }
+    for (const core::Contestant& contestant : contestants.value()) {
+        methods.push_back({contestant.label, contestant.options});
+    }
+    return methods;
+}
+
+/// Hands out tasks to threads and gathers what they find.
+class OwnPool {
+public:
+    OwnPool(const std::vector<OwnTask>& tasks, const std::vector<OwnMethod>& methods)
+        : tasks_(tasks), methods_(methods), found_(tasks.size())
+    {
+    }
+
+    void work()
+    {
+        for (std::size_t k = next_++; k < tasks_.size() && !isInterrupted(); k = next_++) {
+            found_[k] = judgeTask(tasks_[k]);
+            const std::lock_guard lock(telling_);
+            ++done_;
+            progress_.show(static_cast<double>(done_) / static_cast<double>(tasks_.size()),
+                           std::to_string(done_) + " of " + std::to_string(tasks_.size()) + " cases");
+        }
+    }
+
+    core::Experiment takeOutcome()
+    {
+        core::Experiment experiment{{ownCases, 1, {}}, isInterrupted()};
+        for (std::vector<core::RunRecord>& records : found_) {
+            std::ranges::move(records, std::back_inserter(experiment.runs.runs));
+        }
+        return experiment;
+    }
+
+private:
+    void tell(const OwnTask& task, const core::Error& error)
+    {
+        const std::lock_guard lock(telling_);
+        printMessage("line " + std::to_string(task.entry.line) + ": " + std::string(error.message.text()));
+    }
+
+    /// Libraries that read files are not asked by two threads at once.
+    core::Result<core::Case> loaded(const OwnTask& task)
+    {
+        const std::lock_guard lock(loading_);
+        auto read = loadCaseForCommand(task.entry.casePath, std::nullopt);
+        if (!read) {
+            return read.error();
+        }
+        core::Case theCase = std::move(read).value();
+        theCase.shown().cameraFromPatient = task.start.value_or(theCase.shown().cameraFromPatient);
+        return theCase;
+    }
+
+    /// Nothing once the user has stopped.
+    std::vector<core::RunRecord> judgeTask(const OwnTask& task)
+    {
+        const auto theCase = loaded(task);
+        const auto camera =
+            theCase ? core::cameraOf(theCase.value().shown()) : core::Result<core::ProjectionCamera>(theCase.error());
+        if (!camera || !theCase.value().vessels.tree) {
+            tell(task, camera ? core::Error(core::says::noVesselTree()) : camera.error());
+            return unknownRecords(task);
+        }
+        const core::OwnCase own{*theCase.value().vessels.tree, camera.value(),
+                                theCase.value().shown().cameraFromPatient, task.truth};
+        std::vector<core::RunRecord> records;
+        for (const OwnMethod& method : methods_) {
+            records.push_back(named(judgeMethod(task, own, theCase.value(), method), task, method.label));
+        }
+        for (const auto& [name, pose] : task.found) {
+            records.push_back(named(core::judgeOwn(own, pose), task, name));
+        }
+        return isInterrupted() ? std::vector<core::RunRecord>() : records;
+    }
+
+    core::RunRecord judgeMethod(const OwnTask& task, const core::OwnCase& own, core::Case theCase,
+                                const OwnMethod& method)
+    {
+        if (method.options) {
+            theCase.options = *method.options;
+        }
+        const core::ThreadStopwatch processor;
+        const auto registered = core::registerCase(std::move(theCase), {}, [](const auto&) {
+            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        });
+        if (!registered) {
+            tell(task, registered.error());
+        }
+        core::RunRecord record = core::judgeOwn(
+            own, registered ? std::optional(registered.value().result()) : std::optional<core::RegistrationResult>());
+        record.processorMs = processor.elapsedMs();
+        return record;
+    }
+
+    /// Of a case that cannot be opened nothing is known but that there is no result.
+    std::vector<core::RunRecord> unknownRecords(const OwnTask& task) const
+    {
+        std::vector<core::RunRecord> records;
+        for (const OwnMethod& method : methods_) {
+            records.push_back(named({}, task, method.label));
+        }
+        return records;
+    }
+
+    static core::RunRecord named(core::RunRecord record, const OwnTask& task, const std::string& label)
+    {
+        record.condition = task.entry.condition;
+        record.method = label;
+        record.trial = task.trial;
+        record.anatomy = task.entry.patient;
+        return record;
+    }
+
+    const std::vector<OwnTask>& tasks_;
+    const std::vector<OwnMethod>& methods_;
+    std::vector<std::vector<core::RunRecord>> found_;   ///< by task, so that the order of threads does not show
+    std::atomic<std::size_t> next_{0};
+    std::mutex loading_;
+    std::mutex telling_;
+    std::size_t done_ = 0;
+    ProgressLine progress_{"judging"};
+};
+
+}   // namespace
+
+core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments)
+{
+    const auto shard = shardFrom(arguments.shard);
+    if (!shard) {
+        return shard.error();
+    }
+    const auto methods = methodsOf(arguments.methods);
+    if (!methods) {
+        return methods.error();
+    }
+    const auto entries = io::readOwnManifest(arguments.inputPaths.front());
+    if (!entries) {
+        return entries.error();
+    }
+    const auto tasks = tasksOf(entries.value(), shard.value());
+    if (!tasks) {
+        return tasks.error();
+    }
+    OwnPool pool(tasks.value(), methods.value());
+    {
+        const int threads =
+            arguments.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+        std::vector<std::jthread> workers;
+        for (int k = 1; k < threads; ++k) {
+            workers.emplace_back([&pool] { pool.work(); });
+        }
+        pool.work();
+    }
+    return pool.takeOutcome();
+}
+
+core::Result<std::vector<core::ObserverReading>> observerReadings(const std::vector<std::string>& paths)
+{
+    std::vector<core::ObserverReading> all;
+    for (const std::string& path : paths) {
+        auto readings = io::readObserverReadings(path);
+        if (!readings) {
+            return readings.error();
+        }
+        std::ranges::move(readings.value(), std::back_inserter(all));
+    }
+    return all;
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,110 @@
+#include "core/evaluation/own/judge_own.h"
+
+#include "core/evaluation/trial/measure_run.h"
+#include "core/support/quantile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double grossPx = 5.0;
+
+double meanOf(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Distances in px of projected points to their pixels; infinite behind the source.
+std::vector<double> pixelDistances(const OwnCase& own, const RigidTransform& pose)
+{
+    std::vector<double> distances;
+    for (const PointPair& pair : own.truth.pairs) {
+        const auto found = project(own.camera, pose * pair.pointInPatient);
+        distances.push_back(found ? (*found - pair.pixel).norm() : std::numeric_limits<double>::infinity());
+    }
+    return distances;
+}
+
+/// Mean distance in mm of the points to the rays through their pixels.
+double meanRayDistanceMm(const OwnCase& own, const RigidTransform& pose)
+{
+    std::vector<double> distances;
+    for (const PointPair& pair : own.truth.pairs) {
+        const Eigen::Vector3d point = pose * pair.pointInPatient;
+        const Eigen::Vector3d ray = rayThroughPixel(own.camera, pair.pixel);
+        distances.push_back((point - point.dot(ray) * ray).norm());
+    }
+    return meanOf(distances);
+}
+
+double meanDepthMm(const OwnCase& own, const RigidTransform& pose)
+{
+    std::vector<double> depths;
+    for (const PointPair& pair : own.truth.pairs) {
+        depths.push_back((pose * pair.pointInPatient).z());
+    }
+    return meanOf(depths);
+}
+
+void measurePairs(const OwnCase& own, const RigidTransform& pose, RunRecord& record)
+{
+    const std::vector<double> distances = pixelDistances(own, pose);
+    const std::vector<double> shares = quantiles(distances, {0.5, 0.75, 0.95});
+    record.meanPx = meanOf(distances);
+    record.medianPx = shares[0];
+    record.p75Px = shares[1];
+    record.p95Px = shares[2];
+    record.rmsPx = std::sqrt(std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0) /
+                             static_cast<double>(distances.size()));
+    record.meanMm = record.meanPx * millimetresPerPixel(own.camera, meanDepthMm(own, pose));
+    const auto above = std::ranges::count_if(distances, [](double d) { return !(d <= grossPx); });
+    record.shareAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
+    record.mrpdMm = meanRayDistanceMm(own, pose);
+}
+
+Truth truthOf(const OwnCase& own)
+{
+    return {own.tree, own.camera, *own.truth.cameraFromPatient,
+            own.truth.landmarksInPatient.empty() ? targetsOf(own.tree) : own.truth.landmarksInPatient};
+}
+
+void measureErrors(const OwnCase& own, const RigidTransform& pose, RunRecord& record)
+{
+    if (own.truth.cameraFromPatient) {
+        measureStart(truthOf(own), own.startCameraFromPatient, record);
+        measurePose(truthOf(own), pose, record);
+    } else {
+        record.startMeanPx = meanOf(pixelDistances(own, own.startCameraFromPatient));
+        measurePairs(own, pose, record);
+    }
+}
+
+}   // namespace
+
+RunRecord judgeOwn(const OwnCase& own, const std::optional<RegistrationResult>& result)
+{
+    RunRecord record;
+    measureErrors(own, result ? result->cameraFromPatient : own.startCameraFromPatient, record);
+    if (result) {
+        noteResult(*result, record);
+        if (own.truth.cameraFromPatient) {
+            measureCovariance(truthOf(own), *result, record);
+        }
+    }
+    return record;
+}
+
+RunRecord judgeOwn(const OwnCase& own, const RigidTransform& found)
+{
+    RunRecord record;
+    measureErrors(own, found, record);
+    record.hasResult = 1.0;
+    record.trustworthy = unknownMeasure;
+    return record;
+}
+
+}   // namespace angiopose::core

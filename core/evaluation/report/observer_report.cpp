@@ -1,0 +1,168 @@
+#include "core/evaluation/report/observer_report.h"
+
+#include "core/support/format_number.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+
+namespace angiopose::core {
+namespace {
+
+using Means = std::vector<ObserverMean>;
+using OnPair = std::function<void(const std::string& first, const std::string& second, std::size_t measure,
+                                  const Agreement& agreement)>;
+
+std::string measureText(std::size_t measure)
+{
+    const PoseMeasure& row = poseMeasures()[measure];
+    return std::string(row.name) + ", " + row.unit;
+}
+
+ResultTable repeatabilityTable(const Means& means)
+{
+    ResultTable table;
+    table.id = "observers-within";
+    table.title = "Within an observer";
+    table.columns = {"observer", "measure", "images", "readings", "SD within", "repeatability coefficient"};
+    for (const std::string& observer : observersOf(means)) {
+        for (std::size_t measure = 0; measure < poseMeasureCount; ++measure) {
+            if (const auto found = repeatabilityOf(means, observer, measure)) {
+                table.rows.push_back(
+                    {{observer, measureText(measure), std::to_string(found->images), std::to_string(found->readings),
+                      fixedText(found->within, 3), fixedText(found->coefficient, 3)},
+                     false});
+            }
+        }
+    }
+    table.notes = {
+        "SD within: of repeated readings of the same image, pooled over the images read more than once. "
+        "Repeatability coefficient: 1.96 √2 of it; two readings differ by less in 95 of 100 (Bland and "
+        "Altman 1996). Measured about the tree's centroid in the axes of the camera."};
+    return table;
+}
+
+ResultTable reproducibilityTable(const Means& means)
+{
+    ResultTable table;
+    table.id = "observers-between";
+    table.title = "Between observers";
+    table.columns = {"measure", "images", "SD between observers"};
+    for (std::size_t measure = 0; measure < poseMeasureCount; ++measure) {
+        if (const auto found = reproducibilityOf(means, measure)) {
+            table.rows.push_back(
+                {{measureText(measure), std::to_string(found->images), fixedText(found->between, 3)}, false});
+        }
+    }
+    table.notes = {
+        "Standard deviation of the observers' means within an image, pooled over the images that more than "
+        "one of them read. There is no intraclass correlation: a pose has no spread between images that it "
+        "could be compared with."};
+    return table;
+}
+
+void forEachPair(const Means& means, const OnPair& onPair)
+{
+    const std::vector<std::string> observers = observersOf(means);
+    for (std::size_t a = 0; a < observers.size(); ++a) {
+        for (std::size_t b = a + 1; b < observers.size(); ++b) {
+            for (std::size_t measure = 0; measure < poseMeasureCount; ++measure) {
+                if (const auto agreement = agreementOf(means, observers[a], observers[b], measure)) {
+                    onPair(observers[a], observers[b], measure, *agreement);
+                }
+            }
+        }
+    }
+}
+
+std::string withError(double value, double error)
+{
+    return fixedText(value, 3) + " ± " + fixedText(1.96 * error, 3);
+}
+
+ResultTable agreementTable(const Means& means)
+{
+    ResultTable table;
+    table.id = "observers-agreement";
+    table.title = "Agreement of two observers (Bland and Altman)";
+    table.columns = {"observers", "measure", "images", "bias", "SD", "lower limit", "upper limit"};
+    forEachPair(means, [&table](const std::string& first, const std::string& second, std::size_t measure,
+                                const Agreement& agreement) {
+        table.rows.push_back(
+            {{first + " − " + second, measureText(measure), std::to_string(agreement.points.size()),
+              withError(agreement.bias, agreement.biasError), fixedText(agreement.deviation, 3),
+              withError(agreement.lower(), agreement.limitError), withError(agreement.upper(), agreement.limitError)},
+             false});
+    });
+    table.notes = {
+        "Differences of the observers' means in the images that both read. Limits: bias ± 1.96 SD; after ± "
+        "half of the 95 % interval (Bland and Altman 1986)."};
+    return table;
+}
+
+PlotSeries levelLine(const std::string& name, double y, const PlotAxis& x)
+{
+    return {name + " " + fixedText(y, 2), {{x.min, y}, {x.max, y}}, {}};
+}
+
+/// Axis that shows all values with some room.
+PlotAxis axisAround(const std::string& label, double low, double high)
+{
+    const double room = std::max(0.15 * (high - low), 0.01);
+    return {label, low - room, high + room, false};
+}
+
+std::string fileWord(const std::string& text)
+{
+    std::string word = text;
+    std::ranges::replace_if(
+        word, [](unsigned char c) { return c < 0x80 && !std::isalnum(c); }, '-');
+    return word;
+}
+
+Plot agreementPlot(const std::string& first, const std::string& second, std::size_t measure, const Agreement& agreement)
+{
+    double low = agreement.points.front().x();
+    double high = low;
+    double least = agreement.lower();
+    double most = agreement.upper();
+    for (const Eigen::Vector2d& point : agreement.points) {
+        low = std::min(low, point.x());
+        high = std::max(high, point.x());
+        least = std::min(least, point.y());
+        most = std::max(most, point.y());
+    }
+    const std::string text = measureText(measure);
+    Plot plot{"observers-" + fileWord(first) + "-" + fileWord(second) + "-" + poseMeasures()[measure].id,
+              first + " and " + second + ": " + text,
+              axisAround("mean of both, from the pose before the trial: " + text, low, high),
+              axisAround(first + " − " + second, least, most),
+              {}};
+    plot.series = {{"image", agreement.points, {}, true},
+                   levelLine("bias", agreement.bias, plot.x),
+                   levelLine("upper limit", agreement.upper(), plot.x),
+                   levelLine("lower limit", agreement.lower(), plot.x)};
+    return plot;
+}
+
+}   // namespace
+
+std::vector<ResultTable> observerTables(const std::vector<ObserverReading>& readings)
+{
+    const Means means = observerMeans(readings);
+    std::vector<ResultTable> tables{repeatabilityTable(means), reproducibilityTable(means), agreementTable(means)};
+    std::erase_if(tables, [](const ResultTable& table) { return table.rows.empty(); });
+    return tables;
+}
+
+std::vector<Plot> observerPlots(const std::vector<ObserverReading>& readings)
+{
+    std::vector<Plot> plots;
+    forEachPair(observerMeans(readings), [&plots](const std::string& first, const std::string& second,
+                                                  std::size_t measure, const Agreement& agreement) {
+        plots.push_back(agreementPlot(first, second, measure, agreement));
+    });
+    return plots;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,118 @@
+#include "io/evaluation/own_manifest.h"
+
+#include "io/messages/says_own.h"
+#include "io/support/csv_table.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::string_view foundPrefix = "pose.";
+
+bool isFileWord(const std::string& text)
+{
+    return !text.starts_with('.') && std::ranges::all_of(text, [](unsigned char c) {
+        return std::isalnum(c) || c == '.' || c == '-' || c == '_';
+    });
+}
+
+/// The cells of one row, paths as the manifest's folder resolves them.
+class OwnRow {
+public:
+    OwnRow(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}
+
+    std::string text(std::string_view column) const
+    {
+        const auto index = table_.column(column);
+        return index ? std::string(table_.rows[row_][*index]) : "";
+    }
+
+    std::string path(std::string_view column) const
+    {
+        const std::string written = text(column);
+        return written.empty() ? "" : (std::filesystem::path(table_.path).parent_path() / written).string();
+    }
+
+    int line() const { return table_.lineOfRow[row_]; }
+
+private:
+    const CsvTable& table_;
+    std::size_t row_;
+};
+
+core::Result<OwnEntry> parseOwnEntry(const CsvTable& table, const OwnRow& row)
+{
+    OwnEntry entry{row.line(),
+                   row.path("case"),
+                   row.path("reference"),
+                   row.path("landmarks"),
+                   row.path("pairs"),
+                   row.path("start"),
+                   "all",
+                   0,
+                   {}};
+    if (entry.casePath.empty()) {
+        return fileError(table.path, says::ownNoCase(entry.line));
+    }
+    if (entry.referencePath.empty() && entry.pairsPath.empty()) {
+        return fileError(table.path, says::ownNoTruth(entry.line));
+    }
+    if (const std::string condition = row.text("condition"); !condition.empty()) {
+        if (!isFileWord(condition)) {
+            return fileError(table.path, says::ownConditionName(entry.line, condition));
+        }
+        entry.condition = condition;
+    }
+    for (const std::string& column : table.columns) {
+        if (column.starts_with(foundPrefix)) {
+            if (column.size() == foundPrefix.size()) {
+                return fileError(table.path, says::ownPoseWithoutName());
+            }
+            if (std::string found = row.path(column); !found.empty()) {
+                entry.foundPaths[column.substr(foundPrefix.size())] = std::move(found);
+            }
+        }
+    }
+    return entry;
+}
+
+core::Result<std::vector<OwnEntry>> parseOwnManifest(const CsvTable& table)
+{
+    const bool hasTruth = table.column("reference") || table.column("pairs");
+    if (!table.column("case") || !hasTruth || table.rows.empty()) {
+        return fileError(table.path, says::ownNoHeader());
+    }
+    std::vector<OwnEntry> entries;
+    std::map<std::string, int> patients;
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        const OwnRow row(table, k);
+        auto entry = parseOwnEntry(table, row);
+        if (!entry) {
+            return entry.error();
+        }
+        const std::string patient = row.text("patient");
+        const std::string key = patient.empty() ? "line " + std::to_string(row.line()) : "patient " + patient;
+        entries.push_back(std::move(entry).value());
+        entries.back().patient = patients.try_emplace(key, static_cast<int>(patients.size())).first->second;
+    }
+    return entries;
+}
+
+}   // namespace
+
+core::Result<std::vector<OwnEntry>> readOwnManifest(const std::string& path)
+{
+    const auto content = openInput(path);
+    if (!content) {
+        return content.error();
+    }
+    const auto table = parseCsv(content.value().view(), path);
+    return table ? parseOwnManifest(table.value()) : core::Result<std::vector<OwnEntry>>(table.error());
+}
+
+}   // namespace angiopose::io
