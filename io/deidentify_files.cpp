@@ -30,7 +30,7 @@ core::Result<std::vector<std::string>> filesOfAll(const std::vector<std::string>
         files.insert(files.end(), inside.value().begin(), inside.value().end());
     }
     std::ranges::sort(files);
-    files.erase(std::ranges::unique(files).begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
 }
 

@@ -116,7 +116,7 @@ itk::ImageIOBase::Pointer makeReader(ItkFormat format)
 
 std::optional<VoxelType> voxelTypeOf(itk::IOComponentEnum type)
 {
-    using enum itk::IOComponentEnum;
+    using enum itk::CommonEnums::IOComponent;
     static const std::map<itk::IOComponentEnum, VoxelType> types = {
         {CHAR, VoxelType::Int8},        {UCHAR, VoxelType::Uint8},   {SHORT, VoxelType::Int16},
         {USHORT, VoxelType::Uint16},    {INT, VoxelType::Int32},     {UINT, VoxelType::Uint32},
