@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
 #include "core/case/case.h"
+#include "core/simulation/simulate_cta.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
@@ -9,6 +10,7 @@
 #include "io/pose_file.h"
 #include "io/support/case_lock.h"
 #include "io/vessel_tree_file.h"
+#include "io/volume_file.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -73,10 +75,20 @@ int runSimulate(const SimulateArguments& arguments)
     if (const auto problem = core::findProblem(tree, dsa)) {
         return failInput(*problem);
     }
+    const core::CtaOptions cta;
+    if (arguments.withScan) {
+        tree = core::treeInScan(tree, cta);
+    }
     const core::SimulatedCase simulated = core::simulateCase(arguments.seed, tree, dsa);
     const fs::path folder(arguments.outputFolder);
     if (const auto status = writeSimulatedCase(simulated, folder, arguments.seed); !status) {
         return failInput(status.error());
+    }
+    if (arguments.withScan) {
+        const core::SimulatedCta scan = core::simulateCta(arguments.seed, tree, cta);
+        if (const auto status = io::writeVolume(scan.volume, (folder / "scan.nii.gz").string()); !status) {
+            return failInput(status.error());
+        }
     }
     std::printf("%s\n", (folder / "case.angiopose").string().c_str());
     return exitDone;

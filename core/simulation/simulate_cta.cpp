@@ -61,16 +61,22 @@ void paintCalcifications(ScanPainter& painter, const VesselTree& tree, int count
 
 }   // namespace
 
+TreeOptions treeInScan(const TreeOptions& tree, const CtaOptions& cta)
+{
+    TreeOptions fitting = tree;
+    const ScanField field = fieldOf(gridAroundOrigin(cta.size, cta.spacingMm));
+    fitting.extentMm = std::min(tree.extentMm, 2.0 * treeShare * field.half.minCoeff());
+    return fitting;
+}
+
 SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree, const CtaOptions& cta)
 {
     CounterRandom random(seed ^ 0xC7A0ULL);
     const VolumeGeometry geometry = gridAroundOrigin(cta.size, cta.spacingMm);
     const ScanField field = fieldOf(geometry);
 
-    TreeOptions fitting = tree;
-    fitting.extentMm = std::min(tree.extentMm, 2.0 * treeShare * field.half.minCoeff());
     SimulatedCta result;
-    result.tree = simulateTree(seed, fitting);
+    result.tree = simulateTree(seed, treeInScan(tree, cta));
 
     ScanGrid grid(geometry, static_cast<float>(airHu));
     ScanPainter painter(grid);
