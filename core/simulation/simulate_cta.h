@@ -23,8 +23,8 @@ struct SimulatedCta {
     VesselTree tree;   ///< what was filled, around the middle of the volume
 };
 
-/// The tree that `simulateCta` grows: as wished, but no larger than the scan has room for. simulateCase of these options
-/// and the same seed is an angiogram of the same vessels.
+/// The tree that `simulateCta` grows: as wished, but no larger than the scan has room for. simulateCase of these
+/// options and the same seed is an angiogram of the same vessels.
 TreeOptions treeInScan(const TreeOptions& tree, const CtaOptions& cta);
 
 /// A grown tree in a body of fat, muscle and organs with spine, ribs and the scanner's table: partial volume, blur and

@@ -1,5 +1,6 @@
 #include "app/cli/description/add_description.h"
 
+#include "app/cli/description/command_page.h"
 #include "app/cli/description/completions.h"
 #include "app/cli/description/man_page.h"
 
@@ -14,8 +15,11 @@ using Writer = std::string (*)(const ProgramWords&);
 
 const std::map<std::string, Writer>& writers()
 {
-    static const std::map<std::string, Writer> all{
-        {"man", manPageOf}, {"bash", bashCompletionOf}, {"zsh", zshCompletionOf}, {"fish", fishCompletionOf}};
+    static const std::map<std::string, Writer> all{{"man", manPageOf},
+                                                   {"markdown", commandPageOf},
+                                                   {"bash", bashCompletionOf},
+                                                   {"zsh", zshCompletionOf},
+                                                   {"fish", fishCompletionOf}};
     return all;
 }
 
@@ -23,12 +27,13 @@ const std::map<std::string, Writer>& writers()
 
 void addDescription(CLI::App& app, int& exitCode)
 {
-    CLI::App* command = app.add_subcommand("description", "Print the man page, or the completion of a shell");
+    CLI::App* command =
+        app.add_subcommand("description", "Print the man page, the manual's page, or the completion of a shell");
     command->group("");
     auto kind = std::make_shared<std::string>();
     command->add_option("KIND", *kind, "What to print")
         ->required()
-        ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+        ->check(CLI::IsMember({"man", "markdown", "bash", "zsh", "fish"}));
     command->callback([&app, &exitCode, kind] {
         std::fputs(writers().at(*kind)(wordsOf(app)).c_str(), stdout);
         exitCode = 0;
