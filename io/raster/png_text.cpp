@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t maxKeyword = 79;   // PNG §11.3.4
 constexpr double metresPerInch = 0.0254;
+constexpr int quickLevel = 2;   // of zlib
 
 [[noreturn]] void refuse(png_struct*, const char* reason)
 {
@@ -66,7 +67,10 @@ std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std:
         png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);
     }
     addTexts(png, info, texts);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);   // suits images and flat areas alike
+    // Measured on overlays (D90): as small as with the usual level, in a fifth of its time.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(png, quickLevel);
+    png_set_compression_strategy(png, 0);   // libpng would choose that for numbers
     png_write_info(png, info);
     const std::size_t rowBytes =
         static_cast<std::size_t>(pixels.width) * channels * static_cast<std::size_t>(pixels.bitDepth / 8);
