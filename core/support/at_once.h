@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/first_exception.h"
+#include "core/support/thread_limit.h"
 
 #include <thread>
 
@@ -11,7 +12,7 @@ namespace angiopose::core {
 template <class First, class Second>
 void atOnce(const First& first, const Second& second)
 {
-    if (std::thread::hardware_concurrency() == 1) {
+    if (usableThreads() == 1) {
         first();
         second();
         return;

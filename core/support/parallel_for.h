@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/support/first_exception.h"
+#include "core/support/thread_limit.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,10 +11,10 @@
 
 namespace angiopose::core {
 
-/// `asked`, or as many threads as the processor has when it is 0.
+/// `asked`, or as many threads as may be used when it is 0.
 inline int threadCount(int asked)
 {
-    return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return asked > 0 ? asked : usableThreads();
 }
 
 /// Calls `work(i)` once for each i below `count`, on `threads` threads, this one among them; `meanwhile(done)` is
