@@ -6,6 +6,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 namespace angiopose::io {
 
@@ -38,7 +41,14 @@ int ownProcessId()
 
 bool isAlive(int process)
 {
-    return ::kill(process, 0) == 0 || errno != ESRCH;
+    if (::kill(process, 0) != 0 && errno == ESRCH) {
+        return false;
+    }
+    // One that has ended stays until its parent asks for it.
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    const std::string stat{std::istreambuf_iterator<char>(file), {}};
+    const std::size_t state = stat.rfind(") ");
+    return state == std::string::npos || stat.substr(state + 2, 1).find_first_of("ZX") == std::string::npos;
 }
 
 std::string machineName()

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <array>
 #include <chrono>
 #include <string>
@@ -105,6 +107,20 @@ TEST(OwnProcess, KnowsItsProgramAndItsMachine)
     EXPECT_TRUE(io::isExecutable(io::ownBinary()));
     EXPECT_FALSE(io::isExecutable("/etc/passwd"));
     EXPECT_GT(io::memoryBytes(), 1e8);
+}
+
+TEST(OwnProcess, AProgramThatHasEndedIsNotAliveThoughNobodyAskedForIt)
+{
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::_exit(0);
+    }
+    siginfo_t ending{};
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ending, WEXITED | WNOWAIT), 0);   // it stays
+    EXPECT_FALSE(io::isAlive(child));
+    EXPECT_TRUE(io::isAlive(::getpid()));
+    ::waitpid(child, nullptr, 0);
+    EXPECT_FALSE(io::isAlive(child));
 }
 
 }   // namespace
