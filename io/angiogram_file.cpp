@@ -5,6 +5,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/read_dicom.h"
 #include "io/dicom/write_dicom.h"
+#include "io/fullest_frame.h"
 #include "io/messages/says.h"
 #include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
@@ -57,6 +58,11 @@ core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std:
 
 core::Result<core::Angiogram> readAngiogram(const std::string& path)
 {
+    return readAngiogram(path, FullestFrame::Sought);
+}
+
+core::Result<core::Angiogram> readAngiogram(const std::string& path, FullestFrame fullest)
+{
     const auto input = openInput(path);
     if (!input) {
         return input.error();
@@ -80,7 +86,9 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path)
     if (result.frames.size() == 1 && core::drawnMask(result.frames.front())) {
         result.warnings.push_back(says::pictureIsMask());
     }
-    result.suggestedFrame = result.frames.size() > 1 ? core::suggestFrame(result.frames, result.polarity) : 0;
+    if (result.frames.size() > 1 && fullest == FullestFrame::Sought) {
+        result.suggestedFrame = core::suggestFrame(result.frames, result.polarity);
+    }
     return result;
 }
 

@@ -3,7 +3,7 @@
 #include "app/cli/console.h"
 #include "app/messages/says.h"
 #include "core/case/start_pose.h"
-#include "io/opening/read_case_inputs.h"
+#include "io/opening/open_case_with.h"
 
 namespace angiopose::app {
 
@@ -12,16 +12,21 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
     core::Messages warnings;
     auto loaded = [&] {
         ProgressLine progress("reading");
-        return io::openCase(path, warnings, [&progress](double fraction) {
+        const io::CaseWish wish{{}, io::FullestFrame::NotNeeded};
+        return io::openCaseWith(wish, path, warnings, [&progress](double fraction) {
             progress.show(fraction, "");
             return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
         });
     }();
     printWarnings(warnings);
-    if (!loaded || !frame) {
-        return loaded;
+    return loaded ? atFrame(std::move(loaded).value(), frame, path) : loaded;
+}
+
+core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path)
+{
+    if (!frame) {
+        return theCase;
     }
-    core::Case theCase = std::move(loaded).value();
     const int frameCount = theCase.shown().angiogram ? theCase.shown().angiogram->frameCount() : 0;
     if (*frame < 0 || *frame >= frameCount) {
         return core::Error(says::frameBeyondRun(*frame, frameCount - 1).about(path));

@@ -11,4 +11,7 @@ namespace angiopose::app {
 /// Loads a case, prints its warnings, and moves it to `frame` where one is given.
 core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
+/// The case moved to `frame`, where one is given; fails naming `path` where its run has no such frame.
+core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path);
+
 }   // namespace angiopose::app

@@ -7,6 +7,7 @@
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
 #include "io/case/followed_bends_file.h"
+#include "io/case/load_case_with.h"
 #include "io/case/saved_files.h"
 #include "io/case/stale_results.h"
 #include "io/case/view_inputs.h"
@@ -93,14 +94,15 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
 }
 
 /// A view that cannot be had is a warning: the case opens without.
-void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings)
+void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings,
+                    FullestFrame fullest)
 {
     core::Messages found;
     for (std::size_t k = 1; k < loaded.views.size(); ++k) {
         core::View& view = loaded.views[k];
         const core::Status read = view.caseFile.path.empty() ? core::Done{} : readViewOfCase(view, notes[k]);
         if (read) {
-            loadOtherView(view, notes[k], loaded.vessels, path, found);
+            loadOtherView(view, notes[k], loaded.vessels, path, found, fullest);
         } else {
             found.push_back(says::caseViewLeftOut(read.error().message));
         }
@@ -141,6 +143,12 @@ void putInPlace(Case& theCase, std::size_t place)
 core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
                             const MovedInputs& moved)
 {
+    return loadCaseWith({}, path, warnings, observe, moved);
+}
+
+core::Result<Case> loadCaseWith(const CaseWish& wish, const std::string& path, core::Messages& warnings,
+                                const ReadObserver& observe, const MovedInputs& moved)
+{
     try {
         auto read = readDocument(path);
         if (!read) {
@@ -154,12 +162,14 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
         const std::vector<ViewNotes> notes = document.notes;
         const std::size_t shownPlace = document.shownPlace;
         const Case noted = document.values;
-        auto loaded = loadInputs(std::move(document), path, warnings, observe);
+        wish.settings.applyTo(document.values);
+        auto loaded = loadInputs(std::move(document), path, warnings, observe, wish.fullest);
         if (!loaded) {
             return loaded.error();
         }
         Case values = std::move(loaded).value();
-        loadOtherViews(values, notes, path, warnings);
+        loadOtherViews(values, notes, path, warnings, wish.fullest);
+        wish.settings.applyTo(values);   // also to views with case files of their own
         dropStaleResults(noted, notes, values, warnings);
         readBendsOfRuns(values, warnings);
         putInPlace(values, shownPlace);
@@ -192,6 +202,32 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
     } catch (const std::exception&) {
         return fileError(casePath, says::caseWrongKind());
     }
+}
+
+std::vector<std::string> filesNamedIn(const std::string& casePath)
+{
+    std::vector<std::string> paths;
+    try {
+        if (auto read = readDocument(casePath)) {
+            CaseDocument document = std::move(read).value();
+            for (const core::InputFile* file : inputsOf(document)) {
+                paths.push_back(file->path);
+            }
+        }
+    } catch (const std::exception&) {   // it names nothing that can be read
+    }
+    return paths;
+}
+
+std::vector<core::InputFile> filesOf(const Case& theCase)
+{
+    std::vector<core::InputFile> files;
+    CaseDocument document;
+    document.values = theCase;
+    for (const core::InputFile* file : inputsOf(document)) {
+        files.push_back(*file);
+    }
+    return files;
 }
 
 core::Result<core::Messages> validateCase(const std::string& path)

@@ -138,14 +138,15 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath)
 }
 
 core::Result<Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                              const ReadObserver& observe)
+                              const ReadObserver& observe, FullestFrame fullest)
 {
     Case& values = document.values;
     if (auto read = readVesselInput(values.vessels, warnings, partOf(observe, 0.0, 0.9)); !read) {
         return read.error();
     }
     readScan(values.vessels, warnings);
-    if (const auto read = loadView(values.shown(), document.notes.front(), values.vessels, casePath, warnings); !read) {
+    if (const auto read = loadView(values.shown(), document.notes.front(), values.vessels, casePath, warnings, fullest);
+        !read) {
         return read.error();
     }
     core::Vessels& vessels = values.vessels;

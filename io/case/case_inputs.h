@@ -2,6 +2,7 @@
 
 #include "core/support/result.h"
 #include "io/case/case_document.h"
+#include "io/fullest_frame.h"
 #include "io/support/read_observer.h"
 
 #include <string>
@@ -16,8 +17,9 @@ std::vector<core::InputFile*> inputsOf(CaseDocument& document);
 void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 
 /// The case with its inputs (absolute paths) read and checked against what it says: frame, camera size, branches,
-/// hashes, start pose. Other views are not read.
+/// hashes, start pose. Other views are not read. Of
+/// a run whose frame it says the fullest one need not be sought.
 core::Result<core::Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                                    const ReadObserver& observe);
+                                    const ReadObserver& observe, FullestFrame fullest = FullestFrame::Sought);
 
 }   // namespace angiopose::io

@@ -68,9 +68,9 @@ core::Status readTarget(View& view, const ViewNotes& notes)
     return core::Done{};
 }
 
-core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings)
+core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings, FullestFrame fullest)
 {
-    auto angiogram = io::readAngiogram(view.imageFile.path);
+    auto angiogram = io::readAngiogram(view.imageFile.path, notes.hasFrame ? fullest : FullestFrame::Sought);
     if (!angiogram) {
         return angiogram.error();
     }
@@ -172,9 +172,9 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header)
 }
 
 core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                      core::Messages& warnings)
+                      core::Messages& warnings, FullestFrame fullest)
 {
-    if (const auto read = readImage(view, notes, warnings); !read) {
+    if (const auto read = readImage(view, notes, warnings, fullest); !read) {
         return read.error();
     }
     if (const auto completed = complete(view, notes, vessels, warnings); !completed) {
@@ -187,9 +187,9 @@ core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& v
 }
 
 void loadOtherView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                   core::Messages& warnings)
+                   core::Messages& warnings, FullestFrame fullest)
 {
-    if (const auto loaded = loadView(view, notes, vessels, casePath, warnings); !loaded) {
+    if (const auto loaded = loadView(view, notes, vessels, casePath, warnings, fullest); !loaded) {
         warnings.push_back(says::caseViewLeftOut(loaded.error().message));
         view.angiogram.reset();
     }

@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 #include "io/messages/says_archive.h"
+#include "io/messages/says_batch.h"
 #include "io/messages/says_deidentify.h"
 #include "io/messages/says_keeping.h"
 #include "io/messages/says_objects.h"
@@ -17,6 +18,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
     static constexpr auto entries = std::to_array<const core::MessageEntry*>({
 #define MESSAGE(name, id, english) &says::name,
 #include "io/messages/archive.def"
+#include "io/messages/batch.def"
 #include "io/messages/case.def"
 #include "io/messages/deidentify.def"
 #include "io/messages/files.def"

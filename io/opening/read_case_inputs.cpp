@@ -1,7 +1,9 @@
 #include "io/opening/read_case_inputs.h"
 
 #include "io/case/case_file.h"
+#include "io/case/load_case_with.h"
 #include "io/messages/says.h"
+#include "io/opening/open_case_with.h"
 
 #include <filesystem>
 
@@ -41,7 +43,10 @@ core::Status findInputs(LoadedInputs& inputs, const std::string& path, const Ope
 
 }   // namespace
 
-core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHints& hints, const ReadObserver& observe)
+namespace {
+
+core::Result<LoadedInputs> readCaseInputsWith(const CaseWish& wish, const std::string& path, const OpenHints& hints,
+                                              const ReadObserver& observe)
 {
     LoadedInputs inputs;
     if (const auto found = findInputs(inputs, path, hints, observe); !found) {
@@ -50,7 +55,7 @@ core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHin
     if (!inputs.missing.empty()) {
         return inputs;
     }
-    auto loaded = loadCase(path, inputs.warnings, observe, inputs.moved);
+    auto loaded = loadCaseWith(wish, path, inputs.warnings, observe, inputs.moved);
     if (!loaded) {
         return loaded.error();
     }
@@ -61,15 +66,29 @@ core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHin
     return inputs;
 }
 
+}   // namespace
+
+core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHints& hints, const ReadObserver& observe)
+{
+    return readCaseInputsWith({}, path, hints, observe);
+}
+
 core::Result<core::Case> openCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe)
 {
-    auto read = readCaseInputs(path, {}, observe);
+    return openCaseWith({}, path, warnings, observe);
+}
+
+core::Result<core::Case> openCaseWith(const CaseWish& wish, const std::string& path, core::Messages& warnings,
+                                      const ReadObserver& observe)
+{
+    auto read = readCaseInputsWith(wish, path, {}, observe);
     if (!read) {
         return read.error();
     }
     LoadedInputs inputs = std::move(read).value();
     if (!inputs.wholeCase) {
-        return loadCase(path, warnings, observe, inputs.moved);   // says what is missing, or does without it
+        return loadCaseWith(wish, path, warnings, observe,
+                            inputs.moved);   // says what is missing, or does without it
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
     return *std::move(inputs.wholeCase);

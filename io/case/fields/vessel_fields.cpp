@@ -78,39 +78,11 @@ StoredField<Vessels> inputField(VesselInputKind kind)
 
 StoredField<Vessels> tracingField()
 {
-    using Options = VesselTracingOptions;
-    const StoredFields<Options> fields{
-        storedValue("minBranchLengthMm", numberSchema(0, 1000), &Options::minBranchLengthMm),
-        storedValue("minBranchRadiusMm", numberSchema(0, 1000), &Options::minBranchRadiusMm),
-        storedValue("pointSpacingMm", numberSchema(0.01, 100), &Options::pointSpacingMm),
-        storedIfSet("threshold",
-                    about(numberSchema(), "The lumen begins at this value (HU for CT); absent: found from the blood."),
-                    &Options::threshold),
-        storedIfSet("seedsInPatientMm", listSchema(definedAs("point")), &Options::seedsInPatient),
-        storedIfSet("avoidInPatientMm",
-                    about(listSchema(definedAs("point")), "What is reached from these on wider ways is no vessel."),
-                    &Options::avoidInPatient),
-        storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient),
-        storedIfSet(
-            "tubesOnly",
-            about(flagSchema(), "Thin vessels alone, from the seeds: chambers, organs and wide vessels end them."),
-            &Options::tubesOnly),
-        writtenWhere(
-            [](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
-            wordField("pieces",
-                      about(choiceSchema({"usual", "all", "largest"}),
-                            "Which pieces are traced where there is no seed; absent or usual: all of a mask, of "
-                            "a scan that of the great vessel."),
-                      &Options::pieces, pieceWords)),
-        writtenWhere(
-            [](const Options& options) { return options.loops != core::VesselLoops::Opened; },
-            wordField("loops", about(choiceSchema({"opened", "kept"}), "What becomes of loops; absent: opened."),
-                      &Options::loops, loopWords))};
     const Json schema{{"description", "How a segmentation, surface or volume is traced; absent: the defaults."}};
     return writtenWhere([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
                         storedThrough<Vessels>(
                             [](auto& vessels) -> auto& { return vessels.input; },
-                            storedPart("tracing", schema, &VesselInput::tracing, fields)));
+                            storedPart("tracing", schema, &VesselInput::tracing, vesselTracingFields())));
 }
 
 StoredField<Vessels> labelsField()
@@ -152,6 +124,39 @@ StoredField<Vessels> editedTreeField()
 }
 
 }   // namespace
+
+const StoredFields<VesselTracingOptions>& vesselTracingFields()
+{
+    using Options = VesselTracingOptions;
+    static const StoredFields<Options> fields{
+        storedValue("minBranchLengthMm", numberSchema(0, 1000), &Options::minBranchLengthMm),
+        storedValue("minBranchRadiusMm", numberSchema(0, 1000), &Options::minBranchRadiusMm),
+        storedValue("pointSpacingMm", numberSchema(0.01, 100), &Options::pointSpacingMm),
+        storedIfSet("threshold",
+                    about(numberSchema(), "The lumen begins at this value (HU for CT); absent: found from the blood."),
+                    &Options::threshold),
+        storedIfSet("seedsInPatientMm", listSchema(definedAs("point")), &Options::seedsInPatient),
+        storedIfSet("avoidInPatientMm",
+                    about(listSchema(definedAs("point")), "What is reached from these on wider ways is no vessel."),
+                    &Options::avoidInPatient),
+        storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient),
+        storedIfSet(
+            "tubesOnly",
+            about(flagSchema(), "Thin vessels alone, from the seeds: chambers, organs and wide vessels end them."),
+            &Options::tubesOnly),
+        writtenWhere(
+            [](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
+            wordField("pieces",
+                      about(choiceSchema({"usual", "all", "largest"}),
+                            "Which pieces are traced where there is no seed; absent or usual: all of a mask, of "
+                            "a scan that of the great vessel."),
+                      &Options::pieces, pieceWords)),
+        writtenWhere(
+            [](const Options& options) { return options.loops != core::VesselLoops::Opened; },
+            wordField("loops", about(choiceSchema({"opened", "kept"}), "What becomes of loops; absent: opened."),
+                      &Options::loops, loopWords))};
+    return fields;
+}
 
 const StoredFields<Vessels>& vesselFields()
 {

@@ -7,4 +7,7 @@ namespace angiopose::io {
 /// What stands under `vessel`: one row each.
 const StoredFields<core::Vessels>& vesselFields();
 
+/// What stands under `vessel.tracing`: how vessels are traced.
+const StoredFields<core::VesselTracingOptions>& vesselTracingFields();
+
 }   // namespace angiopose::io

@@ -113,13 +113,7 @@ StoredField<View> targetField()
 
 StoredField<View> traceField()
 {
-    StoredField<View> field =
-        storedPart("trace", Json::object(), &View::traceOptions,
-                   {storedValue("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
-                    storedValue("maxVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::maxVesselRadiusPx),
-                    storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
-                    storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
-                    storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)});
+    StoredField<View> field = storedPart("trace", Json::object(), &View::traceOptions, traceOptionFields());
     field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
         read(value, view, reading);
         if (view.traceOptions.maxVesselRadiusPx < view.traceOptions.minVesselRadiusPx) {
@@ -182,6 +176,17 @@ StoredField<View> landmarksField()
 }
 
 }   // namespace
+
+const StoredFields<TraceOptions>& traceOptionFields()
+{
+    static const StoredFields<TraceOptions> fields{
+        storedValue("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
+        storedValue("maxVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::maxVesselRadiusPx),
+        storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
+        storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
+        storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)};
+    return fields;
+}
 
 const StoredFields<View>& viewFields()
 {

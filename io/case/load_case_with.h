@@ -1,0 +1,25 @@
+#pragma once
+
+#include "io/case/case_file.h"
+#include "io/case/case_settings.h"
+#include "io/fullest_frame.h"
+
+namespace angiopose::io {
+
+/// How a case is loaded that is not to be looked at.
+struct CaseWish {
+    CaseSettings settings;   ///< over what the file says, tracing among them
+    FullestFrame fullest = FullestFrame::Sought;   ///< of runs whose frame the case says
+};
+
+/// loadCase as wished.
+core::Result<core::Case> loadCaseWith(const CaseWish& wish, const std::string& path, core::Messages& warnings,
+                                      const ReadObserver& observe = {}, const MovedInputs& moved = {});
+
+/// The files that a case file names, absolute, whether they are there or not; nothing of what is no case.
+std::vector<std::string> filesNamedIn(const std::string& casePath);
+
+/// The files that a loaded case came from, with what they hashed to.
+std::vector<core::InputFile> filesOf(const core::Case& theCase);
+
+}   // namespace angiopose::io
