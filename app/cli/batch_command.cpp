@@ -1,64 +1,23 @@
-#include "app/cli/batch_summary.h"
-#include "app/cli/case_input.h"
+#include "app/cli/batch/batch_folder.h"
+#include "app/cli/batch/batch_pool.h"
 #include "app/cli/commands.h"
-#include "app/cli/register_case.h"
-#include "app/cli/register_outputs.h"
 #include "app/cli/shard.h"
 #include "app/messages/says.h"
-#include "core/support/stopwatch.h"
-#include "io/support/atomic_file.h"
+#include "app/messages/says_batch.h"
+#include "core/support/thread_limit.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 
 namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
-core::Result<core::RegistrationResult> registerEntry(const io::BatchEntry& entry, const std::string& folder)
-{
-    core::Stopwatch watch;
-    auto loaded = loadCaseForCommand(entry.casePath, entry.frame);
-    if (!loaded) {
-        return loaded.error();
-    }
-    const double readMs = watch.lapMs();
-    core::Case theCase = std::move(loaded).value();
-    RegisterArguments arguments;
-    arguments.method = entry.method;
-    if (const auto status = applyArguments(theCase, arguments); !status) {
-        return status.error();
-    }
-    const auto registered = registerForCommand(std::move(theCase), entry.name, {.readMs = readMs});
-    if (!registered) {
-        return registered.error();
-    }
-    if (const auto status = writeOutputs(registered.value(), folder); !status) {
-        return status.error();
-    }
-    return registered.value().result();
-}
-
-/// Whatever goes wrong with one case stays with it.
-BatchOutcome outcomeOf(const io::BatchEntry& entry, const std::string& folder)
-{
-    BatchOutcome outcome{entry, std::nullopt, std::nullopt};
-    try {
-        auto result = registerEntry(entry, folder);
-        if (result) {
-            outcome.result = std::move(result).value();
-        } else {
-            outcome.problem = result.error();
-        }
-    } catch (const std::bad_alloc&) {
-        outcome.problem = says::notEnoughMemory();
-    } catch (const std::exception& error) {
-        outcome.problem = says::unexpectedFailure(error.what());
-    }
-    return outcome;
-}
+constexpr auto tableInterval = std::chrono::seconds(1);   // a table of thousands is not written at every case
 
 core::Status makeFolder(const std::string& folder)
 {
@@ -68,71 +27,174 @@ core::Status makeFolder(const std::string& folder)
                    : core::Status(core::Done{});
 }
 
+/// Worst of all cases: failed, not trustworthy, done.
+int worstOf(const BatchOutcomes& outcomes, const core::Shard& shard)
+{
+    int exitCode = exitDone;
+    for (std::size_t i = shard.index; i < outcomes.size(); i += shard.count) {
+        if (!outcomes[i] || !outcomes[i]->hasResult()) {
+            return exitInput;
+        }
+        exitCode = outcomes[i]->status == "done" ? exitCode : static_cast<int>(exitNotTrustworthy);
+    }
+    return exitCode;
+}
+
 void printOutcome(const BatchOutcome& outcome)
 {
-    std::printf("%-16s %s\n", outcome.status().c_str(), outcome.entry.name.c_str());
+    std::printf("%-16s %s\n", outcome.status.c_str(), outcome.name.c_str());
     std::fflush(stdout);
-    if (!outcome.result) {
-        printMessage(outcome.entry.name + ": " + outcome.problem->message.text());
+    for (const std::string& note : outcome.notes) {
+        printMessage(outcome.name + ": warning: " + note);
+    }
+    if (!outcome.hasResult()) {
+        printMessage(outcome.name + ": " + outcome.message);
     }
 }
 
-/// One table a shard, so that shards that share a folder do not write over each other's rows.
-std::string summaryName(const core::Shard& shard)
-{
-    return shard.count == 1
-               ? "summary.csv"
-               : "summary-" + std::to_string(shard.index + 1) + "-of-" + std::to_string(shard.count) + ".csv";
-}
+/// A batch as it was asked for.
+struct BatchPlan {
+    std::vector<io::BatchEntry> entries;
+    io::CaseSettings settings;   ///< of all rows
+    core::Shard shard;
+    std::string folder;
+};
 
-/// Worst of all cases: stopped, failed, not trustworthy, done.
-int worseOf(int exitCode, const BatchOutcome& outcome)
+/// Runs the rows of a shard and keeps their table as it grows.
+class BatchRun {
+public:
+    BatchRun(const BatchPlan& plan, const BatchArguments& arguments)
+        : plan_(plan), arguments_(arguments), outcomes_(plan.entries.size())
+    {
+    }
+
+    int run()
+    {
+        std::vector<BatchJob> jobs = jobsToDo();
+        PoolOptions options;
+        const int threads = arguments_.threads.value_or(core::usableThreads());
+        options.workers = std::max(1, std::min(threads, static_cast<int>(jobs.size())));
+        options.threadsEach = std::max(1, threads / options.workers);
+        options.timeLimitSeconds = arguments_.timeLimitSeconds;
+        BatchPool pool(std::move(jobs), options);
+        ProgressLine progress("registering");
+        const bool isWhole = pool.run([&](std::size_t job, BatchOutcome outcome) {
+            printOutcome(outcome);
+            outcomes_[rows_[job]] = std::move(outcome);
+            ++done_;
+            progress.show(static_cast<double>(done_) / static_cast<double>(rows_.size()),
+                          std::to_string(done_) + " of " + std::to_string(rows_.size()) + " cases");
+            keepTables();
+        });
+        if (const auto status = finish(); !status) {
+            return failInput(status.error());
+        }
+        return isWhole ? worstOf(outcomes_, plan_.shard) : static_cast<int>(exitStopped);
+    }
+
+private:
+    std::vector<BatchJob> jobsToDo()
+    {
+        std::vector<BatchJob> jobs;
+        std::size_t kept = 0;
+        for (std::size_t i = plan_.shard.index; i < plan_.entries.size(); i += plan_.shard.count) {
+            BatchJob job = jobOf(plan_.entries[i], plan_.settings, plan_.folder);
+            job.isResumed = arguments_.isResumed;
+            if (arguments_.isResumed) {
+                outcomes_[i] = readOutcome(job.folder);
+                if (outcomes_[i] && isUpToDate(*outcomes_[i], job.asked, job.folder)) {
+                    ++kept;
+                    continue;
+                }
+                outcomes_[i].reset();
+            }
+            rows_.push_back(i);
+            jobs.push_back(std::move(job));
+        }
+        if (arguments_.isResumed) {
+            printMessage(std::to_string(kept) + " cases are done already, " + std::to_string(jobs.size()) +
+                         " are left.");
+        }
+        return jobs;
+    }
+
+    void keepTables()
+    {
+        if (Clock::now() < written_ + tableInterval) {
+            return;
+        }
+        written_ = Clock::now();
+        if (const auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
+            !status) {
+            printMessage(status.error().message.text());   // the outcomes themselves are kept
+        }
+    }
+
+    /// The table of this shard, and that of all once the last of them has ended.
+    core::Status finish() const
+    {
+        if (auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
+            !status || plan_.shard.count == 1) {
+            return status;
+        }
+        const BatchOutcomes all = outcomesIn(plan_.folder, plan_.entries, plan_.settings);
+        return areAllThere(all) ? writeTables(plan_.folder, plan_.entries, all, {}, MissingRows::LeftOut)
+                                : core::Status(core::Done{});
+    }
+
+    const BatchPlan& plan_;
+    const BatchArguments& arguments_;
+    BatchOutcomes outcomes_;
+    std::vector<std::size_t> rows_;   ///< of the jobs
+    std::size_t done_ = 0;
+    Clock::time_point written_ = Clock::now();
+};
+
+/// Nothing runs: the tables of what shards have left.
+int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
 {
-    const std::string status = outcome.status();
-    if (exitCode == exitStopped || status == "stopped") {
-        return exitStopped;
+    const auto merged = mergedOutcomes(arguments.mergedFolders, plan.entries);
+    if (!merged) {
+        return failInput(merged.error());
     }
-    if (exitCode == exitInput || status == "failed") {
-        return exitInput;
+    const BatchOutcomes& outcomes = merged.value();
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (!outcomes[i]) {
+            printMessage(plan.entries[i].name + ": " + says::batchRowMissing().text());
+        }
     }
-    return status == "done" ? exitCode : exitNotTrustworthy;
+    if (const auto status = writeTables(plan.folder, plan.entries, outcomes, {}, MissingRows::Told); !status) {
+        return failInput(status.error());
+    }
+    std::printf("written        %s\n", (fs::path(plan.folder) / "summary.csv").string().c_str());
+    return worstOf(outcomes, {});
 }
 
 }   // namespace
 
 int runBatch(const BatchArguments& arguments)
 {
+    BatchPlan plan;
     const auto shard = shardFrom(arguments.shard);
     if (!shard) {
         printMessage(shard.error().message.text());
         return exitUsage;
     }
-    const auto entries = io::readManifest(arguments.manifestPath);
+    if (const auto status = plan.settings.add(arguments.settings); !status) {
+        printMessage(status.error().message.text());
+        return exitUsage;
+    }
+    auto entries = io::readManifest(arguments.manifestPath);
     if (!entries) {
         return failInput(entries.error());
     }
-    if (const auto status = makeFolder(arguments.outputFolder); !status) {
+    plan.entries = std::move(entries).value();
+    plan.shard = shard.value();
+    plan.folder = arguments.outputFolder;
+    if (const auto status = makeFolder(plan.folder); !status) {
         return failInput(status.error());
     }
-    const fs::path output(arguments.outputFolder);
-    const std::string summaryPath = (output / summaryName(shard.value())).string();
-    std::string summary = summaryHeader();
-    int exitCode = exitDone;
-    for (std::size_t k = shard.value().index; k < entries.value().size(); k += shard.value().count) {
-        const io::BatchEntry& entry = entries.value()[k];
-        const BatchOutcome outcome = outcomeOf(entry, (output / entry.name).string());
-        printOutcome(outcome);
-        summary += summaryRow(outcome);
-        exitCode = worseOf(exitCode, outcome);
-        // After each case, so that a power cut costs one of them.
-        if (const auto status = io::writeAtomically(summaryPath, summary); !status) {
-            return failInput(status.error());
-        }
-        if (isInterrupted()) {
-            return exitStopped;
-        }
-    }
-    return exitCode;
+    return arguments.mergedFolders.empty() ? BatchRun(plan, arguments).run() : mergeBatch(plan, arguments);
 }
 
 }   // namespace angiopose::app

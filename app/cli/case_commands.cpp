@@ -1,8 +1,10 @@
 #include "app/cli/case_commands.h"
 
+#include "app/cli/batch/batch_worker.h"
 #include "app/cli/commands.h"
 #include "app/cli/method_list.h"
 #include "core/registration/options/option_fields.h"
+#include "io/case/case_settings.h"
 
 #include <map>
 #include <memory>
@@ -19,6 +21,15 @@ std::string optionList()
             text += (&name == core::namesOf(field).data() ? "=" : "|") + std::string(name);
         }
         text += "  " + std::string(field.help);
+    }
+    return text;
+}
+
+std::string settingList()
+{
+    std::string text = "Names of settings, options first (see register --help):";
+    for (const std::string& name : io::caseSettingNames()) {
+        text += "\n  " + name;
     }
     return text;
 }
@@ -180,16 +191,48 @@ void addBatch(CLI::App& app, int& exitCode)
     auto arguments = std::make_shared<BatchArguments>();
     command
         ->add_option("MANIFEST", arguments->manifestPath,
-                     "CSV with the column case (paths, relative to it), and where wanted name, method, frame")
+                     "CSV with the column case, or vessels and angiogram (paths, relative to it), and where wanted "
+                     "seeds, name, method, frame, set.NAME")
         ->required();
-    command->add_option("--shard", arguments->shard, "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv")
-        ->capture_default_str();
     command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and a folder for each case")
         ->required();
-    command->footer(
-        "Exit codes: 0 all done, 3 some failed, 4 some not trustworthy, 130 stopped; summary.csv says which.\n\n"
-        "Example: angiopose-cli batch cases.csv --output results");
+    command->add_option("--threads", arguments->threads, "Cases at the same time (default: all cores)")
+        ->check(CLI::Range(1, 1024));
+    command->add_flag("--resume", arguments->isResumed, "Leave what is done already, of the same inputs and settings");
+    command->add_option("--time-limit", arguments->timeLimitSeconds, "Seconds that one case may take")
+        ->check(CLI::Range(0.1, 1e7));
+    command->add_option("--set", arguments->settings,
+                        "Setting of all cases as name=value; may be repeated. A column set.NAME stands over it");
+    auto* shard = command
+                      ->add_option("--shard", arguments->shard,
+                                   "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv, the last "
+                                   "writes that of all")
+                      ->capture_default_str();
+    command
+        ->add_option("--merge", arguments->mergedFolders,
+                     "Run nothing: write the tables of what shards have left in these folders")
+        ->excludes(shard);
+    command->footer([] {
+        return "Exit codes: 0 all done, 3 some failed or are missing, 4 some not trustworthy, 130 stopped; summary.csv "
+               "says which.\n\n" +
+               settingList() +
+               "\n\nExamples: angiopose-cli batch cases.csv --threads 8 --time-limit 600 --output results\n"
+               "          angiopose-cli batch cases.csv --resume --output results   (after an end of any kind)\n"
+               "          angiopose-cli batch cases.csv --shard 1/2 --output a   (and 2/2 to b, on another machine)\n"
+               "          angiopose-cli batch cases.csv --merge a b --output results";
+    });
     command->callback([arguments, &exitCode] { exitCode = runBatch(*arguments); });
+}
+
+void addBatchWorker(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("batch-worker", "Work on the cases of a batch that started it");
+    command->group("");
+    auto parent = std::make_shared<int>(0);
+    auto threads = std::make_shared<int>(1);
+    command->add_option("PARENT", *parent, "Its process")->required();
+    command->add_option("THREADS", *threads, "To use")->required();
+    command->callback([parent, threads, &exitCode] { exitCode = runBatchWorker(*parent, *threads); });
 }
 
 }   // namespace angiopose::app

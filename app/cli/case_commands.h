@@ -12,5 +12,7 @@ void addMovie(CLI::App& app, int& exitCode);
 void addAngles(CLI::App& app, int& exitCode);
 void addMeasure(CLI::App& app, int& exitCode);
 void addBatch(CLI::App& app, int& exitCode);
+/// For `batch` alone: it starts itself with this.
+void addBatchWorker(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

@@ -133,6 +133,11 @@ int runEvaluate(const EvaluateArguments& arguments);
 struct BatchArguments {
     std::string manifestPath;
     std::string shard = "1/1";
+    std::optional<int> threads;   ///< all cores when not given
+    std::optional<double> timeLimitSeconds;   ///< of one case
+    bool isResumed = false;   ///< what is done and up to date stays
+    std::vector<std::string> settings;   ///< "name=value" of all rows
+    std::vector<std::string> mergedFolders;   ///< not empty: nothing runs, the tables of their outcomes are written
     std::string outputFolder;
 };
 int runBatch(const BatchArguments& arguments);

@@ -46,6 +46,7 @@ int parseAndRun(int argc, char** argv)
     addTraceAngiogram(app, exitCode);
     addEvaluate(app, exitCode);
     addBatch(app, exitCode);
+    addBatchWorker(app, exitCode);
     addTraceVessel(app, exitCode);
     addConvert(app, exitCode);
     addPack(app, exitCode);

@@ -26,6 +26,14 @@ core::Result<core::PoseLocks> locksFrom(const std::vector<std::string>& ids)
     return locks;
 }
 
+core::RegistrationPlan signedPlan(core::RegistrationPlan plan)
+{
+    const char* user = std::getenv("USER");
+    plan.author = user ? user : "";
+    plan.time = core::utcNow();
+    return plan;
+}
+
 }   // namespace
 
 core::Status applyArguments(core::Case& theCase, const RegisterArguments& arguments)
@@ -61,10 +69,14 @@ core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const 
                                                       core::RegistrationPlan plan)
 {
     ProgressLine progress(label);
-    const char* user = std::getenv("USER");
-    plan.author = user ? user : "";
-    plan.time = core::utcNow();
-    return core::registerCase(std::move(theCase), std::move(plan), progress.observer());
+    return core::registerCase(std::move(theCase), signedPlan(std::move(plan)), progress.observer());
+}
+
+core::Result<core::RegisteredCase> registerQuietly(core::Case theCase, core::RegistrationPlan plan)
+{
+    return core::registerCase(std::move(theCase), signedPlan(std::move(plan)), [](const core::WorkReport&) {
+        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    });
 }
 
 }   // namespace angiopose::app

@@ -15,4 +15,7 @@ core::Status applyArguments(core::Case& theCase, const RegisterArguments& argume
 core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label,
                                                       core::RegistrationPlan plan = {});
 
+/// The same without a progress line, where several cases run at once.
+core::Result<core::RegisteredCase> registerQuietly(core::Case theCase, core::RegistrationPlan plan = {});
+
 }   // namespace angiopose::app

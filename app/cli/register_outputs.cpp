@@ -14,6 +14,7 @@
 #include "io/vessel_tree_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -206,6 +207,36 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
     }
     return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string())
                             : core::Status(core::Done{});
+}
+
+std::vector<std::string> outputFilesIn(const std::string& folder)
+{
+    constexpr std::array ofView{"result.json", "pose.tfm", "overlay.png", "motion.png", "rigid.png"};
+    constexpr std::array ofCase{"joint.json", "bent.vtp", "motion.csv"};
+    std::vector<std::string> names(ofCase.begin(), ofCase.end());
+    names.insert(names.end(), ofView.begin(), ofView.end());
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(folder, failed)) {
+        const std::string name = entry.path().filename().string();
+        for (const char* each : ofView) {
+            if (name.starts_with("view-")) {
+                names.push_back((fs::path(name) / each).string());
+            }
+        }
+    }
+    std::erase_if(names,
+                  [&](const std::string& name) { return !fs::is_regular_file(fs::path(folder) / name, failed); });
+    std::ranges::sort(names);
+    return names;
+}
+
+void removeOutputsIn(const std::string& folder)
+{
+    for (const std::string& name : outputFilesIn(folder)) {
+        std::error_code failed;
+        fs::remove(fs::path(folder) / name, failed);
+        fs::remove((fs::path(folder) / name).parent_path(), failed);   // of a view; not where something is left in it
+    }
 }
 
 void printRegistered(const RegisteredCase& registered, const std::string& folder)

@@ -4,6 +4,7 @@
 #include "core/workflow/register_case.h"
 
 #include <string>
+#include <vector>
 
 namespace angiopose::app {
 
@@ -11,6 +12,10 @@ namespace angiopose::app {
 /// view-2, view-3, … below it) and, of several views, joint.json about all; of bent vessels bent.vtp and motion.csv.
 /// Makes the folders.
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder);
+
+/// Those that are there, as paths in the folder; and takes them away.
+std::vector<std::string> outputFilesIn(const std::string& folder);
+void removeOutputsIn(const std::string& folder);
 
 /// The same in a few lines for people.
 void printRegistered(const core::RegisteredCase& registered, const std::string& folder);

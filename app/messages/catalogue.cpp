@@ -1,6 +1,7 @@
 #include "app/messages/catalogue.h"
 
 #include "app/messages/says.h"
+#include "app/messages/says_batch.h"
 #include "app/messages/says_dicom.h"
 #include "app/messages/says_keeping.h"
 #include "app/messages/says_own.h"
@@ -13,6 +14,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 {
     static constexpr auto entries = std::to_array<const core::MessageEntry*>({
 #define MESSAGE(name, id, english) &says::name,
+#include "app/messages/batch.def"
 #include "app/messages/commands.def"
 #include "app/messages/dicom.def"
 #include "app/messages/keeping.def"

@@ -3240,6 +3240,76 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
+        <source>there is no setting &apos;%1&apos;. The nearest are: %2.</source>
+        <comment>setting.unknown</comment>
+        <translation>es gibt keine Einstellung „%1“. Am nächsten kommen: %2.</translation>
+    </message>
+    <message>
+        <source>the setting %1 cannot be &apos;%2&apos;: %3</source>
+        <comment>setting.value</comment>
+        <translation>die Einstellung %1 kann nicht „%2“ sein: %3</translation>
+    </message>
+    <message>
+        <source>a batch needs a header row with the column case, or with vessels and angiogram, and a row for each case.</source>
+        <comment>batch.header-missing</comment>
+        <translation>ein Stapel braucht eine Kopfzeile mit der Spalte case, oder mit vessels und angiogram, und eine Zeile für jeden Fall.</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <comment>batch.cell</comment>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>line %1 names a case and inputs beside it. Name either the case, or its vessels and its angiogram.</source>
+        <comment>batch.not-both</comment>
+        <translation>Zeile %1 nennt einen Fall und daneben Eingaben. Nennen Sie entweder den Fall, oder seine Gefäße und sein Angiogramm.</translation>
+    </message>
+    <message>
+        <source>line %1 names too little. Name a case, or both vessels and an angiogram.</source>
+        <comment>batch.inputs-lack</comment>
+        <translation>Zeile %1 nennt zu wenig. Nennen Sie einen Fall, oder sowohl Gefäße als auch ein Angiogramm.</translation>
+    </message>
+    <message>
+        <source>line %1: the seeds &apos;%2&apos; are no points. Write x y z in mm (LPS), and &apos;;&apos; between points.</source>
+        <comment>batch.seeds-unclear</comment>
+        <translation>Zeile %1: Die Startpunkte „%2“ sind keine Punkte. Schreiben Sie x y z in mm (LPS), und „;“ zwischen Punkten.</translation>
+    </message>
+    <message>
+        <source>the program that worked on it ended before its time (%1). What was written of it is not kept.</source>
+        <comment>batch.crashed</comment>
+        <translation>das Programm, das daran arbeitete, endete vor der Zeit (%1). Was davon geschrieben war, wird nicht behalten.</translation>
+    </message>
+    <message>
+        <source>it took longer than %1 and was ended. Give it more time with --time-limit.</source>
+        <comment>batch.out-of-time</comment>
+        <translation>er brauchte länger als %1 und wurde beendet. Geben Sie ihm mit --time-limit mehr Zeit.</translation>
+    </message>
+    <message>
+        <source>the program that works on the cases, %1, cannot be started.</source>
+        <comment>batch.no-worker</comment>
+        <translation>das Programm, das die Fälle bearbeitet, %1, lässt sich nicht starten.</translation>
+    </message>
+    <message>
+        <source>it holds %1 series. Name a file of one of them, or a case that names the series.</source>
+        <comment>batch.several-series</comment>
+        <translation>es enthält %1 Serien. Nennen Sie eine Datei einer davon, oder einen Fall, der die Serie nennt.</translation>
+    </message>
+    <message>
+        <source>its vessels are %1 units across, which are hardly millimetres. Name a case that tells the unit.</source>
+        <comment>batch.unit-unclear</comment>
+        <translation>seine Gefäße messen %1 Einheiten, was kaum Millimeter sind. Nennen Sie einen Fall, der die Einheit angibt.</translation>
+    </message>
+    <message>
+        <source>no folder holds an outcome of this row. Run it, with --resume.</source>
+        <comment>batch.row-missing</comment>
+        <translation>kein Ordner enthält ein Ergebnis dieser Zeile. Führen Sie sie mit --resume aus.</translation>
+    </message>
+    <message>
+        <source>the outcomes of %1 and %2 come from other settings or another version. Merge what was run alike.</source>
+        <comment>batch.merge-differs</comment>
+        <translation>die Ergebnisse von %1 und %2 stammen aus anderen Einstellungen oder einer anderen Version. Führen Sie zusammen, was gleich ausgeführt wurde.</translation>
+    </message>
+    <message>
         <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
         <translation>--shard braucht einen Teil und die Zahl der Teile wie 2/4, nicht „%1“.</translation>

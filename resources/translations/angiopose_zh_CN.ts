@@ -3240,6 +3240,76 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 帧不存在。该图像有第 0 至 %2 帧。</translation>
     </message>
     <message>
+        <source>there is no setting &apos;%1&apos;. The nearest are: %2.</source>
+        <comment>setting.unknown</comment>
+        <translation>没有名为“%1”的设置。最接近的是：%2。</translation>
+    </message>
+    <message>
+        <source>the setting %1 cannot be &apos;%2&apos;: %3</source>
+        <comment>setting.value</comment>
+        <translation>设置 %1 不能为“%2”：%3</translation>
+    </message>
+    <message>
+        <source>a batch needs a header row with the column case, or with vessels and angiogram, and a row for each case.</source>
+        <comment>batch.header-missing</comment>
+        <translation>批处理表需要一行表头，含有 case 列，或 vessels 和 angiogram 列，并且每个病例一行。</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <comment>batch.cell</comment>
+        <translation>第 %1 行，%2 列：%3</translation>
+    </message>
+    <message>
+        <source>line %1 names a case and inputs beside it. Name either the case, or its vessels and its angiogram.</source>
+        <comment>batch.not-both</comment>
+        <translation>第 %1 行既给出病例又给出输入。请只给出病例，或只给出其血管和造影图像。</translation>
+    </message>
+    <message>
+        <source>line %1 names too little. Name a case, or both vessels and an angiogram.</source>
+        <comment>batch.inputs-lack</comment>
+        <translation>第 %1 行给出的内容不足。请给出病例，或同时给出血管和造影图像。</translation>
+    </message>
+    <message>
+        <source>line %1: the seeds &apos;%2&apos; are no points. Write x y z in mm (LPS), and &apos;;&apos; between points.</source>
+        <comment>batch.seeds-unclear</comment>
+        <translation>第 %1 行：种子点“%2”不是点。请写成以毫米为单位的 x y z（LPS），点之间用“;”分隔。</translation>
+    </message>
+    <message>
+        <source>the program that worked on it ended before its time (%1). What was written of it is not kept.</source>
+        <comment>batch.crashed</comment>
+        <translation>处理它的程序提前结束（%1）。已写出的部分不予保留。</translation>
+    </message>
+    <message>
+        <source>it took longer than %1 and was ended. Give it more time with --time-limit.</source>
+        <comment>batch.out-of-time</comment>
+        <translation>用时超过 %1，已被终止。请用 --time-limit 给它更多时间。</translation>
+    </message>
+    <message>
+        <source>the program that works on the cases, %1, cannot be started.</source>
+        <comment>batch.no-worker</comment>
+        <translation>无法启动处理病例的程序 %1。</translation>
+    </message>
+    <message>
+        <source>it holds %1 series. Name a file of one of them, or a case that names the series.</source>
+        <comment>batch.several-series</comment>
+        <translation>其中含有 %1 个序列。请给出其中一个序列的文件，或指明序列的病例。</translation>
+    </message>
+    <message>
+        <source>its vessels are %1 units across, which are hardly millimetres. Name a case that tells the unit.</source>
+        <comment>batch.unit-unclear</comment>
+        <translation>其血管跨度为 %1 个单位，不大可能是毫米。请给出说明单位的病例。</translation>
+    </message>
+    <message>
+        <source>no folder holds an outcome of this row. Run it, with --resume.</source>
+        <comment>batch.row-missing</comment>
+        <translation>没有文件夹含有此行的结果。请用 --resume 运行它。</translation>
+    </message>
+    <message>
+        <source>the outcomes of %1 and %2 come from other settings or another version. Merge what was run alike.</source>
+        <comment>batch.merge-differs</comment>
+        <translation>%1 与 %2 的结果来自不同的设置或不同的版本。请只合并以相同方式运行的结果。</translation>
+    </message>
+    <message>
         <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
         <translation>--shard 需要部分号和总份数，例如 2/4，而不是“%1”。</translation>

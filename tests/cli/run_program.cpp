@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -47,7 +48,7 @@ std::string contentOf(const std::string& path)
 
 ProgramOutcome runCli(const std::vector<std::string>& arguments, double interruptAfterSeconds)
 {
-    static int runs = 0;
+    static std::atomic<int> runs{0};   // tests run several at once
     const auto folder = std::filesystem::temp_directory_path();
     const std::string stem =
         (folder / ("angiopose-cli-test-" + std::to_string(getpid()) + "-" + std::to_string(++runs))).string();

@@ -1,0 +1,95 @@
+#include "app/cli/batch/batch_folder.h"
+
+#include "app/cli/batch/batch_job.h"
+#include "app/cli/batch/batch_tables.h"
+#include "app/messages/says_batch.h"
+#include "io/support/atomic_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace angiopose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string folderOf(const std::string& output, const io::BatchEntry& entry)
+{
+    return (fs::path(output) / entry.name).string();
+}
+
+/// One table a shard, so that shards that share a folder do not write over each other's rows.
+std::string tablePath(const std::string& folder, const std::string& stem, const core::Shard& shard)
+{
+    const std::string part =
+        shard.count == 1 ? "" : "-" + std::to_string(shard.index + 1) + "-of-" + std::to_string(shard.count);
+    return (fs::path(folder) / (stem + part + ".csv")).string();
+}
+
+}   // namespace
+
+BatchOutcomes outcomesIn(const std::string& folder, const std::vector<io::BatchEntry>& entries,
+                         const io::CaseSettings& common)
+{
+    BatchOutcomes outcomes;
+    for (const io::BatchEntry& entry : entries) {
+        auto found = readOutcome(folderOf(folder, entry));
+        const std::string asked = askedOf(entry, common);
+        if (found && !(isSameRow(found->asked, asked) && areSetAlike(found->asked, asked))) {
+            found.reset();
+        }
+        outcomes.push_back(std::move(found));
+    }
+    return outcomes;
+}
+
+core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folders,
+                                           const std::vector<io::BatchEntry>& entries)
+{
+    BatchOutcomes outcomes(entries.size());
+    const BatchOutcome* first = nullptr;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const std::string asked = askedOf(entries[i], {});
+        for (const std::string& folder : folders) {
+            auto found = readOutcome(folderOf(folder, entries[i]));
+            if (!found || !isSameRow(found->asked, asked)) {
+                continue;
+            }
+            const bool isOther =
+                outcomes[i] && summaryRow(entries[i], &*found) != summaryRow(entries[i], &*outcomes[i]);
+            if (isOther || (first && !areSetAlike(first->asked, found->asked))) {
+                return core::Error(
+                    says::batchMergeDiffers((isOther ? *outcomes[i] : *first).name, folderOf(folder, entries[i])));
+            }
+            outcomes[i] = std::move(found);
+            first = first ? first : &*outcomes[i];
+        }
+    }
+    return outcomes;
+}
+
+bool areAllThere(const BatchOutcomes& outcomes)
+{
+    return std::ranges::all_of(outcomes, [](const auto& outcome) { return outcome.has_value(); });
+}
+
+core::Status writeTables(const std::string& folder, const std::vector<io::BatchEntry>& entries,
+                         const BatchOutcomes& outcomes, const core::Shard& shard, MissingRows missing)
+{
+    std::string summary = summaryHeader();
+    std::string times = timesHeader();
+    for (std::size_t i = shard.index; i < entries.size(); i += shard.count) {
+        if (outcomes[i]) {
+            summary += summaryRow(entries[i], &*outcomes[i]);
+            times += timesRow(entries[i], *outcomes[i]);
+        } else if (missing == MissingRows::Told) {
+            summary += summaryRow(entries[i], nullptr);
+        }
+    }
+    if (auto status = io::writeAtomically(tablePath(folder, "summary", shard), summary); !status) {
+        return status;
+    }
+    return io::writeAtomically(tablePath(folder, "times", shard), times);
+}
+
+}   // namespace angiopose::app

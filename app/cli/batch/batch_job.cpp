@@ -1,0 +1,122 @@
+#include "app/cli/batch/batch_job.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::app {
+namespace {
+
+using JobJson = nlohmann::ordered_json;
+
+/// File names and words need not be UTF-8.
+std::string textOf(const JobJson& json)
+{
+    return json.dump(-1, ' ', false, JobJson::error_handler_t::replace);
+}
+
+/// The members of `asked` that tell how all rows were run.
+constexpr const char* commonKeys[] = {"set", "programVersion"};
+
+JobJson commonOf(const JobJson& asked)
+{
+    JobJson common;
+    for (const char* key : commonKeys) {
+        common[key] = asked.value(key, JobJson());
+    }
+    return common;
+}
+
+JobJson withoutCommon(JobJson asked)
+{
+    for (const char* key : commonKeys) {
+        asked.erase(key);
+    }
+    return asked;
+}
+
+}   // namespace
+
+std::string askedOf(const io::BatchEntry& entry, const io::CaseSettings& common)
+{
+    JobJson asked = JobJson::object();
+    const auto add = [&asked](const char* key, const std::string& cell) {
+        if (!cell.empty()) {
+            asked[key] = cell;
+        }
+    };
+    add("case", entry.caseCell);
+    add("vessels", entry.vesselsCell);
+    add("angiogram", entry.angiogramCell);
+    add("method", entry.method);
+    if (entry.frame) {
+        asked["frame"] = *entry.frame;
+    }
+    if (!entry.settings.isEmpty()) {
+        asked["settings"] = entry.settings.assignments();
+    }
+    asked["set"] = common.assignments();
+    asked["programVersion"] = ANGIOPOSE_VERSION;
+    return textOf(asked);
+}
+
+bool isSameRow(const std::string& asked, const std::string& other)
+{
+    return withoutCommon(JobJson::parse(asked)) == withoutCommon(JobJson::parse(other));
+}
+
+bool areSetAlike(const std::string& asked, const std::string& other)
+{
+    return commonOf(JobJson::parse(asked)) == commonOf(JobJson::parse(other));
+}
+
+BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, const std::string& outputFolder)
+{
+    BatchJob job;
+    job.name = entry.name;
+    job.casePath = entry.casePath;
+    job.vesselsPath = entry.vesselsPath;
+    job.angiogramPath = entry.angiogramPath;
+    job.method = entry.method;
+    job.frame = entry.frame;
+    job.settings = common.assignments();
+    for (const std::string& own : entry.settings.assignments()) {   // after those that they stand over
+        job.settings.push_back(own);
+    }
+    job.folder = (std::filesystem::absolute(outputFolder) / entry.name).string();
+    job.asked = askedOf(entry, common);
+    return job;
+}
+
+std::string lineOf(const BatchJob& job)
+{
+    JobJson json{{"name", job.name},           {"case", job.casePath},
+                 {"vessels", job.vesselsPath}, {"angiogram", job.angiogramPath},
+                 {"method", job.method},       {"settings", job.settings},
+                 {"folder", job.folder},       {"asked", job.asked},
+                 {"isResumed", job.isResumed}};
+    if (job.frame) {
+        json["frame"] = *job.frame;
+    }
+    return json.dump(-1, ' ', true, JobJson::error_handler_t::replace);
+}
+
+BatchJob jobFrom(const std::string& line)
+{
+    const JobJson json = JobJson::parse(line);
+    BatchJob job;
+    job.name = json.at("name");
+    job.casePath = json.at("case");
+    job.vesselsPath = json.at("vessels");
+    job.angiogramPath = json.at("angiogram");
+    job.method = json.at("method");
+    job.settings = json.at("settings").get<std::vector<std::string>>();
+    job.folder = json.at("folder");
+    job.asked = json.at("asked");
+    job.isResumed = json.at("isResumed");
+    if (json.contains("frame")) {
+        job.frame = json["frame"].get<int>();
+    }
+    return job;
+}
+
+}   // namespace angiopose::app

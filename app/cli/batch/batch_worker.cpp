@@ -1,0 +1,38 @@
+#include "app/cli/batch/batch_worker.h"
+
+#include "app/cli/batch/batch_job.h"
+#include "app/cli/batch/batch_row.h"
+#include "app/cli/console.h"
+#include "core/support/thread_limit.h"
+#include "io/support/system/worker_process.h"
+
+namespace angiopose::app {
+
+std::vector<std::string> workerEnvironment(int threads)
+{
+    std::vector<std::string> environment{"MALLOC_MMAP_THRESHOLD_=67108864", "MALLOC_TRIM_THRESHOLD_=268435456",
+                                         "MALLOC_ARENA_MAX=2"};
+    for (const char* name :
+         {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS", "VTK_SMP_MAX_THREADS"}) {
+        environment.push_back(std::string(name) + "=" + std::to_string(threads));
+    }
+    return environment;
+}
+
+int runBatchWorker(int parent, int threads)
+{
+    if (!io::WorkerChannel::open(parent)) {
+        printMessage("batch-worker is for `batch` alone, which starts it.");
+        return exitUsage;
+    }
+    core::limitThreads(threads);
+    for (std::string line; io::WorkerChannel::hear(line, isInterrupted);) {
+        const auto outcome = doRow(jobFrom(line));
+        if (!outcome || !io::WorkerChannel::say(lineOf(*outcome))) {
+            return exitStopped;
+        }
+    }
+    return exitDone;
+}
+
+}   // namespace angiopose::app
