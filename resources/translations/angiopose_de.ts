@@ -3445,9 +3445,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 nahm die Verbindung an und antwortete nicht innerhalb von %2. Prüfen, ob der Port der eines DICOM-Archivs ist.</translation>
     </message>
     <message>
-        <source>no answer came within %1. Try again later, or allow it more time (answerSeconds); whole objects that came are kept.</source>
+        <source>no answer came within %1. Try again later, or allow it more “Time for an answer”; whole objects that came are kept.</source>
         <comment>archive.no-answer</comment>
-        <translation>Innerhalb von %1 kam keine Antwort. Später noch einmal versuchen, oder mehr Zeit geben (answerSeconds); ganze Objekte, die kamen, bleiben.</translation>
+        <translation>Innerhalb von %1 kam keine Antwort. Später noch einmal versuchen, oder ihm mehr „Zeit für eine Antwort“ geben; ganze Objekte, die kamen, bleiben.</translation>
     </message>
     <message>
         <source>the connection broke off (%1). Try again; whole objects that came are kept.</source>
@@ -3500,9 +3500,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Datei %1 taugt nicht für TLS (%2). Pfad und Inhalt prüfen.</translation>
     </message>
     <message>
-        <source>its certificate is not one of the host %1. Check the host; where it is right, set checkHost to false for this archive.</source>
+        <source>its certificate is not one of the host %1. Check the host; where it is right, switch “Its certificate must be one of the host” off for this archive.</source>
         <comment>archive.tls-host</comment>
-        <translation>Sein Zertifikat ist keines des Rechners %1. Den Rechner prüfen; stimmt er, für dieses Archiv checkHost auf false setzen.</translation>
+        <translation>Sein Zertifikat ist keines des Rechners %1. Den Rechner prüfen; stimmt er, für dieses Archiv „Sein Zertifikat muss das des Hosts sein“ ausschalten.</translation>
     </message>
     <message>
         <source>it is no list of archives (%1). Correct it, or remove the file.</source>
@@ -3545,9 +3545,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist keine DICOMweb-Adresse. Eine angeben, die mit https:// oder http:// beginnt.</translation>
     </message>
     <message>
-        <source>answerSeconds must be 1 to 600. Correct it.</source>
+        <source>the “Time for an answer” must be 1 to 600 s. Correct it.</source>
         <comment>archive.bad-time</comment>
-        <translation>answerSeconds muss 1 bis 600 sein. Es berichtigen.</translation>
+        <translation>Die „Zeit für eine Antwort“ muss 1 bis 600 s sein. Sie berichtigen.</translation>
     </message>
     <message>
         <source>a certificate and its key belong together, and one is missing. Give both files.</source>
@@ -3595,9 +3595,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 von %2 Objekten kamen, die anderen schickte das Archiv nicht (%3). Noch einmal holen, oder in sein Protokoll sehen.</translation>
     </message>
     <message>
-        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set receivePort, and have AE title, host and port entered in the archive.</source>
+        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set its “Port for C-MOVE”, and have AE title, host and port entered in the archive.</source>
         <comment>archive.no-way-back</comment>
-        <translation>Es bietet C-GET nicht an, und C-MOVE braucht einen Port bei uns. receivePort setzen, und AE-Titel, Rechner und Port im Archiv eintragen lassen.</translation>
+        <translation>Es bietet C-GET nicht an, und C-MOVE braucht einen Port bei uns. Seinen „Port für C-MOVE“ setzen, und AE-Titel, Rechner und Port im Archiv eintragen lassen.</translation>
     </message>
     <message>
         <source>port %1 cannot be listened on (%2). Choose another port, above 1024.</source>

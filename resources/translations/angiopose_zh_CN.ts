@@ -3445,9 +3445,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 接受了连接，但在 %2 内没有应答。请检查该端口是否属于 DICOM 归档。</translation>
     </message>
     <message>
-        <source>no answer came within %1. Try again later, or allow it more time (answerSeconds); whole objects that came are kept.</source>
+        <source>no answer came within %1. Try again later, or allow it more “Time for an answer”; whole objects that came are kept.</source>
         <comment>archive.no-answer</comment>
-        <translation>在 %1 内没有应答。请稍后再试，或给予更多时间（answerSeconds）；已完整收到的对象予以保留。</translation>
+        <translation>在 %1 内没有应答。请稍后再试，或延长其“应答时限”；已完整收到的对象予以保留。</translation>
     </message>
     <message>
         <source>the connection broke off (%1). Try again; whole objects that came are kept.</source>
@@ -3500,9 +3500,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件 %1 不能用于 TLS（%2）。请检查其路径和内容。</translation>
     </message>
     <message>
-        <source>its certificate is not one of the host %1. Check the host; where it is right, set checkHost to false for this archive.</source>
+        <source>its certificate is not one of the host %1. Check the host; where it is right, switch “Its certificate must be one of the host” off for this archive.</source>
         <comment>archive.tls-host</comment>
-        <translation>其证书不属于主机 %1。请检查主机；如无误，请将该归档的 checkHost 设为 false。</translation>
+        <translation>其证书不属于主机 %1。请检查主机；如无误，请为该归档关闭“其证书必须属于该主机”。</translation>
     </message>
     <message>
         <source>it is no list of archives (%1). Correct it, or remove the file.</source>
@@ -3545,9 +3545,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 不是 DICOMweb 地址。请给出以 https:// 或 http:// 开头的地址。</translation>
     </message>
     <message>
-        <source>answerSeconds must be 1 to 600. Correct it.</source>
+        <source>the “Time for an answer” must be 1 to 600 s. Correct it.</source>
         <comment>archive.bad-time</comment>
-        <translation>answerSeconds 必须在 1 至 600 之间。请更正。</translation>
+        <translation>“应答时限”必须在 1 至 600 秒之间。请更正。</translation>
     </message>
     <message>
         <source>a certificate and its key belong together, and one is missing. Give both files.</source>
@@ -3595,9 +3595,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%2 个对象中收到 %1 个，其余归档没有发送（%3）。请再次获取，或查看其日志。</translation>
     </message>
     <message>
-        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set receivePort, and have AE title, host and port entered in the archive.</source>
+        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set its “Port for C-MOVE”, and have AE title, host and port entered in the archive.</source>
         <comment>archive.no-way-back</comment>
-        <translation>它不提供 C-GET，而 C-MOVE 需要我方端口。请设置 receivePort，并让归档登记 AE 标题、主机和端口。</translation>
+        <translation>它不提供 C-GET，而 C-MOVE 需要我方端口。请设置其“C-MOVE 端口”，并让归档登记 AE 标题、主机和端口。</translation>
     </message>
     <message>
         <source>port %1 cannot be listened on (%2). Choose another port, above 1024.</source>
