@@ -55,6 +55,7 @@ void ArchiveController::connectParts()
     connect(retrieval_, &ArchiveRetrieval::ended, cache, &ArchiveCache::measure);
     const auto offerRetrieved = [this] { offer(retrieval_->folders(), dialog_->nodes().node()); };
     connect(retrieval_, &ArchiveRetrieval::retrieved, this, offerRetrieved);
+    connect(retrieval_, &ArchiveRetrieval::unaudited, this, &ArchiveController::unaudited);
     connect(dialog_, &ui::ArchiveDialog::partRequested, this, offerRetrieved);
 }
 

@@ -2,12 +2,16 @@
 
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
+#include "app/preferences/audit_path.h"
+#include "io/sharing/audit_batch.h"
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 
 #include <QLocale>
+
+#include <utility>
 
 namespace angiopose::app {
 namespace {
@@ -37,7 +41,12 @@ QString numbered(std::size_t number)
 ArchiveRetrieval::ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent)
     : QObject(parent),
       dialog_(dialog),
-      job_({[this](const io::TransferReport& report) { take(report); },
+      job_({[this](const Came& came) {
+                if (came.unaudited) {
+                    emit unaudited(ui::messageText(*came.unaudited));
+                }
+                take(came.report);
+            },
             [this](const core::Error& error) {
                 dialog_.line().showProblem(ui::messageText(error.message));
                 emit ended();
@@ -51,7 +60,8 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
                                                               const io::ArchiveSettings& settings,
                                                               const std::vector<io::RetrieveWish>& wishes)
 {
-    return [node, settings, wishes](JobLink<Progress>& link) -> core::Result<io::TransferReport> {
+    const std::string audit = auditPath().toStdString();
+    return [node, settings, wishes, audit](JobLink<Progress>& link) -> core::Result<Came> {
         const NetworkWait waiting;
         const auto store = io::ObjectStore::open(settings.cache(), io::defaultObjectBytes);
         if (!store) {
@@ -66,7 +76,13 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
             };
             add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, wishes[i], store.value(), limit, observe));
         }
-        return sum;
+        // Here and not by who hears of it: the dialog may be closed by then, and what came stays all the same.
+        io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, node.name});
+        for (const std::string& folder : sum.folders) {
+            batch.add(folder);
+        }
+        batch.noteAll();
+        return Came{std::move(sum), batch.problem()};
     };
 }
 

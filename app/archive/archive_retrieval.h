@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QStringList>
 
+#include <optional>
+
 namespace angiopose::ui {
 class ArchiveDialog;
 }   // namespace angiopose::ui
@@ -26,6 +28,7 @@ public:
 signals:
     void retrieved();   ///< all of it
     void ended();   ///< whatever came
+    void unaudited(const QString& reason);   ///< what came is not in the audit file
 
 private:
     /// How far it is, of which of the studies.
@@ -33,7 +36,11 @@ private:
         io::ArchiveProgress archive;
         std::size_t study = 0, studies = 0;
     };
-    using RetrievalJob = Job<io::TransferReport, Progress>;
+    struct Came {
+        io::TransferReport report;
+        std::optional<core::Message> unaudited;   ///< why the audit file lacks it
+    };
+    using RetrievalJob = Job<Came, Progress>;
 
     static RetrievalJob::Work workOf(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
                                      const std::vector<io::RetrieveWish>& wishes);

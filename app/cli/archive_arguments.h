@@ -29,6 +29,7 @@ struct ArchiveRetrieveArguments {
     ArchiveArguments common;
     io::RetrieveWish wish;
     std::string folder;   ///< empty: the cache
+    std::string auditFile;   ///< empty: none
     double mostObjectGb = 4.0;
 };
 
@@ -40,6 +41,7 @@ struct ArchiveSendArguments {
 struct ArchiveReceiveArguments {
     io::ReceiverOptions options;
     std::string folder;
+    std::string auditFile;   ///< empty: none
     double mostObjectGb = 4.0;
     double mostGb = 0.0;   ///< of the folder; 0: as much as the disk takes
     std::size_t count = 0;   ///< ends after so many objects; 0: never

@@ -1,6 +1,7 @@
 #include "app/cli/archive_commands.h"
 
 #include "app/cli/archive_arguments.h"
+#include "app/cli/audit_hook.h"
 
 #include <memory>
 
@@ -20,6 +21,12 @@ void addNode(CLI::App& command, ArchiveArguments& common)
     addNodeFile(command, common);
     command.add_flag_callback(
         "--web", [&common] { common.way = io::ArchiveWay::Web; }, "By DICOMweb, though it has a host too");
+}
+
+/// Of the program that the archive commands belong to.
+std::string auditFileFor(const CLI::App& archive)
+{
+    return auditPathOf(*archive.get_parent());
 }
 
 void addEcho(CLI::App& archive, int& exitCode)
@@ -60,7 +67,10 @@ void addRetrieve(CLI::App& archive, int& exitCode)
     command->add_option("--max-object", arguments->mostObjectGb, "Largest object taken, GB")
         ->check(CLI::Range(1e-6, 1000.0));
     command->footer("Example: angiopose-cli archive retrieve pacs --study 1.2.840.1 --series 1.2.840.1.3");
-    command->callback([arguments, &exitCode] { exitCode = runArchiveRetrieve(*arguments); });
+    command->callback([arguments, &archive, &exitCode] {
+        arguments->auditFile = auditFileFor(archive);
+        exitCode = runArchiveRetrieve(*arguments);
+    });
 }
 
 void addSend(CLI::App& archive, int& exitCode)
@@ -97,7 +107,10 @@ void addReceive(CLI::App& archive, int& exitCode)
     command->add_flag_callback(
         "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON and nothing else");
     command->footer("Example: angiopose-cli archive receive --port 11112 --into incoming --from-host 10.0.0.7");
-    command->callback([arguments, &exitCode] { exitCode = runArchiveReceive(*arguments); });
+    command->callback([arguments, &archive, &exitCode] {
+        arguments->auditFile = auditFileFor(archive);
+        exitCode = runArchiveReceive(*arguments);
+    });
 }
 
 void addNodeList(CLI::App& archive, int& exitCode)

@@ -1,5 +1,7 @@
 #include "app/cli/add_warnings.h"
 #include "app/cli/archive_arguments.h"
+#include "app/cli/audit_hook.h"
+#include "io/sharing/audit_batch.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -117,6 +119,19 @@ io::ArchiveObserver showing(ProgressLine& line)
     };
 }
 
+/// What came is noted, also where not all of it did.
+void auditRetrieved(const std::string& auditFile, const io::TransferReport& report, const std::string& archive)
+{
+    io::AuditBatch batch(auditFile, {io::AuditEvent::Retrieved, "angiopose-cli", {}, archive});
+    for (const std::string& folder : report.folders) {
+        batch.add(folder);
+    }
+    batch.noteAll();
+    if (batch.problem()) {
+        tellUnaudited(*batch.problem());
+    }
+}
+
 std::uint64_t bytesOf(double gigabytes)
 {
     return static_cast<std::uint64_t>(gigabytes * 1e9);
@@ -197,6 +212,7 @@ int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
     ProgressLine line("retrieving");
     const auto report = io::retrieveFromArchive(node.value(), arguments.common.way, arguments.wish, store.value(),
                                                 limit, showing(line));
+    auditRetrieved(arguments.auditFile, report, node.value().name);
     return finishTransfer(report, "came", format);
 }
 
@@ -229,16 +245,23 @@ int runArchiveReceive(const ArchiveReceiveArguments& arguments)
     const io::ArchiveObserver observer;
     const io::StoreLimit limit{bytesOf(arguments.mostGb), io::StoreLimit::WhenFull::Refuse};
     io::Arrivals arrivals(store.value(), limit, report, observer);
-    if (arguments.format == OutputFormat::Text) {
-        arrivals.tell([](const io::StoredObject& object) {
+    io::AuditBatch audit(arguments.auditFile, {io::AuditEvent::Received, "angiopose-cli", {}});
+    arrivals.tell([&arguments, &audit](const io::StoredObject& object) {
+        audit.add(object.path);
+        if (arguments.format == OutputFormat::Text) {
             std::printf("%s\n", object.path.c_str());
             std::fflush(stdout);
-        });
-    }
-    receiver.serve(arrivals, [&arguments, &report] {
+        }
+    });
+    receiver.serve(arrivals, [&arguments, &report, &audit] {
+        audit.noteWhenDue();
         const std::size_t came = report.transferred + report.duplicates;
         return isInterrupted() || (arguments.count > 0 && came >= arguments.count);
     });
+    audit.noteAll();
+    if (audit.problem()) {
+        tellUnaudited(*audit.problem());
+    }
     report.end = receiver.failure();
     return finishTransfer(report, "came", arguments.format);
 }

@@ -19,12 +19,6 @@ constexpr std::array inputNames{"CASE",  "IN",       "FILE",   "FOLDER", "VOLUME
                                 "IMAGE", "MANIFEST", "--view", "--pose", "--case"};
 constexpr std::array outputNames{"OUT", "PICTURE", "OUTPUT", "--output", "--mask", "--bent"};
 
-std::string auditPathOf(const CLI::App& app)
-{
-    const CLI::Option* option = app.get_option_no_throw("--audit");
-    return option != nullptr && option->count() > 0 ? option->results().front() : io::auditFileOfEnvironment();
-}
-
 std::vector<std::string> valuesOf(const CLI::App& command, const auto& names)
 {
     std::vector<std::string> values;
@@ -55,7 +49,7 @@ void record(const std::string& auditPath, AuditEvent event, std::vector<std::str
     }
     const core::Status written = io::recordAudit(auditPath, {event, "angiopose-cli", std::move(paths)});
     if (!written) {
-        printMessage("warning: " + written.error().message.text());
+        tellUnaudited(written.error().message);
     }
 }
 
@@ -82,6 +76,8 @@ void recordOutcome(const std::string& auditPath, const CLI::App& command)
         record(auditPath, AuditEvent::Packed, existing(valuesOf(command, std::array{"ARCHIVE"})));
     } else if (name == "send") {
         record(auditPath, AuditEvent::Sent, existing(valuesOf(command, std::array{"FILE"})));
+    } else if (name == "retrieve" || name == "receive") {
+        return;
     } else {
         const AuditEvent event = name == "register" || name == "batch" ? AuditEvent::Registered
                                  : isDeidentifying(command)            ? AuditEvent::Deidentified
@@ -91,6 +87,17 @@ void recordOutcome(const std::string& auditPath, const CLI::App& command)
 }
 
 }   // namespace
+
+std::string auditPathOf(const CLI::App& app)
+{
+    const CLI::Option* option = app.get_option_no_throw("--audit");
+    return option != nullptr && option->count() > 0 ? option->results().front() : io::auditFileOfEnvironment();
+}
+
+void tellUnaudited(const core::Message& problem)
+{
+    printMessage("warning: " + problem.text());
+}
 
 void addAudit(CLI::App& app)
 {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "io/sharing/audit_file.h"
+
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace angiopose::app {
 
@@ -8,7 +11,14 @@ namespace angiopose::app {
 /// open. After all commands are known.
 void addAudit(CLI::App& app);
 
-/// What the command wrote; after it. Lines that cannot be written are told on stderr.
+/// The audit file of a command; empty: none is wished.
+std::string auditPathOf(const CLI::App& app);
+
+/// What cannot be written to it is told on stderr.
+void tellUnaudited(const core::Message& problem);
+
+/// What the command wrote; after it. What comes from archives they note by themselves: a part of it may have come.
+/// Lines that cannot be written are told on stderr.
 void auditOutcome(const CLI::App& app, int exitCode);
 
 }   // namespace angiopose::app

@@ -1,5 +1,6 @@
 #include "app/files/audit_controller.h"
 
+#include "app/preferences/audit_path.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "ui/words/message_text.h"
@@ -24,21 +25,15 @@ void addPath(const std::string& path, QStringList& paths)
 AuditController::AuditController(const CaseDocument& document, QAction& keep, QWidget& dialogParent, QObject* parent)
     : QObject(parent), document_(document), keep_(keep), dialogParent_(dialogParent)
 {
-    keep_.setChecked(!path().isEmpty());
+    keep_.setChecked(!auditPath().isEmpty());
     keep_.setEnabled(io::auditFileOfEnvironment().empty());   // who set that does not want it switched off here
     ui::withTip(&keep_, [] {
-        const QString kept = path();
+        const QString kept = auditPath();
         return kept.isEmpty() ? tr("One line for everything that is opened, saved and exported: when, by whom, with "
                                    "the SHA-256 of the files.")
                               : tr("Written to %1").arg(kept);
     });
     connect(&keep_, &QAction::triggered, this, &AuditController::choose);
-}
-
-QString AuditController::path()
-{
-    const std::string forced = io::auditFileOfEnvironment();
-    return forced.empty() ? settings::auditFile.read() : QString::fromStdString(forced);
 }
 
 void AuditController::choose(bool on)
@@ -65,7 +60,7 @@ void AuditController::choose(bool on)
 
 void AuditController::note(io::AuditEvent event, const QStringList& paths)
 {
-    const QString audit = path();
+    const QString audit = auditPath();
     if (audit.isEmpty()) {
         return;
     }

@@ -28,7 +28,6 @@ signals:
 
 private:
     void choose(bool on);
-    static QString path();
 
     const CaseDocument& document_;
     QAction& keep_;

@@ -272,8 +272,11 @@ void SessionController::connectAudit(RegistrationController& registration)
     connect(&deidentify_, &DeidentifyController::written, &audit_,
             [this](const QString& folder) { audit_.note(AuditEvent::Deidentified, {folder}); });
     connect(sender_.get(), &ArchiveSender::sent, &audit_, [this] { audit_.noteCase(AuditEvent::Sent); });
-    connect(&audit_, &AuditController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("The audit file is not complete"), reason); });
+    const auto showIncomplete = [this](const QString& reason) {
+        notices_.showProblem(tr("The audit file is not complete"), reason);
+    };
+    connect(&audit_, &AuditController::failed, this, showIncomplete);
+    connect(archive_.get(), &ArchiveController::unaudited, this, showIncomplete);
 }
 
 /// A process of its own: what happens to one case cannot touch another.

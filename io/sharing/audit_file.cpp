@@ -68,6 +68,10 @@ std::string_view toText(AuditEvent event)
             return "packed";
         case AuditEvent::Sent:
             return "sent";
+        case AuditEvent::Retrieved:
+            return "retrieved";
+        case AuditEvent::Received:
+            return "received";
         case AuditEvent::Deidentified:
             break;
     }
@@ -80,8 +84,11 @@ core::Status recordAudit(const std::string& auditPath, const AuditRecord& record
               {"user", accountName()},
               {"program", record.program},
               {"version", ANGIOPOSE_VERSION},
-              {"event", std::string(toText(record.event))},
-              {"files", Json::array()}};
+              {"event", std::string(toText(record.event))}};
+    if (!record.archive.empty()) {
+        line["archive"] = record.archive;
+    }
+    line["files"] = Json::array();
     for (const std::string& path : record.paths) {
         addFiles(path, line["files"]);
     }

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-enum class AuditEvent { Opened, Saved, Registered, Exported, Packed, Sent, Deidentified };
+enum class AuditEvent { Opened, Saved, Registered, Exported, Packed, Sent, Retrieved, Received, Deidentified };
 
 /// "opened", "saved", …
 std::string_view toText(AuditEvent event);
@@ -17,6 +17,7 @@ struct AuditRecord {
     AuditEvent event = AuditEvent::Opened;
     std::string program;   ///< "angiopose"
     std::vector<std::string> paths;   ///< files and folders that it is about
+    std::string archive{};   ///< with which they were exchanged; may be empty
 };
 
 /// Adds a line of JSON to the audit file (FORMATS §4): time in UTC, account, program and version, event, and the

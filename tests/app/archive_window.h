@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/preferences/settings.h"
 #include "io/archive/node_file.h"
 #include "tests/app/open_window.h"
 #include "tests/io/archive/archive_objects.h"
@@ -12,6 +13,7 @@
 #include "ui/archive/transfer_line.h"
 
 #include <QElapsedTimer>
+#include <QFile>
 #include <QLabel>
 #include <QTimer>
 
@@ -36,6 +38,27 @@ private:
     QElapsedTimer clock_;
     qint64 longestMs_ = 0;
     QTimer beat_;
+};
+
+/// An audit file that is switched on while this lives.
+class AuditFile {
+public:
+    explicit AuditFile(const TemporaryFolder& folder) : path_(QString::fromStdString(folder.file("audit.jsonl")))
+    {
+        app::settings::auditFile.write(path_);
+    }
+    ~AuditFile() { app::settings::auditFile.write({}); }
+    AuditFile(const AuditFile&) = delete;
+    AuditFile& operator=(const AuditFile&) = delete;
+
+    QString text() const
+    {
+        QFile file(path_);
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    }
+
+private:
+    QString path_;
 };
 
 /// Archives in the window, by mouse and keys; against a real one where it is installed.

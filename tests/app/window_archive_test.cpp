@@ -132,6 +132,25 @@ TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
     EXPECT_EQ(dialog->list().topLevelItemCount(), 1) << "what was found is there again";
 }
 
+TEST_F(WindowArchive, WhatIsRetrievedIsInTheAuditFile)
+{
+    NEEDS_ORTHANC();
+    store(1);
+    know({nodeAt(orthanc_->dicomPort())});
+    const test::AuditFile audit(folder);
+    ui::ArchiveDialog* dialog = opened();
+    ASSERT_TRUE(dialog);
+    search(*dialog, QStringLiteral("M"));
+    ASSERT_EQ(dialog->list().topLevelItemCount(), 1);
+    OpenWindow::clickButton(dialog, QStringLiteral("Retrieve"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return audit.text().contains(QStringLiteral("retrieved")); }, test::patienceMs));
+    const QString line = audit.text();
+    EXPECT_TRUE(line.contains(QStringLiteral("\"archive\":\"pacs\""))) << line.toStdString();
+    for (const char* series : {"2.25.4711.61", "2.25.4711.62"}) {
+        EXPECT_TRUE(line.contains(QLatin1String(series) + QStringLiteral(".1.dcm\",\"sha256\""))) << line.toStdString();
+    }
+}
+
 TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
 {
     NEEDS_ORTHANC();

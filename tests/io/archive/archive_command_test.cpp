@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <future>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace angiopose::test {
 namespace {
@@ -15,6 +16,16 @@ ProgramOutcome runArchive(const TemporaryFolder& folder, std::vector<std::string
     arguments.insert(arguments.begin(), "archive");
     arguments.insert(arguments.end(), {"--nodes", folder.file("archives.json")});
     return runCli(arguments);
+}
+
+std::vector<nlohmann::json> auditLines(const TemporaryFolder& folder)
+{
+    std::vector<nlohmann::json> lines;
+    std::istringstream text(readText(folder.file("audit.jsonl")));
+    for (std::string line; std::getline(text, line);) {
+        lines.push_back(nlohmann::json::parse(line));
+    }
+    return lines;
 }
 
 TEST(ArchiveCommand, KeepsAListOfArchives)
@@ -52,7 +63,8 @@ TEST(ArchiveCommand, ReceivesWhatIsSent)
     const auto files = writeObjects(folder, "2.25.4711.51", 2);
     const std::string port = std::to_string(freePort());
     auto receiving = std::async(std::launch::async, [&] {
-        return runCli({"archive", "receive", "--port", port, "--into", folder.file("in"), "--count", "2", "--json"});
+        return runCli({"--audit", folder.file("audit.jsonl"), "archive", "receive", "--port", port, "--into",
+                       folder.file("in"), "--count", "2", "--json"});
     });
     runArchive(folder, {"nodes", "add", "here", "--host", "127.0.0.1", "--port", port, "--title", "ANGIOPOSE"});
     for (int i = 0; i < 50 && runArchive(folder, {"echo", "here"}).exitCode != 0; ++i) {
@@ -65,6 +77,48 @@ TEST(ArchiveCommand, ReceivesWhatIsSent)
     EXPECT_EQ(received.exitCode, 0) << received.messages;
     EXPECT_EQ(nlohmann::json::parse(received.output)["transferred"], 2);
     EXPECT_TRUE(halfFiles(folder.file("in")).empty());
+    std::size_t audited = 0;
+    for (const nlohmann::json& line : auditLines(folder)) {
+        EXPECT_EQ(line["event"], "received");
+        audited += line["files"].size();
+        EXPECT_EQ(line["files"][0]["sha256"].get<std::string>().size(), 64u);
+    }
+    EXPECT_EQ(audited, 2u);
+}
+
+TEST(ArchiveCommand, WhatIsRetrievedIsInTheAuditFile)
+{
+    const TemporaryFolder folder;
+    const Orthanc orthanc;
+    if (!orthanc.isRunning()) {
+        GTEST_SKIP() << orthanc.whyNot();
+    }
+    writeObjects(folder, "2.25.4711.52", 3);
+    runArchive(folder, {"nodes", "add", "pacs", "--host", "127.0.0.1", "--port", std::to_string(orthanc.dicomPort()),
+                        "--title", Orthanc::title});
+    ASSERT_EQ(runArchive(folder, {"send", "pacs", folder.file("sent")}).exitCode, 0);
+    const std::vector<std::string> asked{"--audit",
+                                         folder.file("audit.jsonl"),
+                                         "archive",
+                                         "retrieve",
+                                         "pacs",
+                                         "--study",
+                                         studyUid,
+                                         "--into",
+                                         folder.file("in"),
+                                         "--nodes",
+                                         folder.file("archives.json")};
+    const auto retrieved = runCli(asked);
+    ASSERT_EQ(retrieved.exitCode, 0) << retrieved.messages;
+    const auto lines = auditLines(folder);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0]["event"], "retrieved");
+    EXPECT_EQ(lines[0]["archive"], "pacs");
+    ASSERT_EQ(lines[0]["files"].size(), 3u);
+    for (const nlohmann::json& file : lines[0]["files"]) {
+        EXPECT_TRUE(file["path"].get<std::string>().starts_with(folder.file("in"))) << file;
+        EXPECT_TRUE(file.contains("sha256")) << file;
+    }
 }
 
 }   // namespace

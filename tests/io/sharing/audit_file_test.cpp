@@ -1,4 +1,5 @@
 #include "io/sharing/audit_file.h"
+#include "io/sharing/audit_batch.h"
 
 #include "tests/support/temporary_folder.h"
 
@@ -34,6 +35,40 @@ TEST(AuditFile, SaysWhatWhenAndWithWhichContent)
     std::getline(lines, line);
     EXPECT_EQ(nlohmann::json::parse(line)["files"][0]["unread"], true);
     EXPECT_EQ(fs::status(audit).permissions() & (fs::perms::group_all | fs::perms::others_all), fs::perms::none);
+}
+
+TEST(AuditFile, FilesThatComeOneByOneShareLines)
+{
+    const test::TemporaryFolder folder;
+    test::writeText(folder.file("a.dcm"), "abc");
+    const std::string audit = folder.file("audit.jsonl");
+    io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, "pacs"});
+    batch.noteAll();
+    EXPECT_FALSE(fs::exists(audit)) << "nothing came";
+    for (int i = 0; i < 199; ++i) {
+        batch.add(folder.file("a.dcm"));
+        batch.noteWhenDue();
+    }
+    EXPECT_FALSE(fs::exists(audit)) << "not yet";
+    batch.add(folder.file("a.dcm"));
+    batch.noteWhenDue();
+    batch.add(folder.file("gone.dcm"));
+    batch.noteAll();
+    EXPECT_FALSE(batch.problem());
+    std::istringstream lines(test::readText(audit));
+    std::string first, second, none;
+    std::getline(lines, first);
+    std::getline(lines, second);
+    EXPECT_FALSE(std::getline(lines, none));
+    const auto parsed = nlohmann::json::parse(first);
+    EXPECT_EQ(parsed["event"], "retrieved");
+    EXPECT_EQ(parsed["archive"], "pacs");
+    EXPECT_EQ(parsed["files"].size(), 200U);
+    EXPECT_EQ(nlohmann::json::parse(second)["files"].size(), 1U);
+    io::AuditBatch lost(folder.file("gone/audit.jsonl"), {io::AuditEvent::Received, "angiopose", {}});
+    lost.add(folder.file("a.dcm"));
+    lost.noteAll();
+    EXPECT_TRUE(lost.problem());
 }
 
 TEST(AuditFile, ManyWritersLoseNoLine)
