@@ -4,11 +4,13 @@
 #include "app/archive/archive_habits.h"
 #include "app/archive/archive_nodes.h"
 #include "app/archive/archive_retrieval.h"
+#include "app/archive/port_security.h"
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/node_bar.h"
 #include "ui/archive/receive_line.h"
 #include "ui/archive/search_fields.h"
 #include "ui/archive/transfer_line.h"
+#include "ui/words/message_text.h"
 
 #include <QAction>
 
@@ -17,6 +19,7 @@ namespace angiopose::app {
 ArchiveController::ArchiveController(const Ui& ui, QObject* parent) : QObject(parent), ui_(ui)
 {
     connect(&port_, &ArchivePort::changed, this, &ArchiveController::showPort);
+    connect(&port_, &ArchivePort::unaudited, this, &ArchiveController::unaudited);
     connect(&port_, &ArchivePort::closed, this, [this](const QString& problem) {
         showPort();
         if (dialog_ && !problem.isEmpty()) {
@@ -65,6 +68,7 @@ void ArchiveController::connectPort()
     line.showPort(settings::receivePort.read(), settings::receiveTitle.read());
     showPort();
     connect(&line, &ui::ReceiveLine::switched, this, &ArchiveController::switchPort);
+    connect(&line, &ui::ReceiveLine::securityRequested, new PortSecurity(*dialog_, dialog_), &PortSecurity::ask);
     connect(&line, &ui::ReceiveLine::openRequested, this,
             [this] { offer(port_.folders(), tr("what arrived on port %1").arg(port_.port())); });
 }
@@ -95,22 +99,35 @@ void ArchiveController::switchPort(bool isOn)
     const ui::ReceiveLine& line = dialog_->receive();
     settings::receivePort.write(line.port());
     settings::receiveTitle.write(line.title());
-    port_.open({line.port(), line.title().toStdString(), list_.settings().cache(), list_.settings().cacheBytes});
+    port_.open({receiverOptions(line.port(), line.title()), list_.settings().cache(), list_.settings().cacheBytes});
     showPort();
+}
+
+QString ArchiveController::portWords() const
+{
+    const ArchivePort::Arrived& arrived = port_.arrived();
+    QStringList words;
+    if (arrived.objects > 0) {
+        words << tr("Objects that arrived: %1").arg(arrived.objects);
+    } else if (port_.isOpen()) {
+        words << tr("Nothing arrived yet");
+    }
+    if (arrived.problem) {
+        words << ui::messageText(*arrived.problem);
+    }
+    return words.join(u'\n');
 }
 
 void ArchiveController::showPort()
 {
-    const std::size_t objects = port_.arrived().objects;
     if (!dialog_) {
-        emit told(tr("Objects that arrived: %1").arg(objects));
+        if (const QString words = portWords(); !words.isEmpty()) {
+            emit told(words);
+        }
         return;
     }
     dialog_->receive().showListening(port_.isOpen());
-    const QString words = objects > 0      ? tr("Objects that arrived: %1").arg(objects)
-                          : port_.isOpen() ? tr("Nothing arrived yet")
-                                           : QString();
-    dialog_->receive().showArrivals(words, objects > 0);
+    dialog_->receive().showArrivals(portWords(), port_.arrived().objects > 0);
 }
 
 }   // namespace angiopose::app

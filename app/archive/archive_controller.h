@@ -46,6 +46,7 @@ private:
     void offer(const QStringList& folders, const QString& name);
     void switchPort(bool isOn);
     void showPort();
+    QString portWords() const;
 
     Ui ui_;
     ArchiveList list_;

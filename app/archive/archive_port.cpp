@@ -2,8 +2,9 @@
 
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
-#include "io/archive/dimse/receiver.h"
+#include "app/preferences/audit_path.h"
 #include "io/archive/store/cache.h"
+#include "io/sharing/audit_batch.h"
 #include "ui/words/message_text.h"
 
 #include <utility>
@@ -13,17 +14,57 @@ namespace {
 
 using PortJob = Job<io::TransferReport, ArchivePort::Arrived>;
 
-PortJob::Outcome receive(const ArchivePort::Wish& wish, PortJob::Link& link)
+/// What came, told to the window and noted in the audit file.
+class PortNews {
+public:
+    PortNews(io::Arrivals& arrivals, const std::string& auditFile, PortJob::Link& link)
+        : audit_(auditFile, {io::AuditEvent::Received, "angiopose", {}}), link_(link)
+    {
+        arrivals.tell([this](const io::StoredObject& object) {
+            ++arrived_.objects;
+            arrived_.folders.insert(object.folder);
+            audit_.add(object.path);
+            link_.tell(arrived_);
+        });
+        arrivals.tellProblems([this](const core::Message& problem) {
+            arrived_.problem = problem;
+            link_.tell(arrived_);
+        });
+    }
+
+    void noteWhenDue()
+    {
+        audit_.noteWhenDue();
+        tellUnaudited();
+    }
+    void noteAll()
+    {
+        audit_.noteAll();
+        tellUnaudited();
+    }
+
+private:
+    void tellUnaudited()
+    {
+        if (audit_.problem() && !arrived_.unaudited) {
+            arrived_.unaudited = audit_.problem();
+            link_.tell(arrived_);
+        }
+    }
+
+    io::AuditBatch audit_;
+    ArchivePort::Arrived arrived_;
+    PortJob::Link& link_;
+};
+
+PortJob::Outcome receive(const ArchivePort::Wish& wish, const std::string& auditFile, PortJob::Link& link)
 {
     const NetworkWait waiting;
     const auto store = io::ObjectStore::open(wish.folder, io::defaultObjectBytes);
     if (!store) {
         return store.error();
     }
-    io::ReceiverOptions options;
-    options.port = wish.port;
-    options.ownTitle = wish.title;
-    auto listening = io::Receiver::listen(options);
+    auto listening = io::Receiver::listen(wish.options);
     if (!listening) {
         return listening.error();
     }
@@ -31,13 +72,12 @@ PortJob::Outcome receive(const ArchivePort::Wish& wish, PortJob::Link& link)
     io::TransferReport report;
     const io::ArchiveObserver observe = [&link](const io::ArchiveProgress&) { return link.verdict(); };
     io::Arrivals arrivals(store.value(), {wish.mostBytes, io::StoreLimit::WhenFull::DropOldest}, report, observe);
-    ArchivePort::Arrived arrived;
-    arrivals.tell([&](const io::StoredObject& object) {
-        ++arrived.objects;
-        arrived.folders.insert(object.folder);
-        link.tell(arrived);
+    PortNews news(arrivals, auditFile, link);
+    receiver.serve(arrivals, [&link, &news] {
+        news.noteWhenDue();
+        return link.verdict() == core::Verdict::Stop;
     });
-    receiver.serve(arrivals, [&link] { return link.verdict() == core::Verdict::Stop; });
+    news.noteAll();
     report.end = receiver.failure();
     return report;
 }
@@ -51,18 +91,25 @@ ArchivePort::ArchivePort(QObject* parent)
                 emit closed(isFault ? ui::messageText(report.end->message) : QString());
             },
             [this](const core::Error& error) { emit closed(ui::messageText(error.message)); },
-            [this](const Arrived& arrived) {
-                arrived_ = arrived;
-                emit changed();
-            }})
+            [this](const Arrived& arrived) { take(arrived); }})
 {
 }
 
 void ArchivePort::open(const Wish& wish)
 {
     arrived_ = {};
-    port_ = wish.port;
-    job_.start([wish](PortJob::Link& link) { return receive(wish, link); });
+    port_ = wish.options.port;
+    job_.start([wish, audit = auditPath().toStdString()](PortJob::Link& link) { return receive(wish, audit, link); });
+}
+
+void ArchivePort::take(const Arrived& arrived)
+{
+    const bool isNew = arrived.unaudited && !arrived_.unaudited;
+    arrived_ = arrived;
+    emit changed();
+    if (isNew) {
+        emit unaudited(ui::messageText(*arrived.unaudited));
+    }
 }
 
 void ArchivePort::close()

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/jobs/job.h"
-#include "io/archive/model/transfer.h"
+#include "io/archive/dimse/receiver.h"
 
 #include <QObject>
 #include <QStringList>
@@ -17,8 +17,7 @@ class ArchivePort : public QObject {
     Q_OBJECT
 public:
     struct Wish {
-        int port = 0;
-        std::string title;
+        io::ReceiverOptions options;
         std::string folder;
         std::uint64_t mostBytes = 0;
     };
@@ -26,6 +25,8 @@ public:
     struct Arrived {
         std::size_t objects = 0;
         std::set<std::string> folders;   ///< of the series
+        std::optional<core::Message> problem;   ///< the last one: a caller turned away, an object not kept
+        std::optional<core::Message> unaudited;   ///< why the audit file lacks some of them
     };
 
     explicit ArchivePort(QObject* parent = nullptr);
@@ -40,8 +41,11 @@ public:
 signals:
     void changed();   ///< something came
     void closed(const QString& problem);   ///< empty: as wished
+    void unaudited(const QString& reason);   ///< what came is not in the audit file; once
 
 private:
+    void take(const Arrived& arrived);
+
     int port_ = 0;
     Arrived arrived_;
     Job<io::TransferReport, Arrived> job_;

@@ -101,7 +101,10 @@ void addReceive(CLI::App& archive, int& exitCode)
     auto* certificate =
         command->add_option("--tls-certificate", options.tls.certificateFile, "Our certificate, PEM: TLS");
     auto* key = command->add_option("--tls-key", options.tls.keyFile, "Its key, PEM");
-    command->add_option("--tls-ca", options.tls.caFile, "Authorities that callers' certificates are checked with, PEM");
+    command
+        ->add_option("--tls-ca", options.tls.caFile,
+                     "Authorities that callers' certificates are checked with, PEM (default: the system's)")
+        ->needs(certificate);
     certificate->needs(key);
     key->needs(certificate);
     command->add_flag_callback(

@@ -3667,7 +3667,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 (AE title %2) was turned away: it is not on the list.</source>
         <comment>archive.title-turned-away</comment>
-        <translation>%1 (AE-Titel %2) wurde abgewiesen: nicht auf der Liste.</translation>
+        <translation>%1 (AE-Titel %2) wurde abgewiesen: nicht auf der Liste derer, die anrufen dürfen.</translation>
+    </message>
+    <message>
+        <source>%1 (AE title %2) was turned away: it called %3, which is not our AE title. Correct it there.</source>
+        <comment>archive.called-otherwise</comment>
+        <translation>%1 (AE-Titel %2) wurde abgewiesen: gerufen wurde %3, was nicht unser AE-Titel ist. Ihn dort berichtigen.</translation>
+    </message>
+    <message>
+        <source>a call to the port came to nothing (%1). Look at the caller: address, port, whether it uses TLS.</source>
+        <comment>archive.call-failed</comment>
+        <translation>Ein Anruf am Port führte zu nichts (%1). Beim Anrufer nachsehen: Adresse, Port, ob er TLS benutzt.</translation>
+    </message>
+    <message>
+        <source>a caller was turned away: no secure connection came about (%1). Check its certificate, those trusted here, and whether it uses TLS.</source>
+        <comment>archive.call-not-secured</comment>
+        <translation>Ein Anrufer wurde abgewiesen: Es kam keine sichere Verbindung zustande (%1). Sein Zertifikat, die hier vertrauten, und ob er TLS benutzt, prüfen.</translation>
+    </message>
+    <message>
+        <source>TLS at a port needs a certificate of ours and its key. Give both files.</source>
+        <comment>archive.port-unsecured</comment>
+        <translation>TLS an einem Port braucht ein Zertifikat von uns und seinen Schlüssel. Beide Dateien angeben.</translation>
     </message>
     <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
@@ -9862,6 +9882,85 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
+    <name>angiopose::ui::PortDialog</name>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>Verschlüsselt (TLS)</translation>
+    </message>
+    <message>
+        <source>Our certificate (PEM)</source>
+        <translation>Unser Zertifikat (PEM)</translation>
+    </message>
+    <message>
+        <source>Key of our certificate (PEM)</source>
+        <translation>Schlüssel unseres Zertifikats (PEM)</translation>
+    </message>
+    <message>
+        <source>Certificates trusted (PEM)</source>
+        <translation>Vertraute Zertifikate (PEM)</translation>
+    </message>
+    <message>
+        <source>Security of the receiving port</source>
+        <translation>Sicherheit des Empfangsports</translation>
+    </message>
+    <message>
+        <source>With TLS, callers must show a certificate that checks, and so do we.</source>
+        <translation>Mit TLS müssen Anrufer ein gültiges Zertifikat zeigen, und wir ebenso.</translation>
+    </message>
+    <message>
+        <source>anyone</source>
+        <translation>jeder</translation>
+    </message>
+    <message>
+        <source>AE titles that may call</source>
+        <translation>AE-Titel, die anrufen dürfen</translation>
+    </message>
+    <message>
+        <source>With commas between them; empty: any</source>
+        <translation>Mit Kommas dazwischen; leer: alle</translation>
+    </message>
+    <message>
+        <source>Addresses that may call</source>
+        <translation>Adressen, die anrufen dürfen</translation>
+    </message>
+    <message>
+        <source>IP addresses with commas between them, as 10.0.0.7; empty: any</source>
+        <translation>IP-Adressen mit Kommas dazwischen, wie 10.0.0.7; leer: alle</translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation>Unser Zertifikat</translation>
+    </message>
+    <message>
+        <source>PEM file that callers see</source>
+        <translation>PEM-Datei, die Anrufer sehen</translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation>Sein Schlüssel</translation>
+    </message>
+    <message>
+        <source>PEM file; only its path is stored</source>
+        <translation>PEM-Datei; nur ihr Pfad wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Certificates trusted</source>
+        <translation>Vertraute Zertifikate</translation>
+    </message>
+    <message>
+        <source>PEM file by which those of callers are checked; empty: those that the system trusts</source>
+        <translation>PEM-Datei, mit der die der Anrufer geprüft werden; leer: die, denen das System vertraut</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::PoseAxis</name>
     <message>
         <source>right</source>
@@ -12952,6 +13051,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>as AE title</source>
         <translation>als AE-Titel</translation>
+    </message>
+    <message>
+        <source>Security …</source>
+        <translation>Sicherheit …</translation>
+    </message>
+    <message>
+        <source>Who may call this port, and encryption (TLS)</source>
+        <translation>Wer diesen Port anrufen darf, und Verschlüsselung (TLS)</translation>
     </message>
 </context>
 <context>

@@ -3667,7 +3667,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>%1 (AE title %2) was turned away: it is not on the list.</source>
         <comment>archive.title-turned-away</comment>
-        <translation>%1（AE 标题 %2）被拒绝：不在名单上。</translation>
+        <translation>%1（AE 标题 %2）被拒绝：不在允许呼叫的名单上。</translation>
+    </message>
+    <message>
+        <source>%1 (AE title %2) was turned away: it called %3, which is not our AE title. Correct it there.</source>
+        <comment>archive.called-otherwise</comment>
+        <translation>%1（AE 标题 %2）被拒绝：它呼叫的 %3 不是我方 AE 标题。请在对方更正。</translation>
+    </message>
+    <message>
+        <source>a call to the port came to nothing (%1). Look at the caller: address, port, whether it uses TLS.</source>
+        <comment>archive.call-failed</comment>
+        <translation>对端口的一次呼叫未能成立（%1）。请检查呼叫方：地址、端口、是否使用 TLS。</translation>
+    </message>
+    <message>
+        <source>a caller was turned away: no secure connection came about (%1). Check its certificate, those trusted here, and whether it uses TLS.</source>
+        <comment>archive.call-not-secured</comment>
+        <translation>一个呼叫方被拒绝：未能建立安全连接（%1）。请检查其证书、此处信任的证书，以及它是否使用 TLS。</translation>
+    </message>
+    <message>
+        <source>TLS at a port needs a certificate of ours and its key. Give both files.</source>
+        <comment>archive.port-unsecured</comment>
+        <translation>端口上的 TLS 需要我方证书及其密钥。请给出两个文件。</translation>
     </message>
     <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
@@ -9862,6 +9882,85 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
+    <name>angiopose::ui::PortDialog</name>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>加密（TLS）</translation>
+    </message>
+    <message>
+        <source>Our certificate (PEM)</source>
+        <translation>我方证书（PEM）</translation>
+    </message>
+    <message>
+        <source>Key of our certificate (PEM)</source>
+        <translation>我方证书的密钥（PEM）</translation>
+    </message>
+    <message>
+        <source>Certificates trusted (PEM)</source>
+        <translation>受信任的证书（PEM）</translation>
+    </message>
+    <message>
+        <source>Security of the receiving port</source>
+        <translation>接收端口的安全设置</translation>
+    </message>
+    <message>
+        <source>With TLS, callers must show a certificate that checks, and so do we.</source>
+        <translation>使用 TLS 时，呼叫方必须出示有效证书，我方亦然。</translation>
+    </message>
+    <message>
+        <source>anyone</source>
+        <translation>任何人</translation>
+    </message>
+    <message>
+        <source>AE titles that may call</source>
+        <translation>允许呼叫的 AE 标题</translation>
+    </message>
+    <message>
+        <source>With commas between them; empty: any</source>
+        <translation>以逗号分隔；留空：任何</translation>
+    </message>
+    <message>
+        <source>Addresses that may call</source>
+        <translation>允许呼叫的地址</translation>
+    </message>
+    <message>
+        <source>IP addresses with commas between them, as 10.0.0.7; empty: any</source>
+        <translation>以逗号分隔的 IP 地址，如 10.0.0.7；留空：任何</translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation>我方证书</translation>
+    </message>
+    <message>
+        <source>PEM file that callers see</source>
+        <translation>呼叫方可见的 PEM 文件</translation>
+    </message>
+    <message>
+        <source>Its key</source>
+        <translation>其密钥</translation>
+    </message>
+    <message>
+        <source>PEM file; only its path is stored</source>
+        <translation>PEM 文件；仅保存其路径</translation>
+    </message>
+    <message>
+        <source>Certificates trusted</source>
+        <translation>受信任的证书</translation>
+    </message>
+    <message>
+        <source>PEM file by which those of callers are checked; empty: those that the system trusts</source>
+        <translation>用于核对呼叫方证书的 PEM 文件；留空：系统信任的证书</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
     <name>angiopose::ui::PoseAxis</name>
     <message>
         <source>right</source>
@@ -12951,6 +13050,14 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>as AE title</source>
         <translation>AE 标题</translation>
+    </message>
+    <message>
+        <source>Security …</source>
+        <translation>安全……</translation>
+    </message>
+    <message>
+        <source>Who may call this port, and encryption (TLS)</source>
+        <translation>谁可呼叫此端口，以及加密（TLS）</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,13 @@ struct ArchiveEntry {
     int answerSeconds = 9;
 };
 
+/// Who may push to our port, and how. Of keys only the paths of their files.
+struct PortEntry {
+    QString titles, hosts;   ///< that may call, with commas between them; empty: any
+    bool isTls = false;
+    QString caFile, certificateFile, keyFile;
+};
+
 /// What is looked for; what is empty is not asked about.
 struct ArchiveSearch {
     QString patientName, patientId;

@@ -22,6 +22,7 @@ ReceiveLine::ReceiveLine(QWidget* parent)
       on_(new QCheckBox(tr("Receive on port"))),
       port_(new NumberField({1.0, 65535.0, 0, {}, 1.0})),
       title_(new QLineEdit),
+      security_(new QPushButton(tr("Security …"))),
       words_(roleLabel("label")),
       open_(new QPushButton(tr("Look at them")))
 {
@@ -36,7 +37,11 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     title_->setToolTip(tr("Callers must use this AE title"));
     title_->setMaxLength(mostTitleLetters);
     title_->setFixedWidth(170);
+    security_->setObjectName(QStringLiteral("receiveSecurity"));
+    security_->setAutoDefault(false);
+    security_->setToolTip(tr("Who may call this port, and encryption (TLS)"));
     words_->setObjectName(QStringLiteral("receiveWords"));
+    words_->setTextFormat(Qt::PlainText);   // callers choose their names
     words_->setWordWrap(true);
     open_->setAutoDefault(false);
     open_->setToolTip(tr("Choose from what came"));
@@ -47,9 +52,11 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     layout->addWidget(port_);
     layout->addWidget(roleLabel("label", tr("as AE title")));
     layout->addWidget(title_);
+    layout->addWidget(security_);
     layout->addWidget(words_, 1);
     layout->addWidget(open_);
     connect(on_, &QCheckBox::clicked, this, &ReceiveLine::switched);
+    connect(security_, &QPushButton::clicked, this, &ReceiveLine::securityRequested);
     connect(open_, &QPushButton::clicked, this, &ReceiveLine::openRequested);
 }
 
@@ -65,6 +72,7 @@ void ReceiveLine::showListening(bool isListening)
     on_->setChecked(isListening);
     port_->setEnabled(!isListening);
     title_->setEnabled(!isListening);
+    security_->setEnabled(!isListening);
 }
 
 void ReceiveLine::showArrivals(const QString& words, bool canOpen)

@@ -26,12 +26,14 @@ public:
 
 signals:
     void switched(bool isOn);
+    void securityRequested();
     void openRequested();
 
 private:
     QCheckBox* on_;
     NumberField* port_;
     QLineEdit* title_;
+    QPushButton* security_;
     QLabel* words_;
     QPushButton* open_;
 };

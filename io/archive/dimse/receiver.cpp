@@ -146,7 +146,7 @@ std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const Stop
     if (came.good()) {
         return judge(association, arrivals, isStopWished);
     }
-    arrivals.warn(says::archiveRefused(came.text()));
+    arrivals.warn(options.isTls ? says::archiveCallNotSecured(came.text()) : says::archiveCallFailed(came.text()));
     if (association != nullptr) {
         ASC_dropAssociation(association);
         ASC_destroyAssociation(&association);
@@ -160,7 +160,8 @@ std::optional<DimseLink> Receiver::Parts::judge(T_ASC_Association* association, 
     const Caller caller = callerOf(association);
     const bool isCalledRight = options.ownTitle.empty() || caller.calledTitle == options.ownTitle;
     if (!isCalledRight || !isListed(options.titles, caller.title) || !isListed(options.hosts, caller.address)) {
-        arrivals.warn(says::archiveTitleTurnedAway(caller.address, caller.title));
+        arrivals.warn(isCalledRight ? says::archiveTitleTurnedAway(caller.address, caller.title)
+                                    : says::archiveCalledOtherwise(caller.address, caller.title, caller.calledTitle));
         reject(association,
                isCalledRight ? ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED : ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED);
         ASC_dropAssociation(association);
@@ -210,8 +211,28 @@ Receiver::Receiver(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Receiver::Receiver(Receiver&&) noexcept = default;
 Receiver::~Receiver() = default;
 
+core::Status checkReceiver(const ReceiverOptions& options)
+{
+    std::vector<std::string> titles = options.titles;
+    if (!options.ownTitle.empty()) {
+        titles.push_back(options.ownTitle);
+    }
+    for (const std::string& title : titles) {
+        if (!isAeTitle(title)) {
+            return core::Error(says::archiveBadTitle(title));
+        }
+    }
+    if (options.isTls && (options.tls.certificateFile.empty() || options.tls.keyFile.empty())) {
+        return core::Error(says::archivePortUnsecured());
+    }
+    return core::Done{};
+}
+
 core::Result<Receiver> Receiver::listen(const ReceiverOptions& options)
 {
+    if (auto checked = checkReceiver(options); !checked) {
+        return checked.error();
+    }
     auto parts = std::make_unique<Parts>();
     parts->options = options;
     if (auto begun = parts->begin(); !begun) {

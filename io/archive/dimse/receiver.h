@@ -23,10 +23,13 @@ struct ReceiverOptions {
     int answerSeconds = 30;   ///< an association on which nothing comes for so long is ended
 };
 
+/// Fails where a title is none, or TLS lacks its files.
+core::Status checkReceiver(const ReceiverOptions& options);
+
 /// A port to which others push objects (C-STORE SCP, C-ECHO too). One association at a time; others wait.
 class Receiver {
 public:
-    /// Fails where the port is taken or TLS files are of no use.
+    /// Fails where a title is none, the port is taken, or TLS files are lacking or of no use.
     static core::Result<Receiver> listen(const ReceiverOptions& options);
 
     Receiver(Receiver&&) noexcept;

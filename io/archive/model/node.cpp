@@ -3,7 +3,6 @@
 #include "io/messages/says_archive.h"
 
 #include <algorithm>
-#include <string_view>
 
 namespace angiopose::io {
 namespace {
@@ -14,12 +13,6 @@ constexpr std::size_t mostName = 64;
 bool isPort(int port)
 {
     return port >= 1 && port <= 65535;
-}
-
-bool isAeTitle(std::string_view title)
-{
-    const bool isPlain = std::ranges::all_of(title, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
-    return isPlain && title.size() <= mostTitle && title.find_first_not_of(' ') != std::string_view::npos;
 }
 
 bool isHostName(std::string_view host)
@@ -69,6 +62,12 @@ std::vector<core::Message> problemsOf(const ArchiveNode& node)
 }
 
 }   // namespace
+
+bool isAeTitle(std::string_view title)
+{
+    const bool isPlain = std::ranges::all_of(title, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
+    return isPlain && title.size() <= mostTitle && title.find_first_not_of(' ') != std::string_view::npos;
+}
 
 std::string addressOf(const ArchiveNode& node)
 {

@@ -3,6 +3,7 @@
 #include "core/support/result.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace angiopose::io {
@@ -25,6 +26,9 @@ struct ArchiveNode {
     std::string authorizationFile;   ///< its first line is sent as the header Authorization
     int answerSeconds = 9;   ///< how long one answer may take
 };
+
+/// 1 to 16 letters, digits or signs other than the backslash (PS3.5 6.2).
+bool isAeTitle(std::string_view title);
 
 /// "host:port".
 std::string addressOf(const ArchiveNode& node);

@@ -106,17 +106,30 @@ core::Status Arrivals::count(const StoredObject& stored)
     return core::Done{};
 }
 
+void Arrivals::hear(const core::Message& what) const
+{
+    if (heard_) {
+        heard_(what);
+    }
+}
+
 void Arrivals::miss(const core::Message& why)
 {
-    const std::lock_guard lock(reporting_);
-    ++report_->failed;
-    report_->note(why);
+    {
+        const std::lock_guard lock(reporting_);
+        ++report_->failed;
+        report_->note(why);
+    }
+    hear(why);
 }
 
 void Arrivals::warn(const core::Message& what)
 {
-    const std::lock_guard lock(reporting_);
-    report_->note(what);
+    {
+        const std::lock_guard lock(reporting_);
+        report_->note(what);
+    }
+    hear(what);
 }
 
 bool Arrivals::isStopWished() const

@@ -31,6 +31,10 @@ public:
     /// Asked for whatever is kept or there already.
     void tell(Told told) { told_ = std::move(told); }
 
+    /// Asked for what `warn` and `miss` note, as it happens.
+    using Heard = std::function<void(const core::Message&)>;
+    void tellProblems(Heard heard) { heard_ = std::move(heard); }
+
     /// Of the whole that is awaited, this much was there before.
     void addKnown(std::size_t objects);
 
@@ -52,6 +56,7 @@ public:
     std::uint64_t bytesSoFar() const { return bytes_; }
 
 private:
+    void hear(const core::Message& what) const;
     core::Status makeRoom(const StoredObject& stored);
     core::Status count(const StoredObject& stored);
 
@@ -60,6 +65,7 @@ private:
     TransferReport* report_;
     const ArchiveObserver* observe_;
     Told told_;
+    Heard heard_;
     std::atomic<std::uint64_t> bytes_ = 0;   ///< of whole and begun objects; asked by another thread
     std::uint64_t held_ = 0;   ///< by the store
     mutable std::mutex reporting_;   ///< around the report

@@ -86,6 +86,14 @@ TEST(ArchiveCommand, ReceivesWhatIsSent)
     EXPECT_EQ(audited, 2u);
 }
 
+TEST(ArchiveCommand, AuthoritiesWithoutACertificateAreNoTls)
+{
+    const TemporaryFolder folder;
+    const auto outcome = runCli({"archive", "receive", "--port", std::to_string(freePort()), "--into",
+                                 folder.file("in"), "--tls-ca", folder.file("ca.pem")});
+    EXPECT_EQ(outcome.exitCode, 2) << "a port in the clear was not meant: " << outcome.messages;
+}
+
 TEST(ArchiveCommand, WhatIsRetrievedIsInTheAuditFile)
 {
     const TemporaryFolder folder;

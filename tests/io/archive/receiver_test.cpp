@@ -5,7 +5,9 @@
 #include "io/archive/dimse/receiver.h"
 #include "io/messages/says_archive.h"
 
+#include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <thread>
 
 namespace angiopose::test {
@@ -21,6 +23,10 @@ public:
                         std::uint64_t mostObject = 1u << 30)
         : store_(openStore(folder_.file("received"), mostObject)), arrivals_(store_, limit, report_, observe_)
     {
+        arrivals_.tellProblems([this](const core::Message& problem) {
+            const std::lock_guard lock(hearing_);
+            heard_.push_back(problem);
+        });
         options.port = freePort();
         port_ = options.port;
         auto listening = io::Receiver::listen(options);
@@ -50,6 +56,11 @@ public:
         return node;
     }
 
+    core::Messages heard() const   ///< so far
+    {
+        const std::lock_guard lock(hearing_);
+        return heard_;
+    }
     const io::TransferReport& report() const { return report_; }   ///< after `finish`
     const std::string& root() const { return store_.root(); }
     const std::optional<core::Error>& failure() const { return receiver_->failure(); }
@@ -62,6 +73,8 @@ private:
     io::Arrivals arrivals_;
     int port_ = 0;
     std::optional<io::Receiver> receiver_;
+    mutable std::mutex hearing_;
+    core::Messages heard_;
     std::atomic<bool> isOver_{false};
     std::thread thread_;
 };
@@ -119,6 +132,36 @@ TEST(ArchiveReceiver, TurnsStrangersAway)
     const auto miscalled = io::echoArchive(known, ArchiveWay::Dimse);
     ASSERT_FALSE(miscalled);
     EXPECT_TRUE(miscalled.error().message.is(io::says::archiveUnknownTitle));
+}
+
+TEST(ArchiveReceiver, TellsOfThoseTurnedAwayAsItHappens)
+{
+    io::ReceiverOptions options;
+    options.titles = {"MODALITY"};
+    ServedPort port(options);
+    EXPECT_FALSE(io::echoArchive(port.node(), ArchiveWay::Dimse));
+    io::ArchiveNode miscalled = port.node();
+    miscalled.ownTitle = "MODALITY";
+    miscalled.title = "SOMEBODY";
+    EXPECT_FALSE(io::echoArchive(miscalled, ArchiveWay::Dimse));
+    const core::Messages heard = port.heard();
+    ASSERT_EQ(heard.size(), 2u) << "while it serves";
+    EXPECT_EQ(heard[0].text(),
+              "127.0.0.1 (AE title ANGIOPOSE) was turned away: it is not on the list of those that may call.");
+    EXPECT_TRUE(heard[1].is(io::says::archiveCalledOtherwise)) << heard[1].text();
+}
+
+TEST(ArchiveReceiver, OptionsAreChecked)
+{
+    io::ReceiverOptions options;
+    EXPECT_TRUE(io::checkReceiver(options));
+    options.titles = {"A TITLE OF MORE THAN 16"};
+    ASSERT_FALSE(io::checkReceiver(options));
+    EXPECT_TRUE(io::checkReceiver(options).error().message.is(io::says::archiveBadTitle));
+    options.titles.clear();
+    options.isTls = true;
+    ASSERT_FALSE(io::checkReceiver(options));
+    EXPECT_TRUE(io::checkReceiver(options).error().message.is(io::says::archivePortUnsecured));
 }
 
 TEST(ArchiveReceiver, TurnsStrangeHostsAway)
@@ -206,6 +249,10 @@ TEST(ArchiveReceiver, SpeaksTlsWithKnownCertificatesOnly)
     io::ArchiveNode inTheClear = node;
     inTheClear.isTls = false;
     EXPECT_FALSE(io::echoArchive(inTheClear, ArchiveWay::Dimse));
+    const core::Messages heard = port.heard();
+    EXPECT_GE(std::ranges::count_if(heard, [](const auto& each) { return each.is(io::says::archiveCallNotSecured); }),
+              2)
+        << "refused ones are told";
 
     io::ArchiveNode otherHost = node;
     otherHost.host = "127.0.0.2";
