@@ -36,7 +36,7 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     shown.cArm = run.cArm;
     shown.frames = {run.frames[static_cast<std::size_t>(frame)]};
     core::ImageF& picture = shown.frames.front();
-    const core::Mask2d letters = core::burnedInText(picture);
+    const core::Mask2d letters = core::burnedInText(picture, core::tellingLetterShare);
     const auto grey =
         static_cast<float>(core::quantile(std::vector<double>(picture.pixels.begin(), picture.pixels.end()), 0.5));
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {

@@ -39,7 +39,8 @@ bool namesPatient(const std::string& title, const io::SourceImage& source)
 io::BurnedInIdentity identityIn(const DicomGround& ground)
 {
     const core::View& view = ground.theCase.shown();
-    const core::Mask2d letters = core::burnedInText(view.angiogram->frames[static_cast<std::size_t>(view.frame)]);
+    const core::Mask2d letters =
+        core::burnedInText(view.angiogram->frames[static_cast<std::size_t>(view.frame)], core::tellingLetterShare);
     const bool hasLetters = std::ranges::any_of(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
     const bool mayBeThere = ground.wanted.look.identity == Identity::Shown || ground.angiogram.isAnnotated ||
                             hasLetters || namesPatient(ground.theCase.title, ground.angiogram);

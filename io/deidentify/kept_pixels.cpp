@@ -27,7 +27,8 @@ core::Mask2d lettersIn(const std::vector<core::ImageF>& frames)
     core::Mask2d letters(frames.front().width, frames.front().height);
     for (int n = 0; n < std::min(count, framesLookedAt); ++n) {
         const int frame = count <= framesLookedAt ? n : n * (count - 1) / (framesLookedAt - 1);
-        const core::Mask2d found = core::burnedInText(frames[static_cast<std::size_t>(frame)]);
+        const core::Mask2d found =
+            core::burnedInText(frames[static_cast<std::size_t>(frame)], core::tellingLetterShare);
         std::ranges::transform(letters.pixels, found.pixels, letters.pixels.begin(),
                                [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     }

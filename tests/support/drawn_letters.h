@@ -15,15 +15,15 @@ inline constexpr std::array<std::array<std::string_view, 7>, 3> drawnLetters{{
     {"#...#", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"},
 }};
 
-/// Writes letters twice as large, the upper left corner of the first at `at`.
-inline void writeLetters(core::ImageF& frame, const Eigen::Vector2i& at, int count, float value)
+/// Writes letters `scale` times as large, the upper left corner of the first at `at`.
+inline void writeLetters(core::ImageF& frame, const Eigen::Vector2i& at, int count, float value, int scale = 2)
 {
     for (int k = 0; k < count; ++k) {
         const auto& letter = drawnLetters[static_cast<std::size_t>(k) % drawnLetters.size()];
-        for (int row = 0; row < 14; ++row) {
-            for (int column = 0; column < 10; ++column) {
-                if (letter[static_cast<std::size_t>(row / 2)][static_cast<std::size_t>(column / 2)] == '#') {
-                    frame.at(at.x() + 14 * k + column, at.y() + row) = value;
+        for (int row = 0; row < 7 * scale; ++row) {
+            for (int column = 0; column < 5 * scale; ++column) {
+                if (letter[static_cast<std::size_t>(row / scale)][static_cast<std::size_t>(column / scale)] == '#') {
+                    frame.at(at.x() + 7 * scale * k + column, at.y() + row) = value;
                 }
             }
         }

@@ -146,6 +146,22 @@ TEST_F(Deidentify, TellsOfLettersOrBlacksThemOut)
     EXPECT_EQ(run.value().frames[0].at(200, 150), 1000.0F);
 }
 
+TEST_F(Deidentify, LettersAsHighAsASeventhAreBlackedOut)
+{
+    core::ImageF letters(test::PlantedRun::columns, test::PlantedRun::rows, 1000.0F);
+    test::writeLetters(letters, {16, 10}, 4, 4095.0F, 5);   // 35 of 256 px
+    for (std::size_t n = 0; n < pixels.size(); ++n) {
+        pixels[n] = static_cast<std::int16_t>(letters.pixels[n % pixelsPerFrame]);
+    }
+    folder.write("DOE_JANE_4711/run.dcm", test::PlantedRun().content(pixels));
+    const core::Messages blackened = freed({.letters = io::DrawnLetters::BlackedOut});
+    ASSERT_EQ(blackened.size(), 1U);
+    EXPECT_EQ(blackened[0].id(), "deidentify.letters-blacked-out");
+    const auto run = io::readAngiogram(out());
+    ASSERT_TRUE(run);
+    EXPECT_EQ(*std::ranges::max_element(run.value().frames[0].pixels), 1000.0F);
+}
+
 TEST_F(Deidentify, FolderBecomesSeriesWithNeutralNames)
 {
     for (int k = 0; k < 3; ++k) {

@@ -19,7 +19,6 @@ constexpr std::size_t mostInks = 3;
 constexpr double leastHardShare = 0.8;   // of a shape's border
 constexpr int leastPixelsOfLetter = 4;
 constexpr int leastHeightPx = 5;
-constexpr double greatestHeightShare = 0.06;   // of the image's longer side
 constexpr int textMarginPx = 3;
 
 /// Share of the neighbours outside the shape that differ from `value` by at least `step`, two pixels away: the border
@@ -49,7 +48,7 @@ struct Ink {
     double step = 0.0;
 };
 
-std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink)
+std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink, double greatestHeightShare)
 {
     Mask2d drawn(frame.width, frame.height);
     for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
@@ -128,14 +127,14 @@ void blank(Mask2d& text, const std::vector<Glyph>& row)
 
 }   // namespace
 
-Mask2d burnedInText(const ImageF& frame)
+Mask2d burnedInText(const ImageF& frame, double greatestHeightShare)
 {
     Mask2d text(frame.width, frame.height);
     if (frame.isEmpty()) {
         return text;
     }
     for (const Ink& ink : inksOf(frame)) {
-        for (const std::vector<Glyph>& row : textRows(glyphsOf(frame, ink))) {
+        for (const std::vector<Glyph>& row : textRows(glyphsOf(frame, ink, greatestHeightShare))) {
             blank(text, row);
         }
     }
