@@ -1,5 +1,9 @@
 #include "io/deidentify/deidentify_dicom.h"
 
+#include "io/deidentify/kept_segments.h"
+#include "io/deidentify/object_class.h"
+#include "io/messages/says_deidentify.h"
+
 #include <array>
 #include <utility>
 
@@ -75,29 +79,17 @@ void addPlaces(const DicomDataset& data, const std::string& path, const Replacem
     root.textWhereAbsent(0x00080018, "UI", pseudonyms.uid("instance " + path));
     root.textWhereAbsent(0x0020000d, "UI", pseudonyms.uid("study of " + replacements.patient));
     root.textWhereAbsent(0x0020000e, "UI", pseudonyms.uid("series of " + replacements.patient));
-    const bool saysSideElsewhere = data.has(0x00200062) || data.has(0x52009229);
+    const std::string_view modality = data.text(0x00080060);
+    const bool saysSideElsewhere =
+        data.has(0x00200062) || data.has(0x52009229) || modality == "SEG" || modality == "SR";
     if (!saysSideElsewhere) {
         root.textWhereAbsent(0x00200060, "CS", "");
     }
 }
 
-}   // namespace
-
-core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
-                                            const Deidentification& wished, const Pseudonyms& pseudonyms)
+/// The patient, and what must be there though nothing is known.
+void addPatient(const DicomDataset& data, const std::string& patient, DicomItem& root)
 {
-    const DicomDataset& data = file.dataset;
-    const IdentityWords words(data);
-    const Replacements replacements{pseudonyms, words, patientOf(data), wished.dates};
-    NamelessDicom nameless;
-    DicomObject object;
-    DicomItem root = object.root();
-    copyKept(data, root, replacements);
-    if (const auto copied = copyPixels(file, path, wished.letters, root, nameless.warnings); !copied) {
-        return copied.error();
-    }
-    const std::string patient =
-        wished.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(wished.patientName);
     root.text(0x00080005, "CS", "ISO_IR 192");
     root.text(0x00100010, "PN", patient);
     root.text(0x00100020, "LO", patient);
@@ -107,6 +99,69 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
     if (data.has(0x00200052)) {
         root.textWhereAbsent(0x00201040, "LO", "");   // position reference indicator
     }
+}
+
+/// Present in objects that are no images, as their modules demand.
+void addObjectParts(FreedClass freed, DicomItem& root)
+{
+    root.textWhereAbsent(0x00181000, "LO", "none");
+    root.textWhereAbsent(0x00181020, "LO", "not told");
+    if (freed == FreedClass::Report) {
+        root.emptySequence(0x00081111);
+        root.emptySequence(0x0040a372);
+        DicomItem ownTerms = root.addItem(0x00080110);
+        ownTerms.text(0x00080102, "SH", "99ANGIOPOSE");
+        ownTerms.text(0x00080115, "ST", "Terms of AngioPose, see its FORMATS");
+    }
+}
+
+/// Pixels or voxels, where there are any.
+core::Status copyBulk(FreedClass freed, const DicomFile& file, const std::string& path, DrawnLetters letters,
+                      NamelessDicom& nameless, DicomItem& root)
+{
+    switch (freed) {
+        case FreedClass::Image:
+            return copyPixels(file, path, letters, root, nameless.warnings);
+        case FreedClass::Segmentation:
+            return copySegments(file, path, root);
+        case FreedClass::Report:
+        case FreedClass::PresentationState:
+        case FreedClass::Registration:
+            break;
+    }
+    return core::Done{};
+}
+
+}   // namespace
+
+core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
+                                            const Deidentification& wished, const Pseudonyms& pseudonyms)
+{
+    const DicomDataset& data = file.dataset;
+    const auto freed = freedClassOf(data, path);
+    if (!freed) {
+        return freed.error();
+    }
+    const bool isImage = freed.value() == FreedClass::Image;
+    const IdentityWords words(data);
+    KeptContent kept(words);
+    const Replacements replacements{pseudonyms, words, patientOf(data), wished.dates, isImage ? nullptr : &kept};
+    NamelessDicom nameless;
+    DicomObject object;
+    DicomItem root = object.root();
+    copyKept(data, root, replacements);
+    if (const auto copied = copyBulk(freed.value(), file, path, wished.letters, nameless, root); !copied) {
+        return copied.error();
+    }
+    if (!isImage) {
+        addObjectParts(freed.value(), root);
+    }
+    if (kept.cleared() > 0) {
+        nameless.warnings.push_back(says::objectWordsCleared(kept.cleared()));
+    }
+    const std::string patient =
+        wished.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(wished.patientName);
+    addPatient(data, patient, root);
     addPlaces(data, path, replacements, root);
     sayWhatWasDone(root, wished);
     auto content = object.content();

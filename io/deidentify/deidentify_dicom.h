@@ -23,9 +23,10 @@ struct NamelessDicom {
     core::Messages warnings;
 };
 
-/// The image of a DICOM file after the Basic Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`,
-/// `copyPixels`, patient and study by pseudonyms, what was done said in the codes of the standard. Fails naming the
-/// file where it holds no image that can be stored again.
+/// The image, segmentation, report, presentation state or spatial registration of a DICOM file after the Basic
+/// Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`, `copyPixels`, patient and study by
+/// pseudonyms, what was done said in the codes of the standard. Fails naming the file where it holds no image that can
+/// be stored again, or what cannot be cleared for sure.
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
                                             const Deidentification& wished, const Pseudonyms& pseudonyms);
 

@@ -30,6 +30,11 @@ constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< a word of the standard, t
 constexpr DicomTag lookUpTableTag = 0x00283006;
 constexpr std::size_t mostNameLetters = 64;
 
+const DcmTagKey codeValueTag(0x0008, 0x0100);
+const DcmTagKey codeSchemeTag(0x0008, 0x0102);
+const DcmTagKey codeMeaningTag(0x0008, 0x0104);
+const DcmTagKey longCodeValueTag(0x0008, 0x0119);
+
 DicomTag tagOf(DcmElement& element)
 {
     return static_cast<DicomTag>(element.getGTag()) << 16U | element.getETag();
@@ -103,13 +108,18 @@ public:
     {
         for (unsigned long n = 0; n < from.card(); ++n) {
             DcmElement& element = *from.getElement(n);
-            if (isDescribing(tagOf(element)) && !to.tagExists(element.getTag())) {
+            if (isWanted(tagOf(element)) && !to.tagExists(element.getTag())) {
                 copy(element, to);
             }
         }
     }
 
 private:
+    bool isWanted(DicomTag tag) const
+    {
+        return isDescribing(tag) || (its_.content != nullptr && KeptContent::has(tag));
+    }
+
     static bool isDescribing(DicomTag tag)
     {
         return std::ranges::find(describingGroups, tag >> 16U) != describingGroups.end() ||
@@ -153,7 +163,11 @@ private:
         auto kept = std::make_unique<DcmSequenceOfItems>(sequence.getTag());
         for (unsigned long n = 0; n < sequence.card(); ++n) {
             auto item = std::make_unique<DcmItem>();
-            copyAll(*sequence.getItem(n), *item);
+            if (its_.content != nullptr && isTerm(*sequence.getItem(n))) {
+                copyTerm(*sequence.getItem(n), *item);
+            } else {
+                copyAll(*sequence.getItem(n), *item);
+            }
             kept->append(item.release());   // an empty one too: they are counted
         }
         const bool isEmpty = [&] {
@@ -169,10 +183,31 @@ private:
         }
     }
 
+    static bool isTerm(DcmItem& item) { return item.tagExists(codeValueTag) || item.tagExists(longCodeValueTag); }
+
+    void copyTerm(DcmItem& from, DcmItem& to) const
+    {
+        const auto read = [&from](const DcmTagKey& tag) {
+            OFString value;
+            return from.findAndGetOFString(tag, value).good() ? std::string(trimmed(value.c_str())) : std::string();
+        };
+        const ReadTerm kept = its_.content->term({read(codeValueTag), read(codeSchemeTag), read(codeMeaningTag)});
+        to.putAndInsertString(DcmTag(codeValueTag, EVR_SH), kept.value.c_str());
+        to.putAndInsertString(DcmTag(codeSchemeTag, EVR_SH), kept.scheme.c_str());
+        to.putAndInsertString(DcmTag(codeMeaningTag, EVR_LO), kept.meaning.c_str());
+    }
+
     void copyText(DcmElement& element, DcmItem& to) const
     {
+        const DicomTag tag = tagOf(element);
         const std::vector<std::string> values = valuesOf(textOf(element));
-        if (const auto text = kept(element, values)) {
+        auto text = its_.content != nullptr && KeptContent::isReplaced(tag)
+                        ? std::optional(its_.content->insteadOf(tag, values))
+                        : kept(element, values);
+        if (!text && its_.content != nullptr) {
+            text = KeptContent::insteadOfTime(tag, DcmVR(element.getVR()).getVRName());
+        }
+        if (text) {
             to.putAndInsertString(DcmTag(element.getTag(), DcmVR(element.getVR())), text->c_str());
         }
     }

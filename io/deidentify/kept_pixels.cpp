@@ -144,7 +144,7 @@ core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLet
         return read.error();
     }
     const PixelLayout& layout = read.value();
-    if (layout.bitsAllocated == 1 || file.dataset.text(0x00080060) == "SEG") {
+    if (layout.bitsAllocated == 1) {
         return fileError(path, says::segmentationStays());
     }
     describePixels(layout, to);

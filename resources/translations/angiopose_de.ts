@@ -3095,9 +3095,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Dateien ohne Bild wurden ausgelassen: %1 von %2.</translation>
     </message>
     <message>
-        <source>a segmentation names its parts in free words. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
+        <source>its segments are stored in a way that cannot be stored again. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
         <comment>deidentify.segmentation</comment>
-        <translation>eine Segmentierung benennt ihre Teile in freien Worten. In .nii.gz oder .nrrd umwandeln: Dort haben Label keine Namen.</translation>
+        <translation>seine Segmente sind so gespeichert, dass sie sich nicht wieder speichern lassen. In .nii.gz oder .nrrd umwandeln: Dort haben Label keine Namen.</translation>
     </message>
     <message>
         <source>its compressed pixels of 32 bits cannot be stored again. Convert it to .nii.gz or .nrrd.</source>
@@ -3105,9 +3105,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ihre komprimierten Pixel mit 32 Bit lassen sich nicht neu speichern. In .nii.gz oder .nrrd umwandeln.</translation>
     </message>
     <message>
-        <source>only PNG, JPEG and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
+        <source>only PNG, JPEG, TIFF and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
         <comment>deidentify.picture</comment>
-        <translation>nur PNG-, JPEG- und DICOM-Bilder lassen sich von dem befreien, was neben den Pixeln steht. Als PNG speichern.</translation>
+        <translation>nur PNG-, JPEG-, TIFF- und DICOM-Bilder lassen sich von dem befreien, was neben den Pixeln steht. Als PNG speichern.</translation>
     </message>
     <message>
         <source>the folder is not empty. Choose a new one, so that nothing else is handed on with it.</source>
@@ -3178,6 +3178,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>without identity this input becomes a file with the ending %1, or, for a folder, a folder. Name OUT so.</source>
         <comment>deidentify.kind</comment>
         <translation>ohne Identität wird diese Eingabe zu einer Datei mit der Endung %1, ein Ordner zu einem Ordner. OUT so benennen.</translation>
+    </message>
+    <message>
+        <source>it is a TIFF whose pixels cannot be stored again bit by bit (only grey, palette or RGB of 8 or 16 bits or float, in strips). Save it as PNG.</source>
+        <comment>deidentify.tiff</comment>
+        <translation>es ist ein TIFF, dessen Pixel sich nicht Bit für Bit wieder speichern lassen (nur Grau, Palette oder RGB mit 8 oder 16 Bit oder Gleitkomma, in Streifen). Als PNG speichern.</translation>
+    </message>
+    <message>
+        <source>it is a document (PDF), whose pages may show names anywhere. Make it anew from a case without identity.</source>
+        <comment>deidentify.pages</comment>
+        <translation>es ist ein Dokument (PDF), dessen Seiten überall Namen zeigen können. Es aus einem Fall ohne Identität neu machen.</translation>
+    </message>
+    <message>
+        <source>objects of this kind (class %1) hold what cannot be cleared for sure. Leave it out.</source>
+        <comment>deidentify.object</comment>
+        <translation>Objekte dieser Art (Klasse %1) enthalten, was sich nicht sicher tilgen lässt. Es weglassen.</translation>
+    </message>
+    <message>
+        <source>Words in a report, segmentation or presentation state were taken out, codes and numbers stayed: %1.</source>
+        <comment>deidentify.words-cleared</comment>
+        <translation>Worte eines Befunds, einer Segmentierung oder eines Darstellungszustands wurden entfernt, Kodes und Zahlen blieben: %1.</translation>
     </message>
     <message>
         <source>It may as well take %1 (%2).</source>
@@ -3665,7 +3685,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Seine Antwort ist größer als %1. Enger suchen.</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was turned away: it is not on the list.</source>
+        <source>%1 (AE title %2) was turned away: it is not on the list of those that may call.</source>
         <comment>archive.title-turned-away</comment>
         <translation>%1 (AE-Titel %2) wurde abgewiesen: nicht auf der Liste derer, die anrufen dürfen.</translation>
     </message>
@@ -13323,8 +13343,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Dateien ohne Identität</translation>
     </message>
     <message>
-        <source>DICOM images, PNG and JPEG are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
-        <translation>DICOM-Bilder, PNG und JPEG werden neu geschrieben, ohne Namen, Nummern, Daten, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden abgelehnt und genannt. Sehen Sie jedes Bild an, bevor Sie es weitergeben.</translation>
+        <source>DICOM images and objects, PNG, JPEG and TIFF are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
+        <translation>DICOM-Bilder und -Objekte, PNG, JPEG und TIFF werden neu geschrieben, ohne Namen, Nummern, Daten, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden abgelehnt und genannt. Sehen Sie jedes Bild an, bevor Sie es weitergeben.</translation>
     </message>
     <message>
         <source>Cancel</source>

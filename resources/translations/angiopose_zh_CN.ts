@@ -3095,9 +3095,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不含图像的文件未写出：%1 / %2。</translation>
     </message>
     <message>
-        <source>a segmentation names its parts in free words. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
+        <source>its segments are stored in a way that cannot be stored again. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
         <comment>deidentify.segmentation</comment>
-        <translation>分割用自由文字命名其各部分。请转换为 .nii.gz 或 .nrrd：其中标签没有名称。</translation>
+        <translation>其分割的存储方式无法重新存储。请转换为 .nii.gz 或 .nrrd：其中标签没有名称。</translation>
     </message>
     <message>
         <source>its compressed pixels of 32 bits cannot be stored again. Convert it to .nii.gz or .nrrd.</source>
@@ -3105,9 +3105,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其 32 位压缩像素无法重新保存。请转换为 .nii.gz 或 .nrrd。</translation>
     </message>
     <message>
-        <source>only PNG, JPEG and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
+        <source>only PNG, JPEG, TIFF and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
         <comment>deidentify.picture</comment>
-        <translation>只有 PNG、JPEG 和 DICOM 图像可以去除像素以外写入的内容。请另存为 PNG。</translation>
+        <translation>只有 PNG、JPEG、TIFF 和 DICOM 图像可以去除像素以外写入的内容。请另存为 PNG。</translation>
     </message>
     <message>
         <source>the folder is not empty. Choose a new one, so that nothing else is handed on with it.</source>
@@ -3178,6 +3178,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>without identity this input becomes a file with the ending %1, or, for a folder, a folder. Name OUT so.</source>
         <comment>deidentify.kind</comment>
         <translation>去除身份后，此输入成为扩展名为 %1 的文件；文件夹成为文件夹。请如此命名 OUT。</translation>
+    </message>
+    <message>
+        <source>it is a TIFF whose pixels cannot be stored again bit by bit (only grey, palette or RGB of 8 or 16 bits or float, in strips). Save it as PNG.</source>
+        <comment>deidentify.tiff</comment>
+        <translation>该 TIFF 的像素无法逐位重新存储（仅支持条带式的灰度、调色板或 RGB，8 或 16 位或浮点）。请另存为 PNG。</translation>
+    </message>
+    <message>
+        <source>it is a document (PDF), whose pages may show names anywhere. Make it anew from a case without identity.</source>
+        <comment>deidentify.pages</comment>
+        <translation>这是一份文档（PDF），其页面任何位置都可能显示姓名。请由不含身份信息的病例重新生成。</translation>
+    </message>
+    <message>
+        <source>objects of this kind (class %1) hold what cannot be cleared for sure. Leave it out.</source>
+        <comment>deidentify.object</comment>
+        <translation>此类对象（类别 %1）含有无法确保清除的内容。请将其略去。</translation>
+    </message>
+    <message>
+        <source>Words in a report, segmentation or presentation state were taken out, codes and numbers stayed: %1.</source>
+        <comment>deidentify.words-cleared</comment>
+        <translation>报告、分割或显示状态中的文字已去除，编码和数值保留：%1。</translation>
     </message>
     <message>
         <source>It may as well take %1 (%2).</source>
@@ -3665,7 +3685,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其应答大于 %1。请缩小查询范围。</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was turned away: it is not on the list.</source>
+        <source>%1 (AE title %2) was turned away: it is not on the list of those that may call.</source>
         <comment>archive.title-turned-away</comment>
         <translation>%1（AE 标题 %2）被拒绝：不在允许呼叫的名单上。</translation>
     </message>
@@ -13322,8 +13342,8 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>文件去标识</translation>
     </message>
     <message>
-        <source>DICOM images, PNG and JPEG are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
-        <translation>DICOM 图像、PNG 和 JPEG 将重新写入，不含姓名、编号、日期、私有元素和文本；UID 会被替换。其他文件会被拒绝并列出。请在转交之前查看每一幅图像。</translation>
+        <source>DICOM images and objects, PNG, JPEG and TIFF are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
+        <translation>DICOM 图像和对象、PNG、JPEG 和 TIFF 将重新写入，不含姓名、编号、日期、私有元素和文本；UID 会被替换。其他文件会被拒绝并列出。请在转交之前查看每一幅图像。</translation>
     </message>
     <message>
         <source>Cancel</source>

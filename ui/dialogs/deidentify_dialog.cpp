@@ -32,9 +32,10 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
     setWindowTitle(tr("De-identify files"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(600);
-    auto* hint = roleLabel("hint", tr("DICOM images, PNG and JPEG are written anew without names, IDs, dates, private "
-                                      "elements and texts; UIDs are replaced. Other files are refused, and which is "
-                                      "said. Look at every picture before you hand it on."));
+    auto* hint = roleLabel(
+        "hint", tr("DICOM images and objects, PNG, JPEG and TIFF are written anew without names, IDs, "
+                   "dates, private elements and texts; UIDs are replaced. Other files are refused, and which is "
+                   "said. Look at every picture before you hand it on."));
     hint->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
