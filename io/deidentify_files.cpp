@@ -2,6 +2,7 @@
 
 #include "io/deidentify/output_folder.h"
 #include "io/deidentify/strip_picture.h"
+#include "io/deidentify/strip_tiff.h"
 #include "io/dicom/dicom_file.h"
 #include "io/messages/says_deidentify.h"
 #include "io/support/file_error.h"
@@ -32,6 +33,11 @@ core::Result<std::vector<std::string>> filesOfAll(const std::vector<std::string>
     std::ranges::sort(files);
     files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
+}
+
+std::string pictureEnding(std::string_view picture)
+{
+    return looksLikeTiff(picture) ? ".tif" : picture.starts_with("\x89PNG") ? ".png" : ".jpg";
 }
 
 class FileCleaner {
@@ -77,8 +83,8 @@ private:
         const auto input = openInput(path);
         const auto stripped =
             input ? strippedPicture(input.value().view(), path) : core::Result<std::string>(input.error());
-        const std::string ending = stripped && stripped.value().starts_with("\x89PNG") ? ".png" : ".jpg";
-        return stripped ? count(folder_.writePicture(stripped.value(), ending)) : refuse(stripped.error());
+        return stripped ? count(folder_.writePicture(stripped.value(), pictureEnding(stripped.value())))
+                        : refuse(stripped.error());
     }
 
     core::Status refuse(const core::Error& error)

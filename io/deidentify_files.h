@@ -15,9 +15,9 @@ struct DeidentifiedFiles {
     core::Messages warnings;   ///< of those that were written, each once
 };
 
-/// Writes files, and those of folders and below, without identity into `output`, a new or empty folder: DICOM images as
-/// `series-1/00001.dcm`, PNG and JPEG as `picture-1.png`. What is neither is refused and told. Fails, leaving nothing
-/// behind, where nothing could be written, or when it is stopped.
+/// Writes files, and those of folders and below, without identity into `output`, a new or empty folder: DICOM images
+/// and objects as `series-1/00001.dcm`, PNG, JPEG and TIFF as `picture-1.png`. What is neither is refused and told.
+/// Fails, leaving nothing behind, where nothing could be written, or when it is stopped.
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
                                                 const Deidentification& wished, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe = {});

@@ -150,7 +150,7 @@ Status toVolume(const ConvertArguments& arguments)
 
 bool isImageFile(const std::string& path)
 {
-    return io::isDicomFile(path) || endsWith(path, {".png", ".jpg", ".jpeg"});
+    return io::isDicomFile(path) || endsWith(path, {".png", ".jpg", ".jpeg", ".tif", ".tiff"});
 }
 
 /// DICOM images and pictures with what is written beside their pixels taken out.

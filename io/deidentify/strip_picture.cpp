@@ -1,5 +1,6 @@
 #include "io/deidentify/strip_picture.h"
 
+#include "io/deidentify/strip_tiff.h"
 #include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
 #include "io/support/byte_order.h"
@@ -112,6 +113,9 @@ std::optional<std::string> strippedJpeg(std::string_view rest)
 
 core::Result<std::string> strippedPicture(std::string_view picture, const std::string& path)
 {
+    if (looksLikeTiff(picture)) {
+        return strippedTiff(picture, path);
+    }
     const bool isPng = picture.starts_with(pngStart);
     if (!isPng && !picture.starts_with("\xff\xd8")) {
         return fileError(path, says::pictureNotStripped());

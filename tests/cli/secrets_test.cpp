@@ -104,6 +104,49 @@ TEST_F(CliSecrets, NothingPlantedIsLeftInExportsPacksAndBundles)
     EXPECT_GT(files, 6);
 }
 
+/// 8 × 8 pixels with a description, little endian.
+std::string plantedTiff()
+{
+    std::string file("II*\0\x08\0\0\0\x09\0", 10);
+    const auto number = [&file](unsigned value, int bytes) {
+        for (int i = 0; i < bytes; ++i) {
+            file += static_cast<char>(value >> (8 * i) & 0xffU);
+        }
+    };
+    const auto entry = [&number](unsigned tag, unsigned type, unsigned count, unsigned value) {
+        number(tag, 2);
+        number(type, 2);
+        number(count, 4);
+        number(value, 4);
+    };
+    constexpr unsigned wordsAt = 10 + 9 * 12 + 4, pixelsAt = wordsAt + 8;
+    entry(256, 3, 1, 8);
+    entry(257, 3, 1, 8);
+    entry(258, 3, 1, 8);
+    entry(259, 3, 1, 1);
+    entry(262, 3, 1, 1);
+    entry(270, 2, 8, wordsAt);
+    entry(273, 4, 1, pixelsAt);
+    entry(278, 3, 1, 8);
+    entry(279, 4, 1, 64);
+    number(0, 4);
+    file += std::string("PLANTED\0", 8);
+    for (int i = 0; i < 64; ++i) {
+        file += static_cast<char>('0' + i);
+    }
+    return file;
+}
+
+TEST_F(CliSecrets, TiffIsConvertedWithoutIdentity)
+{
+    test::writeText(folder.file("in.tif"), plantedTiff());
+    const auto outcome = test::runCli({"convert", folder.file("in.tif"), folder.file("out.tif"), "--deidentify"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
+    const std::string written = test::readText(folder.file("out.tif"));
+    EXPECT_EQ(written.find("PLANTED"), std::string::npos);
+    EXPECT_NE(written.find(plantedTiff().substr(plantedTiff().size() - 64)), std::string::npos) << "its pixels";
+}
+
 TEST_F(CliSecrets, AFaultLeavesADumpAndTheSameSignal)
 {
     const std::string script = folder.file("crash.sh");
