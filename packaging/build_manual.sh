@@ -11,7 +11,7 @@ build=${1:-build/release}
 output=$(realpath -m "${2:-build/manual/site}")
 program=$build/app/angiopose-cli
 [ -x "$program" ] || { echo "build_manual.sh: no $program. Build first: packaging/test.sh, or name the folder of a build." >&2; exit 3; }
-command -v mkdocs >/dev/null || { echo "build_manual.sh: mkdocs is missing: packaging/install_packages.sh package" >&2; exit 3; }
+command -v mkdocs >/dev/null || { echo "build_manual.sh: mkdocs is missing: packaging/install_packages.sh test" >&2; exit 3; }
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,6 +1,5 @@
 #include "app/cli/case_commands.h"
 
-#include "app/cli/batch/batch_worker.h"
 #include "app/cli/commands.h"
 #include "app/cli/method_list.h"
 #include "core/registration/options/option_fields.h"

@@ -2,6 +2,7 @@
 
 #include "app/cli/batch/batch_job.h"
 #include "app/cli/batch/batch_row.h"
+#include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "core/support/thread_limit.h"
 #include "io/support/system/worker_process.h"

@@ -99,10 +99,10 @@ std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& me
     return result;
 }
 
-std::optional<Agreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
-                                     const std::string& second, std::size_t measure)
+std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
+                                             const std::string& second, std::size_t measure)
 {
-    Agreement result;
+    LimitsOfAgreement result;
     for (const auto& [image, byObserver] : byImage(means, measure)) {
         const auto a = byObserver.find(first);
         const auto b = byObserver.find(second);

@@ -52,7 +52,7 @@ std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& me
                                              std::size_t measure);
 
 /// Differences of two observers' means in the images that both read (Bland and Altman 1986), first minus second.
-struct Agreement {
+struct LimitsOfAgreement {
     std::vector<Eigen::Vector2d> points;   ///< (mean of both, difference), one per image
     double bias = 0.0;
     double deviation = 0.0;   ///< standard deviation of the differences
@@ -63,8 +63,8 @@ struct Agreement {
     double upper() const { return bias + 1.96 * deviation; }
 };
 /// Nothing where both have fewer than two images in common.
-std::optional<Agreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
-                                     const std::string& second, std::size_t measure);
+std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
+                                             const std::string& second, std::size_t measure);
 
 /// How far observers lie from each other: the standard deviation of their means within an image, pooled over the images
 /// that more than one of them read.

@@ -11,7 +11,7 @@ namespace {
 
 using Means = std::vector<ObserverMean>;
 using OnPair = std::function<void(const std::string& first, const std::string& second, std::size_t measure,
-                                  const Agreement& agreement)>;
+                                  const LimitsOfAgreement& agreement)>;
 
 std::string measureText(std::size_t measure)
 {
@@ -87,7 +87,7 @@ ResultTable agreementTable(const Means& means)
     table.title = "Agreement of two observers (Bland and Altman)";
     table.columns = {"observers", "measure", "images", "bias", "SD", "lower limit", "upper limit"};
     forEachPair(means, [&table](const std::string& first, const std::string& second, std::size_t measure,
-                                const Agreement& agreement) {
+                                const LimitsOfAgreement& agreement) {
         table.rows.push_back(
             {{first + " − " + second, measureText(measure), std::to_string(agreement.points.size()),
               withError(agreement.bias, agreement.biasError), fixedText(agreement.deviation, 3),
@@ -120,7 +120,8 @@ std::string fileWord(const std::string& text)
     return word;
 }
 
-Plot agreementPlot(const std::string& first, const std::string& second, std::size_t measure, const Agreement& agreement)
+Plot agreementPlot(const std::string& first, const std::string& second, std::size_t measure,
+                   const LimitsOfAgreement& agreement)
 {
     double low = agreement.points.front().x();
     double high = low;
@@ -159,7 +160,7 @@ std::vector<Plot> observerPlots(const std::vector<ObserverReading>& readings)
 {
     std::vector<Plot> plots;
     forEachPair(observerMeans(readings), [&plots](const std::string& first, const std::string& second,
-                                                  std::size_t measure, const Agreement& agreement) {
+                                                  std::size_t measure, const LimitsOfAgreement& agreement) {
         plots.push_back(agreementPlot(first, second, measure, agreement));
     });
     return plots;
