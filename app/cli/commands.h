@@ -94,13 +94,16 @@ struct MeasureArguments {
 int runMeasure(const MeasureArguments& arguments);
 
 struct SimulateArguments {
-    std::uint64_t seed = 1;
+    std::optional<std::uint64_t> seed;   ///< of one case
+    std::string studyPath;   ///< of many
+    std::string shard = "1/1";
+    std::optional<int> threads;
     std::string outputFolder;
     double nonRigidMm = 0.0;
     int branches = 24;
     bool withScan = false;   ///< a CT angiogram of the same vessels besides
 };
-int runSimulate(const SimulateArguments& arguments);
+int runSimulate(const SimulateArguments& arguments);   ///< one case or a study
 
 struct TraceAngiogramArguments {
     std::string imagePath;
@@ -141,6 +144,10 @@ struct BatchArguments {
     std::string outputFolder;
 };
 int runBatch(const BatchArguments& arguments);
+
+/// What runs in a worker of a batch, started by process `parent`: rows one after the other, as they come, on so many
+/// threads. Ends with the other side. Its exit code.
+int runBatchWorker(int parent, int threads);
 
 /// A vessel's part between two places, patient LPS mm.
 struct Stretch {

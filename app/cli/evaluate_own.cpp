@@ -5,6 +5,7 @@
 #include "app/cli/shard.h"
 #include "core/evaluation/own/judge_own.h"
 #include "core/messages/says.h"
+#include "core/support/parallel_for.h"
 #include "core/support/stopwatch.h"
 #include "core/workflow/register_case.h"
 #include "io/evaluation/observer_readings.h"
@@ -13,9 +14,7 @@
 #include "io/pose_file.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
 
 namespace angiopose::app {
 namespace {
@@ -121,32 +120,31 @@ core::Result<std::vector<OwnMethod>> methodsOf(const std::string& requests)
     return methods;
 }
 
-/// Hands out tasks to threads and gathers what they find.
-class OwnPool {
+/// Registers and judges one row after the other, or several at once.
+class OwnJudge {
 public:
-    OwnPool(const std::vector<OwnTask>& tasks, const std::vector<OwnMethod>& methods)
-        : tasks_(tasks), methods_(methods), found_(tasks.size())
-    {
-    }
+    explicit OwnJudge(const std::vector<OwnMethod>& methods) : methods_(methods) {}
 
-    void work()
+    /// Records of all methods and of the poses found elsewhere. Nothing once the user has stopped.
+    std::vector<core::RunRecord> judge(const OwnTask& task)
     {
-        for (std::size_t k = next_++; k < tasks_.size() && !isInterrupted(); k = next_++) {
-            found_[k] = judgeTask(tasks_[k]);
-            const std::lock_guard lock(telling_);
-            ++done_;
-            progress_.show(static_cast<double>(done_) / static_cast<double>(tasks_.size()),
-                           std::to_string(done_) + " of " + std::to_string(tasks_.size()) + " cases");
+        const auto theCase = loaded(task);
+        const auto camera =
+            theCase ? core::cameraOf(theCase.value().shown()) : core::Result<core::ProjectionCamera>(theCase.error());
+        if (!camera || !theCase.value().vessels.tree) {
+            tell(task, camera ? core::Error(core::says::noVesselTree()) : camera.error());
+            return unknownRecords(task);
         }
-    }
-
-    core::Experiment takeOutcome()
-    {
-        core::Experiment experiment{{ownCases, 1, {}}, isInterrupted()};
-        for (std::vector<core::RunRecord>& records : found_) {
-            std::ranges::move(records, std::back_inserter(experiment.runs.runs));
+        const core::OwnCase own{*theCase.value().vessels.tree, camera.value(),
+                                theCase.value().shown().cameraFromPatient, task.truth};
+        std::vector<core::RunRecord> records;
+        for (const OwnMethod& method : methods_) {
+            records.push_back(named(judgeMethod(task, own, theCase.value(), method), task, method.label));
         }
-        return experiment;
+        for (const auto& [name, pose] : task.found) {
+            records.push_back(named(core::judgeOwn(own, pose), task, name));
+        }
+        return isInterrupted() ? std::vector<core::RunRecord>() : records;
     }
 
 private:
@@ -167,28 +165,6 @@ private:
         core::Case theCase = std::move(read).value();
         theCase.shown().cameraFromPatient = task.start.value_or(theCase.shown().cameraFromPatient);
         return theCase;
-    }
-
-    /// Nothing once the user has stopped.
-    std::vector<core::RunRecord> judgeTask(const OwnTask& task)
-    {
-        const auto theCase = loaded(task);
-        const auto camera =
-            theCase ? core::cameraOf(theCase.value().shown()) : core::Result<core::ProjectionCamera>(theCase.error());
-        if (!camera || !theCase.value().vessels.tree) {
-            tell(task, camera ? core::Error(core::says::noVesselTree()) : camera.error());
-            return unknownRecords(task);
-        }
-        const core::OwnCase own{*theCase.value().vessels.tree, camera.value(),
-                                theCase.value().shown().cameraFromPatient, task.truth};
-        std::vector<core::RunRecord> records;
-        for (const OwnMethod& method : methods_) {
-            records.push_back(named(judgeMethod(task, own, theCase.value(), method), task, method.label));
-        }
-        for (const auto& [name, pose] : task.found) {
-            records.push_back(named(core::judgeOwn(own, pose), task, name));
-        }
-        return isInterrupted() ? std::vector<core::RunRecord>() : records;
     }
 
     core::RunRecord judgeMethod(const OwnTask& task, const core::OwnCase& own, core::Case theCase,
@@ -229,15 +205,29 @@ private:
         return record;
     }
 
-    const std::vector<OwnTask>& tasks_;
     const std::vector<OwnMethod>& methods_;
-    std::vector<std::vector<core::RunRecord>> found_;   ///< by task, so that the order of threads does not show
-    std::atomic<std::size_t> next_{0};
     std::mutex loading_;
     std::mutex telling_;
-    std::size_t done_ = 0;
-    ProgressLine progress_{"judging"};
 };
+
+/// The same records for any number of threads.
+core::Experiment judgeAll(const std::vector<OwnTask>& tasks, const std::vector<OwnMethod>& methods, int threads)
+{
+    OwnJudge judge(methods);
+    ProgressLine progress("judging");
+    std::vector<std::vector<core::RunRecord>> found(tasks.size());
+    core::parallelFor(
+        tasks.size(), threads, [&](std::size_t k) { found[k] = judge.judge(tasks[k]); },
+        [&](double done) {
+            progress.show(done, std::to_string(tasks.size()) + " cases");
+            return !isInterrupted();
+        });
+    core::Experiment experiment{{ownCases, 1, {}}, isInterrupted()};
+    for (std::vector<core::RunRecord>& records : found) {
+        std::ranges::move(records, std::back_inserter(experiment.runs.runs));
+    }
+    return experiment;
+}
 
 }   // namespace
 
@@ -259,17 +249,7 @@ core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments)
     if (!tasks) {
         return tasks.error();
     }
-    OwnPool pool(tasks.value(), methods.value());
-    {
-        const int threads =
-            arguments.threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-        std::vector<std::jthread> workers;
-        for (int k = 1; k < threads; ++k) {
-            workers.emplace_back([&pool] { pool.work(); });
-        }
-        pool.work();
-    }
-    return pool.takeOutcome();
+    return judgeAll(tasks.value(), methods.value(), core::threadCount(arguments.threads.value_or(0)));
 }
 
 core::Result<std::vector<core::ObserverReading>> observerReadings(const std::vector<std::string>& paths)

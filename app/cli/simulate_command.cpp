@@ -1,72 +1,34 @@
 #include "app/cli/commands.h"
-#include "app/messages/says.h"
-#include "core/case/case.h"
+#include "app/cli/shard.h"
+#include "app/cli/simulated_files.h"
+#include "app/messages/says_own.h"
 #include "core/simulation/simulate_cta.h"
-#include "core/simulation/simulated_case.h"
-#include "io/angiogram_file.h"
-#include "io/case/case_file.h"
-#include "io/centerline2d_file.h"
-#include "io/messages/says_keeping.h"
-#include "io/pose_file.h"
-#include "io/support/case_lock.h"
-#include "io/vessel_tree_file.h"
+#include "core/simulation/study/simulated_study.h"
+#include "core/support/parallel_for.h"
+#include "io/file_hash.h"
+#include "io/simulation/study_file.h"
+#include "io/support/atomic_file.h"
 #include "io/volume_file.h"
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 
 namespace angiopose::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
+constexpr std::array caseFiles{"angiogram.dcm", "case.angiopose", "true-centreline.csv", "true-pose.json", "tree.vtp"};
+constexpr std::size_t numberDigits = 4;   ///< folders then sort as numbers do
+
+core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const core::CtaOptions& cta,
+                       const fs::path& folder)
 {
-    core::Case theCase;
-    theCase.title = "Simulated case, seed " + std::to_string(seed);
-    theCase.vessels.file.path = (folder / "tree.vtp").string();
-    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
-    core::View& view = theCase.shown();
-    view.imageFile.path = (folder / "angiogram.dcm").string();
-    view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
-    view.frame = simulated.angiogram.suggestedFrame;
-    view.geometry.cArm = simulated.angiogram.cArm;
-    view.initialCameraFromPatient = simulated.initialCameraFromPatient;
-    view.cameraFromPatient = simulated.initialCameraFromPatient;
-    return theCase;
+    return io::writeVolume(core::simulateCta(seed, tree, cta).volume, (folder / "scan.nii.gz").string());
 }
 
-core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const fs::path& folder, std::uint64_t seed)
-{
-    const fs::path absolute = fs::absolute(folder);
-    const std::string casePath = (absolute / "case.angiopose").string();
-    if (const auto holder = io::holderOf(casePath)) {   // whoever looks at it would lose its inputs
-        return core::Error(io::says::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
-    }
-    std::error_code failure;
-    fs::create_directories(folder, failure);
-    if (failure) {
-        return core::Error(says::folderNotMade(folder.string(), failure.message()));
-    }
-    if (auto status = io::writeVesselTree(simulated.tree, (folder / "tree.vtp").string()); !status) {
-        return status;
-    }
-    if (auto status = io::writeAngiogram(simulated.angiogram, (folder / "angiogram.dcm").string()); !status) {
-        return status;
-    }
-    if (auto status = io::writeCenterline2d(simulated.trueTarget, (folder / "true-centreline.csv").string()); !status) {
-        return status;
-    }
-    if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
-        return status;
-    }
-    return io::saveCase(caseOf(simulated, absolute, seed), casePath);
-}
-
-}   // namespace
-
-int runSimulate(const SimulateArguments& arguments)
+int runSimulateOne(const SimulateArguments& arguments)
 {
     core::TreeOptions tree;
     tree.branchCount = arguments.branches;
@@ -79,19 +41,158 @@ int runSimulate(const SimulateArguments& arguments)
     if (arguments.withScan) {
         tree = core::treeInScan(tree, cta);
     }
-    const core::SimulatedCase simulated = core::simulateCase(arguments.seed, tree, dsa);
+    const std::uint64_t seed = *arguments.seed;
     const fs::path folder(arguments.outputFolder);
-    if (const auto status = writeSimulatedCase(simulated, folder, arguments.seed); !status) {
-        return failInput(status.error());
+    core::Status status = writeSimulatedCase(core::simulateCase(seed, tree, dsa),
+                                             "Simulated case, seed " + std::to_string(seed), folder.string());
+    if (status && arguments.withScan) {
+        status = writeScan(seed, tree, cta, folder);
     }
-    if (arguments.withScan) {
-        const core::SimulatedCta scan = core::simulateCta(arguments.seed, tree, cta);
-        if (const auto status = io::writeVolume(scan.volume, (folder / "scan.nii.gz").string()); !status) {
-            return failInput(status.error());
-        }
+    if (!status) {
+        return failInput(status.error());
     }
     std::printf("%s\n", (folder / "case.angiopose").string().c_str());
     return exitDone;
+}
+
+/// "rigid/0007", below the study's folder.
+std::string folderOf(const core::SimulatedStudy& study, std::size_t index)
+{
+    const core::StudyPlace place = core::placeOf(study, index);
+    const std::string number = std::to_string(place.number + 1);
+    return study.settings[place.setting].name + "/" +
+           std::string(numberDigits - std::min(numberDigits, number.size()), '0') + number;
+}
+
+/// All cases with their truth, for `batch` and `evaluate own`.
+std::string manifestOf(const core::SimulatedStudy& study)
+{
+    std::string text = "case,name,reference,patient,condition\n";
+    for (std::size_t k = 0; k < study.caseCount(); ++k) {
+        const core::StudyPlace place = core::placeOf(study, k);
+        const std::string folder = folderOf(study, k);
+        std::string name = folder;
+        std::ranges::replace(name, '/', '-');
+        text += folder + "/case.angiopose," + name + "," + folder + "/true-pose.json,tree-" +
+                std::to_string(place.tree + 1) + "," + study.settings[place.setting].name + "\n";
+    }
+    return text;
+}
+
+core::Status writeStudyCase(const core::SimulatedStudy& study, std::size_t index, const fs::path& output)
+{
+    const std::string folder = folderOf(study, index);
+    return writeSimulatedCase(core::simulateStudyCase(study, index), study.name + ", " + folder,
+                              (output / folder).string());
+}
+
+/// Lines as sha256sum prints and checks them.
+core::Result<std::string> checksumsOf(const core::SimulatedStudy& study, const std::vector<std::size_t>& cases,
+                                      const fs::path& output)
+{
+    std::string text;
+    for (const std::size_t index : cases) {
+        for (const char* name : caseFiles) {
+            const std::string file = folderOf(study, index) + "/" + name;
+            const auto hash = io::sha256OfFile((output / file).string());
+            if (!hash) {
+                return hash.error();
+            }
+            text += hash.value() + "  " + file + "\n";
+        }
+    }
+    return text;
+}
+
+std::vector<std::size_t> casesOf(const core::SimulatedStudy& study, const core::Shard& shard)
+{
+    std::vector<std::size_t> cases;
+    for (std::size_t k = shard.index; k < study.caseCount(); k += shard.count) {
+        cases.push_back(k);
+    }
+    return cases;
+}
+
+/// The first fault, in the order of the cases; nothing where all are there or the user stopped.
+std::optional<core::Error> writeCases(const core::SimulatedStudy& study, const std::vector<std::size_t>& cases,
+                                      int threads, const fs::path& output)
+{
+    ProgressLine progress("simulating");
+    std::vector<std::optional<core::Error>> faults(cases.size());
+    core::parallelFor(
+        cases.size(), threads,
+        [&](std::size_t k) {
+            if (const auto status = writeStudyCase(study, cases[k], output); !status) {
+                faults[k] = status.error();
+            }
+        },
+        [&](double done) {
+            progress.show(done, std::to_string(cases.size()) + " cases");
+            return !isInterrupted();
+        });
+    const auto first = std::ranges::find_if(faults, [](const auto& fault) { return fault.has_value(); });
+    return first == faults.end() ? std::nullopt : *first;
+}
+
+std::string sumsName(const core::Shard& shard)
+{
+    return shard.count == 1 ? "SHA256SUMS"
+                            : "SHA256SUMS-" + std::to_string(shard.index + 1) + "-of-" + std::to_string(shard.count);
+}
+
+core::Status writeLists(const core::SimulatedStudy& study, const core::Shard& shard, const fs::path& output)
+{
+    const auto sums = checksumsOf(study, casesOf(study, shard), output);
+    if (!sums) {
+        return sums.error();
+    }
+    if (auto status = io::writeAtomically((output / sumsName(shard)).string(), sums.value()); !status) {
+        return status;
+    }
+    return io::writeAtomically((output / "cases.csv").string(), manifestOf(study));
+}
+
+int runSimulateStudy(const SimulateArguments& arguments)
+{
+    const auto shard = shardFrom(arguments.shard);
+    if (!shard) {
+        printMessage(shard.error().message.text());
+        return exitUsage;
+    }
+    const auto study = io::readStudy(arguments.studyPath);
+    if (!study) {
+        return failInput(study.error());
+    }
+    if (const auto problem = core::findProblem(study.value())) {
+        return failInput(*problem);
+    }
+    const fs::path output(arguments.outputFolder);
+    if (const auto fault = writeCases(study.value(), casesOf(study.value(), shard.value()),
+                                      core::threadCount(arguments.threads.value_or(0)), output)) {
+        return failInput(*fault);
+    }
+    if (isInterrupted()) {
+        return exitStopped;
+    }
+    if (const auto status = writeLists(study.value(), shard.value(), output); !status) {
+        return failInput(status.error());
+    }
+    std::printf("%s\n", (output / "cases.csv").string().c_str());
+    return exitDone;
+}
+
+}   // namespace
+
+int runSimulate(const SimulateArguments& arguments)
+{
+    if (!arguments.studyPath.empty()) {
+        return runSimulateStudy(arguments);
+    }
+    if (!arguments.seed) {
+        printMessage(core::Message(says::simulateWhat()).text());
+        return exitUsage;
+    }
+    return runSimulateOne(arguments);
 }
 
 }   // namespace angiopose::app

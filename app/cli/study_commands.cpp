@@ -43,14 +43,25 @@ void addSimulate(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand("simulate", "Make a synthetic case whose pose is known");
     auto arguments = std::make_shared<SimulateArguments>();
-    command->add_option("--seed", arguments->seed, "Same seed, same case")->required();
+    auto* seed = command->add_option("--seed", arguments->seed, "One case: same seed, same case");
+    auto* study = command->add_option("--study", arguments->studyPath,
+                                      "Many cases: a file that describes trees, settings and their numbers (FORMATS)");
+    study->excludes(seed);
     command->add_option("--output", arguments->outputFolder, "Folder for the case and its files")->required();
     command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
     command->add_option("--non-rigid", arguments->nonRigidMm, "Smooth deformation of the true vessel, std in mm")
         ->check(CLI::Range(0.0, 10.0));
     command->add_flag("--scan", arguments->withScan,
                       "Also a CT angiogram of the same vessels, scan.nii.gz, as a scanner would give it");
-    command->footer("Example: angiopose-cli simulate --seed 7 --scan --output demo");
+    command->add_option("--threads", arguments->threads, "Of a study; the cases are the same (default: all cores)")
+        ->check(CLI::Range(1, 1024))
+        ->needs(study);
+    command->add_option("--shard", arguments->shard, "Part I of N of a study's cases, as I/N")
+        ->capture_default_str()
+        ->needs(study);
+    command->footer(
+        "Examples: angiopose-cli simulate --seed 7 --scan --output demo\n"
+        "          angiopose-cli simulate --study study.json --output study");
     command->callback([arguments, &exitCode] { exitCode = runSimulate(*arguments); });
 }
 

@@ -5,6 +5,7 @@
 #include "core/simulation/fill_vessels.h"
 #include "core/simulation/fit_known_pose.h"
 #include "core/simulation/form_dsa_frames.h"
+#include "core/simulation/simulate_view_of.h"
 
 #include <algorithm>
 #include <cassert>
@@ -33,12 +34,12 @@ double roundedTo(double value, double step)
 }
 
 /// A clinical set-up whose field of view holds the vessels; rounded as headers are.
-CArm drawCArm(const TreeOptions& tree, const DsaOptions& dsa, CounterRandom& random)
+CArm drawCArm(double extentMm, const DsaOptions& dsa, CounterRandom& random)
 {
     CArm cArm;
     const double sidMm = roundedTo(random.uniform(1000.0, 1200.0), 1.0);
     const double sodMm = roundedTo(random.uniform(700.0, 820.0), 1.0);
-    const double fieldMm = random.uniform(1.1, 1.25) * tree.extentMm * sidMm / sodMm;
+    const double fieldMm = random.uniform(1.1, 1.25) * extentMm * sidMm / sodMm;
     const double spacingMm = roundedTo(fieldMm / std::min(dsa.width, dsa.height), 0.001);
     cArm.sourceToDetectorMm = fromHeader(sidMm, "(0018,1110)");
     cArm.sourceToPatientMm = fromHeader(sodMm, "(0018,1111)");
@@ -76,11 +77,10 @@ struct Geometry {
     RigidTransform initialCameraFromPatient;
 };
 
-Geometry drawGeometry(const Eigen::Vector3d& centroid, const TreeOptions& tree, const DsaOptions& dsa,
-                      CounterRandom random)
+Geometry drawGeometry(const Eigen::Vector3d& centroid, double extentMm, const DsaOptions& dsa, CounterRandom random)
 {
     Geometry geometry;
-    geometry.header = drawCArm(tree, dsa, random);
+    geometry.header = drawCArm(extentMm, dsa, random);
     const CArm truth = withTrueAngles(geometry.header, random);
     const Eigen::Vector3d isocentre = centroid + drawOffset(truth, centringErrorMm, 0.5 * depthErrorMm, random);
     const Eigen::Vector3d guess = isocentre + drawOffset(geometry.header, lateralErrorMm, depthErrorMm, random);
@@ -157,9 +157,13 @@ SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree, const Ds
 SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const TreeOptions& tree,
                            const DsaOptions& dsa)
 {
+    return simulateViewOf(growTree(treeSeed, tree), tree.extentMm, viewSeed, dsa);
+}
+
+SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint64_t viewSeed, const DsaOptions& dsa)
+{
     const CounterRandom random(viewSeed);
-    const GrownTree grown = growTree(treeSeed, tree);
-    const Geometry geometry = drawGeometry(centroidInPatient(grown.tree), tree, dsa, random.fork(GeometryStream));
+    const Geometry geometry = drawGeometry(centroidInPatient(grown.tree), extentMm, dsa, random.fork(GeometryStream));
 
     GrownTree bent = grown;
     CounterRandom deformation = random.fork(DeformationStream);

@@ -7,6 +7,7 @@
 #include "io/messages/says_keeping.h"
 #include "io/messages/says_objects.h"
 #include "io/messages/says_own.h"
+#include "io/messages/says_study.h"
 #include "io/messages/says_support.h"
 
 #include <array>
@@ -28,6 +29,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "io/messages/objects.def"
 #include "io/messages/opening.def"
 #include "io/messages/own.def"
+#include "io/messages/study.def"
 #include "io/messages/support.def"
 #include "io/messages/vessels.def"
 #include "io/messages/volumes.def"

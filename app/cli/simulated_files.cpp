@@ -1,0 +1,68 @@
+#include "app/cli/simulated_files.h"
+
+#include "app/messages/says.h"
+#include "core/case/case.h"
+#include "io/angiogram_file.h"
+#include "io/case/case_file.h"
+#include "io/centerline2d_file.h"
+#include "io/messages/says_keeping.h"
+#include "io/pose_file.h"
+#include "io/support/case_lock.h"
+#include "io/vessel_tree_file.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace angiopose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, const std::string& title)
+{
+    core::Case theCase;
+    theCase.title = title;
+    theCase.vessels.file.path = (folder / "tree.vtp").string();
+    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::View& view = theCase.shown();
+    view.imageFile.path = (folder / "angiogram.dcm").string();
+    view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
+    view.frame = simulated.angiogram.suggestedFrame;
+    view.geometry.cArm = simulated.angiogram.cArm;
+    view.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    view.cameraFromPatient = simulated.initialCameraFromPatient;
+    return theCase;
+}
+
+}   // namespace
+
+core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
+                                const std::string& folderPath)
+{
+    const fs::path folder(folderPath);
+    const fs::path absolute = fs::absolute(folder);
+    const std::string casePath = (absolute / "case.angiopose").string();
+    if (const auto holder = io::holderOf(casePath)) {   // whoever looks at it would lose its inputs
+        return core::Error(io::says::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
+    }
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        return core::Error(says::folderNotMade(folder.string(), failure.message()));
+    }
+    if (auto status = io::writeVesselTree(simulated.tree, (folder / "tree.vtp").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writeAngiogram(simulated.angiogram, (folder / "angiogram.dcm").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writeCenterline2d(simulated.trueTarget, (folder / "true-centreline.csv").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
+        return status;
+    }
+    return io::saveCase(caseOf(simulated, absolute, title), casePath);
+}
+
+}   // namespace angiopose::app

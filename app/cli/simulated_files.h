@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/simulation/simulated_case.h"
+#include "core/support/result.h"
+
+#include <string>
+
+namespace angiopose::app {
+
+/// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and what is true: true-pose.json and
+/// true-centreline.csv. Makes the folder. Writes over no case that is open elsewhere.
+core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
+                                const std::string& folder);
+
+}   // namespace angiopose::app
