@@ -2,6 +2,7 @@
 
 #include "core/messages/says.h"
 #include "core/messages/says_contrast.h"
+#include "core/messages/says_exchange.h"
 
 #include <array>
 
@@ -13,6 +14,7 @@ std::span<const MessageEntry* const> messageCatalogue()
 #define MESSAGE(name, id, english) &says::name,
 #include "core/messages/contrast.def"
 #include "core/messages/evaluation.def"
+#include "core/messages/exchange.def"
 #include "core/messages/geometry.def"
 #include "core/messages/measuring.def"
 #include "core/messages/registration.def"

@@ -1,0 +1,110 @@
+#include "core/exchange/diffdrr_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+/// RAS from LPS and back.
+Eigen::Matrix3d rasTurn()
+{
+    return Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal();
+}
+
+/// Our camera axes from those of DiffDRR after its orientation: y runs down instead of up, and x so that no mirror is
+/// left; that from the back is one itself.
+Eigen::Matrix3d oursFromTurned(DiffDrrOrientation orientation)
+{
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+    if (orientation != DiffDrrOrientation::None) {
+        const double sign = orientation == DiffDrrOrientation::Pa ? 1.0 : -1.0;
+        turn << 1.0, 0.0, 0.0, 0.0, 0.0, sign, 0.0, 1.0, 0.0;
+    }
+    const double right = orientation == DiffDrrOrientation::Pa ? 1.0 : -1.0;
+    return Eigen::Vector3d(right, -1.0, 1.0).asDiagonal() * turn.transpose();
+}
+
+/// Sign of our fx.
+double mirrorSign(const DiffDrrDetector& detector)
+{
+    const bool isFromBack = detector.orientation == DiffDrrOrientation::Pa;
+    return isFromBack == detector.isXReversed ? -1.0 : 1.0;
+}
+
+double middle(int pixels)
+{
+    return 0.5 * (pixels - 1);
+}
+
+Eigen::Matrix3d turnAbout(char axis, double angle)
+{
+    const Eigen::Vector3d direction = axis == 'X'   ? Eigen::Vector3d::UnitX()
+                                      : axis == 'Y' ? Eigen::Vector3d::UnitY()
+                                                    : Eigen::Vector3d::UnitZ();
+    return Eigen::AngleAxisd(angle, direction).toRotationMatrix();
+}
+
+}   // namespace
+
+Sight sightFromDiffDrr(const DiffDrrView& view)
+{
+    const DiffDrrDetector& detector = view.detector;
+    Sight sight;
+    sight.camera = {mirrorSign(detector) * detector.sddMm / detector.delxMm,
+                    detector.sddMm / detector.delyMm,
+                    middle(detector.width) + (detector.isXReversed ? 1.0 : -1.0) * detector.x0Mm / detector.delxMm,
+                    middle(detector.height) + detector.y0Mm / detector.delyMm,
+                    detector.width,
+                    detector.height};
+    const Eigen::Matrix3d fromWorld = oursFromTurned(detector.orientation) * view.pose.rotation.transpose();
+    sight.cameraFromPatient.rotation = fromWorld * rasTurn();
+    sight.cameraFromPatient.translation =
+        -(fromWorld * (rasTurn() * view.volumeCentreInPatient + view.pose.translation));
+    return sight;
+}
+
+DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCentreInPatient)
+{
+    const ProjectionCamera& camera = sight.camera;
+    DiffDrrView view;
+    view.volumeCentreInPatient = volumeCentreInPatient;
+    DiffDrrDetector& detector = view.detector;
+    detector.sddMm = sddMm;
+    detector.width = camera.width;
+    detector.height = camera.height;
+    detector.delxMm = sddMm / std::abs(camera.fx);
+    detector.delyMm = sddMm / camera.fy;
+    detector.x0Mm = (camera.cx - middle(camera.width)) * detector.delxMm;
+    detector.y0Mm = (camera.cy - middle(camera.height)) * detector.delyMm;
+    detector.orientation = camera.fx < 0.0 ? DiffDrrOrientation::Pa : DiffDrrOrientation::Ap;
+    const Eigen::Matrix3d turn = oursFromTurned(detector.orientation);
+    view.pose.rotation = rasTurn() * sight.cameraFromPatient.rotation.transpose() * turn;
+    view.pose.translation = -(rasTurn() * volumeCentreInPatient) -
+                            view.pose.rotation * (turn.transpose() * sight.cameraFromPatient.translation);
+    return view;
+}
+
+RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles, const Eigen::Vector3d& translationMm)
+{
+    RigidTransform pose;
+    for (int i = 0; i < 3; ++i) {
+        pose.rotation = pose.rotation * turnAbout(axes[static_cast<std::size_t>(i)], angles(i));
+    }
+    pose.translation = pose.rotation * translationMm;
+    return pose;
+}
+
+/// Rz(a) Rx(b) Ry(c): the last row is (-cos b sin c, sin b, cos b cos c), the middle column (-sin a cos b, cos a cos
+/// b).
+Vector6d diffDrrParameters(const RigidTransform& pose)
+{
+    const Eigen::Matrix3d& R = pose.rotation;
+    Vector6d parameters;
+    parameters << std::atan2(-R(0, 1), R(1, 1)), std::asin(std::clamp(R(2, 1), -1.0, 1.0)),
+        std::atan2(-R(2, 0), R(2, 2)), R.transpose() * pose.translation;
+    return parameters;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,131 @@
+#include "core/exchange/projection_matrix.h"
+
+#include "core/messages/says_exchange.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+/// Of the focal length: 0.03 px at the edge of an image that spans 0.3 of it.
+constexpr double skewTolerance = 1e-4;
+constexpr double exactRotation = 1e-12;
+constexpr double roundedRotation = 1e-3;
+constexpr double zeroOfIntrinsics = 1e-9;
+
+Error skewError(double skew)
+{
+    return Error(says::projectionSkewed(Quantity{skew, Quantity::asNeeded, "px"}));
+}
+
+/// The same projection with fy > 0: the camera turns half round its axis, which is exact.
+Sight upright(Sight sight)
+{
+    if (sight.camera.fy < 0.0) {
+        sight.camera.fx = -sight.camera.fx;
+        sight.camera.fy = -sight.camera.fy;
+        sight.cameraFromPatient.rotation.topRows<2>() *= -1.0;
+        sight.cameraFromPatient.translation.head<2>() *= -1.0;
+    }
+    return sight;
+}
+
+/// A mirror never goes into R.
+Sight unmirrored(Sight sight)
+{
+    if (sight.cameraFromPatient.rotation.determinant() < 0.0) {
+        sight.camera.fx = -sight.camera.fx;
+        sight.cameraFromPatient.rotation.row(0) *= -1.0;
+        sight.cameraFromPatient.translation.x() *= -1.0;
+    }
+    return sight;
+}
+
+}   // namespace
+
+Eigen::Matrix3d intrinsicMatrix(const ProjectionCamera& camera)
+{
+    Eigen::Matrix3d intrinsic;
+    intrinsic << camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0;
+    return intrinsic;
+}
+
+ProjectionMatrix projectionMatrix(const Sight& sight)
+{
+    return intrinsicMatrix(sight.camera) * sight.cameraFromPatient.matrix().topRows<3>();
+}
+
+/// RQ of the left 3 x 3, row by row from below: the last row is the viewing direction, what of the row above lies
+/// across it is fy times its own, what of the first lies along the second is the skew.
+Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
+{
+    if (!projection.allFinite()) {
+        return Error(says::projectionNotFinite());
+    }
+    const double scale = projection.block<1, 3>(2, 0).norm();
+    if (!(scale > 0.0)) {
+        return Error(says::projectionDegenerate());
+    }
+    const ProjectionMatrix P = projection / scale;
+    const Eigen::Vector3d m1 = P.block<1, 3>(0, 0).transpose(), m2 = P.block<1, 3>(1, 0).transpose();
+    const Eigen::Vector3d r3 = P.block<1, 3>(2, 0).transpose();
+    Sight sight;
+    ProjectionCamera& camera = sight.camera;
+    camera.cy = m2.dot(r3);
+    const Eigen::Vector3d across = m2 - camera.cy * r3;
+    camera.fy = across.norm();
+    const Eigen::Vector3d r2 = across.normalized();
+    const Eigen::Vector3d r1 = r2.cross(r3);
+    camera.cx = m1.dot(r3);
+    camera.fx = m1.dot(r1);
+    const double skew = m1.dot(r2);
+    const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // of a focal length, to be one
+    if (!(camera.fy > least) || !(std::abs(camera.fx) > least)) {
+        return Error(says::projectionDegenerate());
+    }
+    if (std::abs(skew) > skewTolerance * std::abs(camera.fx)) {
+        return skewError(skew);
+    }
+    RigidTransform& pose = sight.cameraFromPatient;
+    pose.rotation << r1.transpose(), r2.transpose(), r3.transpose();
+    pose.rotation = nearestRotation(pose.rotation);
+    const Eigen::Vector3d p4 = P.col(3);
+    pose.translation = {(p4.x() - camera.cx * p4.z()) / camera.fx, (p4.y() - camera.cy * p4.z()) / camera.fy, p4.z()};
+    return sight;
+}
+
+Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
+                                  const Eigen::Vector3d& translation)
+{
+    if (!intrinsic.allFinite() || !rotation.allFinite() || !translation.allFinite()) {
+        return Error(says::projectionNotFinite());
+    }
+    const double scale = intrinsic(2, 2);
+    if (scale == 0.0) {
+        return Error(says::projectionIntrinsics());
+    }
+    const Eigen::Matrix3d K = scale == 1.0 ? intrinsic : Eigen::Matrix3d(intrinsic / scale);
+    const bool isUpper = std::abs(K(1, 0)) <= zeroOfIntrinsics && std::abs(K(2, 0)) <= zeroOfIntrinsics &&
+                         std::abs(K(2, 1)) <= zeroOfIntrinsics;
+    if (!isUpper || K(0, 0) == 0.0 || K(1, 1) == 0.0) {
+        return Error(says::projectionIntrinsics());
+    }
+    if (std::abs(K(0, 1)) > skewTolerance * std::abs(K(0, 0))) {
+        return skewError(K(0, 1));
+    }
+    Sight sight = unmirrored({{K(0, 0), K(1, 1), K(0, 2), K(1, 2), 0, 0}, {rotation, translation}});
+    Eigen::Matrix3d& R = sight.cameraFromPatient.rotation;
+    const Eigen::Matrix3d nearest = nearestRotation(R);
+    const double deviation = (R - nearest).cwiseAbs().maxCoeff();
+    if (!(deviation <= roundedRotation)) {
+        return Error(says::projectionNoRotation());
+    }
+    if (deviation > exactRotation) {
+        R = nearest;
+    }
+    return upright(sight);
+}
+
+}   // namespace angiopose::core
