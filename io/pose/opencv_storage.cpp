@@ -1,0 +1,205 @@
+#include "io/pose/opencv_storage.h"
+
+#include "core/exchange/projection_matrix.h"
+#include "io/support/json_text.h"
+#include "io/support/numbers.h"
+#include "io/support/text_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::io {
+namespace {
+
+constexpr std::size_t mostNumbers = 4096;
+constexpr std::string_view betweenNumbers = " \t\r\n,;[]";
+
+/// Appends the numbers of a part; false at the first word that is none. The dashes of a YAML list are passed over.
+bool appendTo(std::vector<double>& numbers, std::string_view part)
+{
+    while (true) {
+        part.remove_prefix(std::min(part.find_first_not_of(betweenNumbers), part.size()));
+        if (part.empty()) {
+            return true;
+        }
+        const std::string_view word = part.substr(0, part.find_first_of(betweenNumbers));
+        part.remove_prefix(word.size());
+        if (word == "-") {
+            continue;
+        }
+        const auto number = parseNumber(word);
+        if (!number || numbers.size() >= mostNumbers) {
+            return false;
+        }
+        numbers.push_back(*number);
+    }
+}
+
+std::string_view afterColon(std::string_view line, std::size_t colon)
+{
+    std::string_view rest = trimmed(line.substr(colon + 1));
+    if (rest.starts_with("!!")) {   // the kind of what follows
+        rest = trimmed(rest.substr(std::min(rest.find(' '), rest.size())));
+    }
+    return rest;
+}
+
+std::string joined(const double* values, std::size_t count, std::string_view between)
+{
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) {
+        text += (i == 0 ? std::string() : std::string(between)) + toText(values[i]);
+    }
+    return text;
+}
+
+using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+/// What is written of a camera with its pose, in this order.
+struct StoredMatrix {
+    const char* name;
+    int rows, columns;
+    std::vector<double> values;
+};
+
+std::array<StoredMatrix, 3> storedMatrices(const core::Sight& sight)
+{
+    const Rows3 K = core::intrinsicMatrix(sight.camera), R = sight.cameraFromPatient.rotation;
+    const Eigen::Vector3d& t = sight.cameraFromPatient.translation;
+    return {StoredMatrix{"K", 3, 3, {K.data(), K.data() + 9}}, StoredMatrix{"R", 3, 3, {R.data(), R.data() + 9}},
+            StoredMatrix{"t", 3, 1, {t.data(), t.data() + 3}}};
+}
+
+}   // namespace
+
+NamedMatrices matricesOfYaml(std::string_view text)
+{
+    NamedMatrices matrices;
+    std::string name;
+    std::vector<double>* open = nullptr;   // a list that goes on in the next line
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view raw = text.substr(begin, end - begin);
+        begin = end + 1;
+        const std::string_view line = trimmed(raw);
+        if (line.empty() || line.front() == '#' || line.front() == '%' || line.starts_with("---")) {
+            continue;
+        }
+        const std::size_t colon = line.find(':');
+        if (colon == std::string_view::npos) {
+            const bool isListItem = line.starts_with("- ") && !name.empty();
+            if (open || isListItem) {
+                appendTo(open ? *open : matrices[name], line);
+            }
+            open = open && line.find(']') != std::string_view::npos ? nullptr : open;
+            continue;
+        }
+        const std::string key(trimmed(line.substr(0, colon)));
+        const bool isTop = raw.front() != ' ' && raw.front() != '\t';
+        const std::string_view rest = afterColon(line, colon);
+        open = nullptr;
+        if (isTop) {
+            name = key;
+        }
+        const bool isList = rest.starts_with('[');
+        if ((!isTop && key != "data") || (!isList && !parseNumber(rest)) || matrices.size() > mostNumbers) {
+            continue;
+        }
+        std::vector<double>& values = matrices[name];
+        values.clear();
+        appendTo(values, rest);
+        const auto opened = std::ranges::count(rest, '['), closed = std::ranges::count(rest, ']');
+        open = isList && opened > closed ? &values : nullptr;
+    }
+    return matrices;
+}
+
+NamedMatrices matricesOfXml(std::string_view text)
+{
+    NamedMatrices matrices;
+    std::string name;
+    for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1)) {
+        const std::size_t end = text.find('>', at);
+        if (end == std::string_view::npos) {
+            break;
+        }
+        const std::string_view tag = text.substr(at + 1, end - at - 1);
+        const std::string_view word = tag.substr(0, tag.find_first_of(" \t\r\n"));
+        if (word.empty() || word.front() == '/' || word.front() == '?' || word.front() == '!' || word == "rows" ||
+            word == "cols" || word == "dt" || word == "opencv_storage") {
+            continue;
+        }
+        if (word != "data") {
+            name = word;
+        }
+        const std::string_view content = text.substr(end + 1, std::min(text.find('<', end), text.size()) - end - 1);
+        std::vector<double> values;
+        if (appendTo(values, content) && !values.empty()) {
+            matrices[name] = std::move(values);
+        }
+    }
+    return matrices;
+}
+
+std::string openCvYaml(const core::Sight& sight)
+{
+    std::string text = "%YAML:1.0\n---\nimage_width: " + std::to_string(sight.camera.width) +
+                       "\nimage_height: " + std::to_string(sight.camera.height) + "\n";
+    for (const StoredMatrix& matrix : storedMatrices(sight)) {
+        text += std::string(matrix.name) + ": !!opencv-matrix\n   rows: " + std::to_string(matrix.rows) +
+                "\n   cols: " + std::to_string(matrix.columns) + "\n   dt: d\n   data: [ " +
+                joined(matrix.values.data(), matrix.values.size(), ", ") + " ]\n";
+    }
+    return text;
+}
+
+std::string openCvXml(const core::Sight& sight)
+{
+    std::string text = "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>" + std::to_string(sight.camera.width) +
+                       "</image_width>\n<image_height>" + std::to_string(sight.camera.height) + "</image_height>\n";
+    for (const StoredMatrix& matrix : storedMatrices(sight)) {
+        const std::string name = matrix.name;
+        text += "<" + name + " type_id=\"opencv-matrix\">\n  <rows>" + std::to_string(matrix.rows) +
+                "</rows>\n  <cols>" + std::to_string(matrix.columns) + "</cols>\n  <dt>d</dt>\n  <data>\n    " +
+                joined(matrix.values.data(), matrix.values.size(), " ") + "</data></" + name + ">\n";
+    }
+    return text + "</opencv_storage>\n";
+}
+
+std::string openCvJson(const core::Sight& sight)
+{
+    nlohmann::ordered_json root{{"image_width", sight.camera.width}, {"image_height", sight.camera.height}};
+    const Rows3 K = core::intrinsicMatrix(sight.camera), R = sight.cameraFromPatient.rotation;
+    for (const auto& [name, matrix] : {std::pair<const char*, const Rows3*>{"K", &K}, {"R", &R}}) {
+        for (int row = 0; row < 3; ++row) {
+            root[name].push_back({(*matrix)(row, 0), (*matrix)(row, 1), (*matrix)(row, 2)});
+        }
+    }
+    const Eigen::Vector3d& t = sight.cameraFromPatient.translation;
+    root["t"] = {t.x(), t.y(), t.z()};
+    return prettyJson(root.dump());
+}
+
+std::string projectionText(const core::Sight& sight)
+{
+    const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P = core::projectionMatrix(sight);
+    std::string text = "# P = K [R t]: patient LPS mm to px; (0, 0) is the centre of the first pixel\n";
+    for (int row = 0; row < 3; ++row) {
+        text += joined(P.row(row).data(), 4, " ") + "\n";
+    }
+    return text;
+}
+
+std::vector<double> numbersOfText(std::string_view text)
+{
+    std::vector<double> numbers;
+    for (TextLines lines(text); lines.next();) {
+        if (!appendTo(numbers, lines.line().substr(0, lines.line().find('#')))) {
+            return {};
+        }
+    }
+    return numbers;
+}
+
+}   // namespace angiopose::io

@@ -1,0 +1,188 @@
+#include "io/pose_camera_file.h"
+
+#include "io/decode/itk_transform_file.h"
+#include "io/dicom/dicom_file.h"
+#include "io/dicom/objects/spatial_registration.h"
+#include "io/messages/says.h"
+#include "io/messages/says_exchange.h"
+#include "io/pose/itk_transform.h"
+#include "io/pose/opencv_storage.h"
+#include "io/support/atomic_file.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+#include "io/support/json_text.h"
+#include "io/support/pose_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+namespace angiopose::io {
+namespace {
+
+using PoseJson = nlohmann::ordered_json;
+
+core::Result<PoseWithCamera> poseAlone(const core::Result<core::RigidTransform>& pose, const std::string& path)
+{
+    return pose ? core::Result<PoseWithCamera>(PoseWithCamera{pose.value(), std::nullopt})
+                : fileError(path, pose.error());
+}
+
+core::Result<PoseWithCamera> withCamera(const core::Result<core::Sight>& sight, const std::string& path)
+{
+    return sight ? core::Result<PoseWithCamera>(PoseWithCamera{sight.value().cameraFromPatient, sight.value().camera})
+                 : fileError(path, sight.error());
+}
+
+/// As cases and pose files have it; a key of that name in a result says something else.
+std::optional<core::ProjectionCamera> cameraBeside(const PoseJson& root)
+{
+    const auto found = root.find("camera");
+    if (found == root.end() || !found->is_object() || !found->contains("fx")) {
+        return std::nullopt;
+    }
+    const core::ProjectionCamera camera{found->at("fx").get<double>(), found->at("fy").get<double>(),
+                                        found->at("cx").get<double>(), found->at("cy").get<double>(),
+                                        found->value("width", 0),      found->value("height", 0)};
+    const bool isUsable = std::isfinite(camera.fx) && std::isfinite(camera.fy) && camera.fx != 0.0 &&
+                          camera.fy != 0.0 && std::isfinite(camera.cx) && std::isfinite(camera.cy);
+    return isUsable ? std::optional(camera) : std::nullopt;
+}
+
+/// Of the inputs that a result names.
+std::string hashOf(const PoseJson& root, const char* input)
+{
+    const auto inputs = root.find("inputs");
+    return inputs != root.end() && inputs->is_object() && inputs->contains(input) && inputs->at(input).is_object()
+               ? inputs->at(input).value("sha256", "")
+               : std::string();
+}
+
+core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& path)
+{
+    if (const auto valid = checkJson(text, path); !valid) {
+        return valid.error();
+    }
+    if (const NamedMatrices matrices = matricesOfJson(text); tellSight(matrices)) {
+        return withCamera(sightOf(matrices), path);
+    }
+    try {
+        const PoseJson root = PoseJson::parse(text);
+        const PoseJson& holder = root.contains("pose") ? root.at("pose") : root;
+        const auto pose = poseFromRows(holder.at("cameraFromPatient").get<MatrixRows>());
+        return pose ? core::Result<PoseWithCamera>(PoseWithCamera{pose.value(), cameraBeside(root),
+                                                                  hashOf(root, "vessel"), hashOf(root, "angiogram")})
+                    : fileError(path, pose.error());
+    } catch (const PoseJson::exception&) {
+        return fileError(path, says::poseNoMatrix());
+    }
+}
+
+/// P, or a pose as four rows of four.
+core::Result<PoseWithCamera> ofNumbers(const std::vector<double>& numbers, const std::string& path)
+{
+    if (numbers.size() == 12) {
+        return withCamera(sightOf({{"P", numbers}}), path);
+    }
+    if (numbers.size() != 16) {
+        return fileError(path, says::exchangeNumbers(numbers.size()));
+    }
+    MatrixRows rows;
+    for (auto row = numbers.begin(); row != numbers.end(); row += 4) {
+        rows.emplace_back(row, row + 4);
+    }
+    return poseAlone(poseFromRows(rows), path);
+}
+
+bool isXml(std::string_view content)
+{
+    return content.starts_with("<?xml") || content.starts_with("<opencv_storage>");
+}
+
+core::Result<PoseWithCamera> ofText(std::string_view content, const std::string& extension, const std::string& path)
+{
+    if (content.starts_with("%YAML") || extension == ".yml" || extension == ".yaml") {
+        return withCamera(sightOf(matricesOfYaml(content)), path);
+    }
+    if (isXml(content) || extension == ".xml") {
+        return withCamera(sightOf(matricesOfXml(content)), path);
+    }
+    if (const auto numbers = numbersOfText(content); !numbers.empty()) {
+        return ofNumbers(numbers, path);
+    }
+    return extension == ".tfm" || extension == ".txt" ? poseAlone(poseFromItkText(content), path)
+                                                      : fileError(path, says::poseUnknown());
+}
+
+bool isNear(double a, double b)
+{
+    return std::abs(a - b) <= sameCameraTolerance * std::max({1.0, std::abs(a), std::abs(b)});
+}
+
+}   // namespace
+
+core::Result<PoseWithCamera> readPoseWithCamera(const std::string& path)
+{
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    const std::string_view content = input.value().view();
+    if (content.size() > (16U << 20)) {
+        return fileError(path, says::poseTooLarge());
+    }
+    const std::string extension = extensionOf(path);
+    if (extension == ".pt" || extension == ".pth") {
+        return fileError(path, says::exchangePickle());
+    }
+    if (looksLikeDicom(content)) {
+        const auto pose = readSpatialRegistration(content, path);
+        return pose ? core::Result<PoseWithCamera>(PoseWithCamera{pose.value(), std::nullopt}) : pose.error();
+    }
+    if (content.starts_with("#Insight Transform File") || extension == ".tfm") {
+        return poseAlone(poseFromItkText(content), path);
+    }
+    if (extension == ".mat") {
+        return poseAlone(poseFromItkMatlab(content), path);
+    }
+    if (describeContent(content) == &says::anHdf5File) {
+        const auto pose = poseFromItkHdf5(path);
+        return pose ? core::Result<PoseWithCamera>(PoseWithCamera{pose.value(), std::nullopt}) : pose.error();
+    }
+    if (describeContent(content) == &says::aJsonFile || extension == ".json") {
+        return ofJson(content, path);
+    }
+    return ofText(content, extension, path);
+}
+
+bool isSameCamera(const core::ProjectionCamera& a, const core::ProjectionCamera& b)
+{
+    const bool fits = a.width == 0 || b.width == 0 || (a.width == b.width && a.height == b.height);
+    return fits && isNear(a.fx, b.fx) && isNear(a.fy, b.fy) && isNear(a.cx, b.cx) && isNear(a.cy, b.cy);
+}
+
+bool fitsImage(const core::ProjectionCamera& camera, int width, int height)
+{
+    return camera.width == 0 || (camera.width == width && camera.height == height);
+}
+
+core::Status writeSight(const core::Sight& sight, const std::string& path)
+{
+    if (!core::isRigid(sight.cameraFromPatient)) {
+        return fileError(path, says::poseNotSaved());
+    }
+    const std::string extension = extensionOf(path);
+    if (extension == ".txt") {
+        return writeAtomically(path, projectionText(sight));
+    }
+    if (extension == ".yml" || extension == ".yaml") {
+        return writeAtomically(path, openCvYaml(sight));
+    }
+    if (extension == ".xml") {
+        return writeAtomically(path, openCvXml(sight));
+    }
+    return extension == ".json" ? writeAtomically(path, openCvJson(sight)) : fileError(path, says::exchangeExtension());
+}
+
+}   // namespace angiopose::io
