@@ -1,0 +1,41 @@
+#include "io/pose_convention_file.h"
+
+#include "io/messages/says_exchange.h"
+#include "io/support/atomic_file.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+
+namespace angiopose::io {
+
+core::Result<DiffDrrParts> readDiffDrr(const std::string& path)
+{
+    const std::string extension = extensionOf(path);
+    if (extension == ".pt" || extension == ".pth") {
+        return fileError(path, says::exchangePickle());
+    }
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    return extension == ".csv" ? diffDrrOfTable(input.value().view(), path) : diffDrrOfJson(input.value().view(), path);
+}
+
+core::Result<core::Sight> sightOf(const DiffDrrParts& parts)
+{
+    if (!parts.detector) {
+        return core::Error(says::diffDrrKeys("sdd"));
+    }
+    if (!parts.pose) {
+        return core::Error(says::diffDrrKeys("pose"));
+    }
+    return core::sightFromDiffDrr(
+        {*parts.detector, *parts.pose, parts.volumeCentreInPatient.value_or(Eigen::Vector3d::Zero())});
+}
+
+core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path)
+{
+    return extensionOf(path) == ".json" ? writeAtomically(path, diffDrrText(view))
+                                        : fileError(path, says::exchangeExtension());
+}
+
+}   // namespace angiopose::io
