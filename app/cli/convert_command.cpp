@@ -2,12 +2,15 @@
 #include "app/messages/says.h"
 #include "core/imaging/fill_surface.h"
 #include "io/angiogram_file.h"
+#include "io/camera_pose_file.h"
 #include "io/centerline2d_file.h"
 #include "io/deidentify_file.h"
 #include "io/derived_angiogram.h"
 #include "io/dicom/dicom_file.h"
 #include "io/messages/says_deidentify.h"
+#include "io/pose_camera_file.h"
 #include "io/pose_file.h"
+#include "io/support/atomic_file.h"
 #include "io/support/input_bytes.h"
 #include "io/surface_file.h"
 #include "io/vessel_input_file.h"
@@ -90,10 +93,17 @@ Status convertSurface(const ConvertArguments& arguments)
     return io::writeSurface(surface.value().mesh, arguments.outputPath);
 }
 
+/// As JSON with the camera, where there is one.
 Status convertPose(const ConvertArguments& arguments)
 {
-    const auto pose = io::readPose(arguments.inputPath);
-    return pose ? io::writePose(pose.value(), arguments.outputPath) : pose.error();
+    const auto read = io::readPoseWithCamera(arguments.inputPath);
+    if (!read) {
+        return read.error();
+    }
+    const io::PoseWithCamera& pose = read.value();
+    return pose.camera && pose.camera->width > 0 && endsWith(arguments.outputPath, {".json"})
+               ? io::writeAtomically(arguments.outputPath, io::cameraPoseText(pose.cameraFromPatient, *pose.camera))
+               : io::writePose(pose.cameraFromPatient, arguments.outputPath);
 }
 
 Status convertAngiogram(const ConvertArguments& arguments)

@@ -7,8 +7,9 @@
 #include "core/case/case.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
+#include "io/fiducial_file.h"
 #include "io/opening/read_case_inputs.h"
-#include "io/pose_file.h"
+#include "io/pose_camera_file.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/series/slice_record.h"
 #include "io/study/read_studies.h"
@@ -105,12 +106,39 @@ Json curvesJson(const core::Centerline2d& centerline)
     return {{"kind", "2-D centreline"}, {"curves", centerline.curves.size()}, {"points", centerline.pointCount()}};
 }
 
-/// JSON that is no pose is Slicer curves; transforms are nothing else.
+Json poseJson(const io::PoseWithCamera& pose)
+{
+    Json json{{"kind", "pose"}};
+    if (pose.camera) {
+        json["camera"] = cameraJson(*pose.camera);
+        json["camera"]["shownFrom"] = pose.camera->fx < 0.0 ? "detector" : "source";
+        if (pose.camera->width > 0) {
+            json["camera"]["width"] = pose.camera->width;
+            json["camera"]["height"] = pose.camera->height;
+        }
+    }
+    return json;
+}
+
+Json pointsJson(const std::vector<io::Fiducial>& points)
+{
+    Json json{{"kind", "points"}, {"points", Json::array()}};
+    for (const io::Fiducial& point : points) {
+        const Eigen::Vector3d& at = point.pointInPatient;
+        json["points"].push_back({{"name", point.name}, {"pointInPatientMm", {at.x(), at.y(), at.z()}}});
+    }
+    return json;
+}
+
+/// JSON that is no pose is Slicer's points or curves; transforms are nothing else.
 core::Result<Json> poseOrTreeJson(const std::string& path, const std::string& extension)
 {
-    const auto pose = io::readPose(path);
+    const auto pose = io::readPoseWithCamera(path);
     if (pose) {
-        return Json{{"kind", "pose"}};
+        return poseJson(pose.value());
+    }
+    if (const auto points = io::readFiducials(path); points && io::isFiducialFile(path)) {
+        return pointsJson(points.value());
     }
     if (extension != ".json") {
         return pose.error();
@@ -174,7 +202,9 @@ core::Result<Json> describe(const std::string& path)
     if (extension == ".stl" || extension == ".ply" || extension == ".obj") {
         return surfaceJson(path);
     }
-    if (extension == ".json" || extension == ".tfm" || extension == ".mat" || extension == ".h5") {
+    if (extension == ".json" || extension == ".tfm" || extension == ".mat" || extension == ".h5" ||
+        extension == ".txt" || extension == ".yml" || extension == ".yaml" || extension == ".xml" ||
+        extension == ".fcsv") {
         return poseOrTreeJson(path, extension);
     }
     const bool isTree =

@@ -1,8 +1,9 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
+#include "app/messages/says_exchange.h"
 #include "app/texts/picture_file.h"
-#include "io/pose_file.h"
+#include "io/pose_camera_file.h"
 
 #include <cstdio>
 
@@ -16,6 +17,33 @@ PictureContent contentOf(const ProjectArguments& arguments)
                                     : PictureContent::Overlay;
 }
 
+/// The view at the pose of a file; by the camera of that file, where it brings another one.
+core::Status takePose(core::View& view, const std::string& path)
+{
+    const auto read = io::readPoseWithCamera(path);
+    if (!read) {
+        return read.error();
+    }
+    view.cameraFromPatient = read.value().cameraFromPatient;
+    view.result.reset();
+    if (!read.value().camera || !view.angiogram) {
+        return core::Done{};
+    }
+    const int width = view.angiogram->width(), height = view.angiogram->height();
+    core::ProjectionCamera camera = *read.value().camera;
+    if (!io::fitsImage(camera, width, height)) {
+        return core::Error(says::poseOtherImage(camera.width, camera.height, width, height).about(path));
+    }
+    camera.width = width;
+    camera.height = height;
+    const auto own = core::cameraOf(view);
+    if (!own || !io::isSameCamera(own.value(), camera)) {
+        printWarnings({says::poseOtherCamera().about(path)});
+        view.geometry.cameraOverride = camera;
+    }
+    return core::Done{};
+}
+
 }   // namespace
 
 int runProject(const ProjectArguments& arguments)
@@ -26,12 +54,9 @@ int runProject(const ProjectArguments& arguments)
     }
     core::Case theCase = std::move(loaded).value();
     if (!arguments.posePath.empty()) {
-        const auto pose = io::readPose(arguments.posePath);
-        if (!pose) {
-            return failInput(pose.error());
+        if (const auto taken = takePose(theCase.shown(), arguments.posePath); !taken) {
+            return failInput(taken.error());
         }
-        theCase.shown().cameraFromPatient = pose.value();
-        theCase.shown().result.reset();
     }
     const core::View& shown = theCase.shown();
     if (arguments.isMotionColored && !drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {

@@ -1,6 +1,7 @@
 #include "app/cli/vessel_commands.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/convert_exchange.h"
 
 #include <charconv>
 #include <memory>
@@ -161,7 +162,9 @@ void addConvert(CLI::App& app, int& exitCode)
         ->add_option(
             "OUT", arguments->outputPath,
             "Centrelines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
-            ".tfm .h5; X-ray runs: .dcm; with --deidentify also DICOM slices, PNG, JPEG, and a folder for a folder")
+            ".tfm .h5, with their camera .txt (P) .yml .yaml .xml (K, R, t); points: .fcsv .mrk.json; X-ray runs: "
+            ".dcm; "
+            "with --deidentify also DICOM slices, PNG, JPEG, and a folder for a folder")
         ->required();
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centreline file, mm")
@@ -169,8 +172,12 @@ void addConvert(CLI::App& app, int& exitCode)
     command->add_option("--spacing-mm", arguments->spacingMm, "Voxels that a surface is filled with, mm")
         ->check(CLI::Range(0.01, 100.0));
     arguments->identity = addDeidentifyOptions(*command);
+    const auto exchange = addExchangeOptions(*command);
     command->footer("Example: angiopose-cli convert cta/ cta.nii.gz");
-    command->callback([arguments, &exitCode] { exitCode = runConvert(*arguments); });
+    command->callback([arguments, exchange, &exitCode] {
+        const bool isExchange = isExchangeConversion(*arguments, *exchange);
+        exitCode = isExchange ? runExchangeConversion(*arguments, *exchange) : runConvert(*arguments);
+    });
 }
 
 }   // namespace angiopose::app

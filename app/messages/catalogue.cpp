@@ -3,6 +3,7 @@
 #include "app/messages/says.h"
 #include "app/messages/says_batch.h"
 #include "app/messages/says_dicom.h"
+#include "app/messages/says_exchange.h"
 #include "app/messages/says_keeping.h"
 #include "app/messages/says_own.h"
 
@@ -17,6 +18,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "app/messages/batch.def"
 #include "app/messages/commands.def"
 #include "app/messages/dicom.def"
+#include "app/messages/exchange.def"
 #include "app/messages/keeping.def"
 #include "app/messages/own.def"
 #include "app/messages/window.def"

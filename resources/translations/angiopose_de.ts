@@ -717,6 +717,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::InputKind</name>
     <message>
+        <source>Poses and points (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)</source>
+        <translation>Lagen und Punkte (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)</translation>
+    </message>
+    <message>
         <source>Cases, vessels and angiograms (%1)</source>
         <translation>Fälle, Gefäße und Angiogramme (%1)</translation>
     </message>
@@ -886,6 +890,58 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::OpenController</name>
     <message>
+        <source>The pose is of an image of %1 × %2 px, the angiogram has %3 × %4. Open the pose of this image.</source>
+        <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat %3 × %4. Die Lage dieses Bildes öffnen.</translation>
+    </message>
+    <message>
+        <source>The camera of the pose is mirrored against the angiogram: one is seen from the detector, the other from the source. Mirror the image, or say so in the geometry.</source>
+        <translation>Die Kamera der Lage ist gegen das Angiogramm gespiegelt: eines ist vom Detektor, das andere von der Quelle aus gesehen. Das Bild spiegeln, oder es in der Geometrie angeben.</translation>
+    </message>
+    <message>
+        <source>The pose was found with other vessels than these.</source>
+        <translation>Die Lage wurde mit anderen Gefäßen gefunden als diesen.</translation>
+    </message>
+    <message>
+        <source>The pose was found in another angiogram than this.</source>
+        <translation>Die Lage wurde in einem anderen Angiogramm gefunden als diesem.</translation>
+    </message>
+    <message>
+        <source>A pose belongs to a case. Open vessels and an angiogram first, then the pose.</source>
+        <translation>Eine Lage gehört zu einem Fall. Erst Gefäße und ein Angiogramm öffnen, dann die Lage.</translation>
+    </message>
+    <message>
+        <source>At this pose the vessels lie behind the X-ray source. It may be of another patient, or lead from camera to patient: then invert it.</source>
+        <translation>In dieser Lage liegen die Gefäße hinter der Röntgenquelle. Sie ist vielleicht von einem anderen Patienten oder führt von der Kamera zum Patienten: dann umkehren.</translation>
+    </message>
+    <message>
+        <source>The camera of the pose counts now. The geometry panel takes it back.</source>
+        <translation>Die Kamera der Lage gilt jetzt. Das Geometriefeld nimmt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Open pose %1</source>
+        <translation>Lage %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Points belong to vessels. Open those first, then the points.</source>
+        <translation>Punkte gehören zu Gefäßen. Erst diese öffnen, dann die Punkte.</translation>
+    </message>
+    <message>
+        <source>Check points added: %1.</source>
+        <translation>Prüfpunkte hinzugefügt: %1.</translation>
+    </message>
+    <message>
+        <source>None of them lies near the vessels. They may be of another patient, or in other coordinates.</source>
+        <translation>Keiner liegt nahe den Gefäßen. Vielleicht sind sie von einem anderen Patienten oder in anderen Koordinaten.</translation>
+    </message>
+    <message>
+        <source>Open points %1</source>
+        <translation>Punkte %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Pose of %1 taken.</source>
+        <translation>Lage aus %1 übernommen.</translation>
+    </message>
+    <message>
         <source>A registration is running. Stop it before opening another file.</source>
         <translation>Eine Registrierung läuft. Vor dem Öffnen einer anderen Datei anhalten.</translation>
     </message>
@@ -924,6 +980,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
+    <message>
+        <source>Whose camera counts?</source>
+        <translation>Wessen Kamera gilt?</translation>
+    </message>
+    <message>
+        <source>“%1” brings a camera that is not the one of the case. A pose shows the vessels in their place by its own camera only.</source>
+        <translation>„%1“ bringt eine andere Kamera als die des Falls mit. Nur mit ihrer eigenen Kamera zeigt eine Lage die Gefäße an ihrem Ort.</translation>
+    </message>
+    <message>
+        <source>Take pose and camera</source>
+        <translation>Lage und Kamera übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the pose alone</source>
+        <translation>Nur die Lage übernehmen</translation>
+    </message>
     <message>
         <source>Not the same patient?</source>
         <translation>Nicht derselbe Patient?</translation>
@@ -3059,6 +3131,111 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>The camera or pose has an entry that is not a finite number. Export it again.</source>
+        <comment>projection.not-finite</comment>
+        <translation>Kamera oder Lage haben einen Eintrag, der keine endliche Zahl ist. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The left 3 x 3 part of the projection matrix has no inverse, so that it is no X-ray camera. Export it again.</source>
+        <comment>projection.degenerate</comment>
+        <translation>Der linke 3 x 3-Teil der Projektionsmatrix hat keine Inverse, sie ist also keine Röntgenkamera. Neu exportieren.</translation>
+    </message>
+    <message>
+        <source>The pixels of the camera are not at right angles (a skew of %1). Give a camera without skew, or resample the image.</source>
+        <comment>projection.skewed</comment>
+        <translation>Die Pixel der Kamera stehen nicht im rechten Winkel (Scherung von %1). Eine Kamera ohne Scherung angeben oder das Bild umrechnen.</translation>
+    </message>
+    <message>
+        <source>K must hold focal lengths and principal point only: fx 0 cx, 0 fy cy, 0 0 1. Is it transposed?</source>
+        <comment>projection.intrinsics</comment>
+        <translation>K darf nur Brennweiten und Hauptpunkt enthalten: fx 0 cx, 0 fy cy, 0 0 1. Ist sie transponiert?</translation>
+    </message>
+    <message>
+        <source>R is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <comment>projection.no-rotation</comment>
+        <translation>R ist keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
+    </message>
+    <message>
+        <source>it holds no camera with its pose. Give P (3 x 4), or K (3 x 3), R (3 x 3, or rvec) and t (3).</source>
+        <comment>exchange.no-pose</comment>
+        <translation>enthält keine Kamera mit ihrer Lage. P (3 x 4) angeben, oder K (3 x 3), R (3 x 3 oder rvec) und t (3).</translation>
+    </message>
+    <message>
+        <source>it holds %1 numbers. P = K [R t] has 12 (three rows of four), a pose cameraFromPatient 16.</source>
+        <comment>exchange.numbers</comment>
+        <translation>enthält %1 Zahlen. P = K [R t] hat 12 (drei Zeilen zu vier), eine Lage cameraFromPatient 16.</translation>
+    </message>
+    <message>
+        <source>its camera bends straight lines (distortion coefficients). Undistort the image, then give a camera without them.</source>
+        <comment>exchange.distorted</comment>
+        <translation>die Kamera krümmt gerade Linien (Verzeichnungskoeffizienten). Das Bild entzerren, dann eine Kamera ohne sie angeben.</translation>
+    </message>
+    <message>
+        <source>a pose in this form needs its camera. Give one: a case, or a pose with a camera.</source>
+        <comment>exchange.no-camera</comment>
+        <translation>in dieser Form braucht eine Lage ihre Kamera. Eine angeben: einen Fall, oder eine Lage mit Kamera.</translation>
+    </message>
+    <message>
+        <source>a camera with its pose is written as .json, .txt, .yml, .yaml or .xml. Change the extension.</source>
+        <comment>exchange.extension</comment>
+        <translation>eine Kamera mit ihrer Lage wird als .json, .txt, .yml, .yaml oder .xml geschrieben. Die Endung ändern.</translation>
+    </message>
+    <message>
+        <source>this is a file of PyTorch, which can run programs when it is read. Write its pose as JSON first (FORMATS §3.4).</source>
+        <comment>exchange.pickle</comment>
+        <translation>das ist eine Datei von PyTorch, die beim Lesen Programme ausführen kann. Ihre Lage erst als JSON schreiben (FORMATS §3.4).</translation>
+    </message>
+    <message>
+        <source>it is no view of DiffDRR: %1 is missing or wrong. FORMATS §3.4 names the keys.</source>
+        <comment>exchange.diffdrr-keys</comment>
+        <translation>ist keine Ansicht von DiffDRR: %1 fehlt oder ist falsch. FORMATS §3.4 nennt die Schlüssel.</translation>
+    </message>
+    <message>
+        <source>it holds no fiducials. Export the points of a markups node.</source>
+        <comment>fiducials.none</comment>
+        <translation>enthält keine Punkte. Die Punkte eines Markups-Knotens exportieren.</translation>
+    </message>
+    <message>
+        <source>line %1 holds no point (id,x,y,z,…). Export the points again.</source>
+        <comment>fiducials.line</comment>
+        <translation>Zeile %1 enthält keinen Punkt (id,x,y,z,…). Die Punkte neu exportieren.</translation>
+    </message>
+    <message>
+        <source>its coordinate system is %1, not LPS or RAS. Export the points in patient coordinates.</source>
+        <comment>fiducials.system</comment>
+        <translation>das Koordinatensystem ist %1, nicht LPS oder RAS. Die Punkte in Patientenkoordinaten exportieren.</translation>
+    </message>
+    <message>
+        <source>points are written as .fcsv or .mrk.json. Change the extension.</source>
+        <comment>fiducials.extension</comment>
+        <translation>Punkte werden als .fcsv oder .mrk.json geschrieben. Die Endung ändern.</translation>
+    </message>
+    <message>
+        <source>%1 is a pose or holds points. Open it by itself while the case that it belongs to is open.</source>
+        <comment>open.pose-alone</comment>
+        <translation>%1 ist eine Lage oder enthält Punkte. Für sich öffnen, während der zugehörige Fall offen ist.</translation>
+    </message>
+    <message>
+        <source>The pose brings a camera that is not the one of the case. The picture is drawn by its own.</source>
+        <comment>pose.other-camera</comment>
+        <translation>Die Lage bringt eine andere Kamera als die des Falls mit. Das Bild wird mit ihrer eigenen gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The pose is of an image of %1 x %2 px, the angiogram has %3 x %4. Choose the pose of this image.</source>
+        <comment>pose.other-image</comment>
+        <translation>Die Lage gehört zu einem Bild von %1 x %2 px, das Angiogramm hat %3 x %4. Die Lage dieses Bildes wählen.</translation>
+    </message>
+    <message>
+        <source>the case has no landmarks, check points or rings. Set some in the window first.</source>
+        <comment>convert.no-points</comment>
+        <translation>der Fall hat keine Landmarken, Prüfpunkte oder Ringe. Erst welche im Fenster setzen.</translation>
+    </message>
+    <message>
+        <source>The pose is taken as of a detector at negative z without an extrinsic matrix, as xReg has X-ray runs. Give --camera if the image is mirrored.</source>
+        <comment>convert.xreg-guessed</comment>
+        <translation>Die Lage gilt als die eines Detektors bei negativem z ohne extrinsische Matrix, wie xReg Röntgenserien hat. Ist das Bild gespiegelt, --camera angeben.</translation>
+    </message>
     <message>
         <source>the system gives no random numbers, so that nothing could be kept secret.</source>
         <comment>deidentify.no-random-key</comment>

@@ -717,6 +717,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::InputKind</name>
     <message>
+        <source>Poses and points (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)</source>
+        <translation>位姿和点 (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)</translation>
+    </message>
+    <message>
         <source>Cases, vessels and angiograms (%1)</source>
         <translation>病例、血管和造影图像 (%1)</translation>
     </message>
@@ -886,6 +890,58 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::OpenController</name>
     <message>
+        <source>The pose is of an image of %1 × %2 px, the angiogram has %3 × %4. Open the pose of this image.</source>
+        <translation>位姿属于 %1 × %2 px 的图像，而血管造影为 %3 × %4。请打开此图像的位姿。</translation>
+    </message>
+    <message>
+        <source>The camera of the pose is mirrored against the angiogram: one is seen from the detector, the other from the source. Mirror the image, or say so in the geometry.</source>
+        <translation>位姿的相机与血管造影互为镜像：一个从探测器看，另一个从射线源看。请镜像图像，或在几何中说明。</translation>
+    </message>
+    <message>
+        <source>The pose was found with other vessels than these.</source>
+        <translation>该位姿是用其他血管求得的，不是这些。</translation>
+    </message>
+    <message>
+        <source>The pose was found in another angiogram than this.</source>
+        <translation>该位姿是在另一幅血管造影中求得的。</translation>
+    </message>
+    <message>
+        <source>A pose belongs to a case. Open vessels and an angiogram first, then the pose.</source>
+        <translation>位姿属于病例。请先打开血管和血管造影，再打开位姿。</translation>
+    </message>
+    <message>
+        <source>At this pose the vessels lie behind the X-ray source. It may be of another patient, or lead from camera to patient: then invert it.</source>
+        <translation>按此位姿，血管位于射线源之后。它可能属于其他患者，或是从相机到患者的变换：请将其求逆。</translation>
+    </message>
+    <message>
+        <source>The camera of the pose counts now. The geometry panel takes it back.</source>
+        <translation>现在以位姿的相机为准。可在几何面板中撤回。</translation>
+    </message>
+    <message>
+        <source>Open pose %1</source>
+        <translation>打开位姿 %1</translation>
+    </message>
+    <message>
+        <source>Points belong to vessels. Open those first, then the points.</source>
+        <translation>点属于血管。请先打开血管，再打开点。</translation>
+    </message>
+    <message>
+        <source>Check points added: %1.</source>
+        <translation>已添加检查点：%1 个。</translation>
+    </message>
+    <message>
+        <source>None of them lies near the vessels. They may be of another patient, or in other coordinates.</source>
+        <translation>没有一个靠近血管。它们可能属于其他患者，或用了其他坐标。</translation>
+    </message>
+    <message>
+        <source>Open points %1</source>
+        <translation>打开点 %1</translation>
+    </message>
+    <message>
+        <source>Pose of %1 taken.</source>
+        <translation>已采用 %1 的位姿。</translation>
+    </message>
+    <message>
         <source>A registration is running. Stop it before opening another file.</source>
         <translation>配准正在进行。打开其他文件前请先停止。</translation>
     </message>
@@ -924,6 +980,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
+    <message>
+        <source>Whose camera counts?</source>
+        <translation>以哪个相机为准？</translation>
+    </message>
+    <message>
+        <source>“%1” brings a camera that is not the one of the case. A pose shows the vessels in their place by its own camera only.</source>
+        <translation>“%1”带有与病例不同的相机。只有用其自身的相机，位姿才会把血管显示在正确位置。</translation>
+    </message>
+    <message>
+        <source>Take pose and camera</source>
+        <translation>采用位姿和相机</translation>
+    </message>
+    <message>
+        <source>Take the pose alone</source>
+        <translation>只采用位姿</translation>
+    </message>
     <message>
         <source>Not the same patient?</source>
         <translation>不是同一患者？</translation>
@@ -3059,6 +3131,111 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 </context>
 <context>
     <name>messages</name>
+    <message>
+        <source>The camera or pose has an entry that is not a finite number. Export it again.</source>
+        <comment>projection.not-finite</comment>
+        <translation>相机或位姿中有不是有限数的值。请重新导出。</translation>
+    </message>
+    <message>
+        <source>The left 3 x 3 part of the projection matrix has no inverse, so that it is no X-ray camera. Export it again.</source>
+        <comment>projection.degenerate</comment>
+        <translation>投影矩阵左侧 3 x 3 不可逆，因此不是 X 射线相机。请重新导出。</translation>
+    </message>
+    <message>
+        <source>The pixels of the camera are not at right angles (a skew of %1). Give a camera without skew, or resample the image.</source>
+        <comment>projection.skewed</comment>
+        <translation>相机的像素不成直角（偏斜 %1）。请给出没有偏斜的相机，或对图像重采样。</translation>
+    </message>
+    <message>
+        <source>K must hold focal lengths and principal point only: fx 0 cx, 0 fy cy, 0 0 1. Is it transposed?</source>
+        <comment>projection.intrinsics</comment>
+        <translation>K 只能含焦距和主点：fx 0 cx, 0 fy cy, 0 0 1。是否转置了？</translation>
+    </message>
+    <message>
+        <source>R is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <comment>projection.no-rotation</comment>
+        <translation>R 不是旋转（含缩放或剪切）。请给出以 mm 为单位的刚性位姿。</translation>
+    </message>
+    <message>
+        <source>it holds no camera with its pose. Give P (3 x 4), or K (3 x 3), R (3 x 3, or rvec) and t (3).</source>
+        <comment>exchange.no-pose</comment>
+        <translation>其中没有带位姿的相机。请给出 P (3 x 4)，或 K (3 x 3)、R (3 x 3 或 rvec) 和 t (3)。</translation>
+    </message>
+    <message>
+        <source>it holds %1 numbers. P = K [R t] has 12 (three rows of four), a pose cameraFromPatient 16.</source>
+        <comment>exchange.numbers</comment>
+        <translation>其中有 %1 个数。P = K [R t] 有 12 个（三行四列），位姿 cameraFromPatient 有 16 个。</translation>
+    </message>
+    <message>
+        <source>its camera bends straight lines (distortion coefficients). Undistort the image, then give a camera without them.</source>
+        <comment>exchange.distorted</comment>
+        <translation>其相机使直线弯曲（畸变系数）。请先校正图像畸变，再给出没有畸变的相机。</translation>
+    </message>
+    <message>
+        <source>a pose in this form needs its camera. Give one: a case, or a pose with a camera.</source>
+        <comment>exchange.no-camera</comment>
+        <translation>此形式的位姿需要其相机。请给出：一个病例，或带相机的位姿。</translation>
+    </message>
+    <message>
+        <source>a camera with its pose is written as .json, .txt, .yml, .yaml or .xml. Change the extension.</source>
+        <comment>exchange.extension</comment>
+        <translation>带位姿的相机写为 .json、.txt、.yml、.yaml 或 .xml。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>this is a file of PyTorch, which can run programs when it is read. Write its pose as JSON first (FORMATS §3.4).</source>
+        <comment>exchange.pickle</comment>
+        <translation>这是 PyTorch 文件，读取时可能运行程序。请先将其位姿写为 JSON（FORMATS §3.4）。</translation>
+    </message>
+    <message>
+        <source>it is no view of DiffDRR: %1 is missing or wrong. FORMATS §3.4 names the keys.</source>
+        <comment>exchange.diffdrr-keys</comment>
+        <translation>不是 DiffDRR 的视图：%1 缺失或有误。FORMATS §3.4 列出了各键。</translation>
+    </message>
+    <message>
+        <source>it holds no fiducials. Export the points of a markups node.</source>
+        <comment>fiducials.none</comment>
+        <translation>其中没有标志点。请导出 markups 节点的点。</translation>
+    </message>
+    <message>
+        <source>line %1 holds no point (id,x,y,z,…). Export the points again.</source>
+        <comment>fiducials.line</comment>
+        <translation>第 %1 行没有点 (id,x,y,z,…)。请重新导出这些点。</translation>
+    </message>
+    <message>
+        <source>its coordinate system is %1, not LPS or RAS. Export the points in patient coordinates.</source>
+        <comment>fiducials.system</comment>
+        <translation>其坐标系是 %1，不是 LPS 或 RAS。请以患者坐标导出这些点。</translation>
+    </message>
+    <message>
+        <source>points are written as .fcsv or .mrk.json. Change the extension.</source>
+        <comment>fiducials.extension</comment>
+        <translation>点写为 .fcsv 或 .mrk.json。请更改扩展名。</translation>
+    </message>
+    <message>
+        <source>%1 is a pose or holds points. Open it by itself while the case that it belongs to is open.</source>
+        <comment>open.pose-alone</comment>
+        <translation>%1 是位姿或点。请在其所属病例打开时单独打开它。</translation>
+    </message>
+    <message>
+        <source>The pose brings a camera that is not the one of the case. The picture is drawn by its own.</source>
+        <comment>pose.other-camera</comment>
+        <translation>位姿带有与病例不同的相机。图片按它自己的相机绘制。</translation>
+    </message>
+    <message>
+        <source>The pose is of an image of %1 x %2 px, the angiogram has %3 x %4. Choose the pose of this image.</source>
+        <comment>pose.other-image</comment>
+        <translation>位姿属于 %1 x %2 px 的图像，而血管造影为 %3 x %4。请选择此图像的位姿。</translation>
+    </message>
+    <message>
+        <source>the case has no landmarks, check points or rings. Set some in the window first.</source>
+        <comment>convert.no-points</comment>
+        <translation>病例没有标志点、检查点或环。请先在窗口中设置。</translation>
+    </message>
+    <message>
+        <source>The pose is taken as of a detector at negative z without an extrinsic matrix, as xReg has X-ray runs. Give --camera if the image is mirrored.</source>
+        <comment>convert.xreg-guessed</comment>
+        <translation>位姿按探测器在负 z、没有外参矩阵处理，与 xReg 的 X 射线序列一致。若图像为镜像，请给出 --camera。</translation>
+    </message>
     <message>
         <source>the system gives no random numbers, so that nothing could be kept secret.</source>
         <comment>deidentify.no-random-key</comment>
