@@ -210,6 +210,7 @@ void OpenController::abandon()
         finish();
     }
     waiting_.reset();
+    waitingPose_.reset();
 }
 
 void OpenController::finish()
@@ -268,6 +269,10 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
     if (asksFirst(inputs, paths)) {
         return;
     }
+    if (inputs.pose || !inputs.fiducials.empty()) {
+        takeShared(inputs, paths);
+        return;
+    }
     const bool replaces = inputs.wholeCase || io::makesNewCase(inputs);
     Opening opening{inputs, paths, replaces ? Opening::Way::Replace : Opening::Way::Join, original_};
     if (std::exchange(asView_, false)) {
@@ -283,6 +288,46 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
         return;
     }
     admit(opening);
+}
+
+/// A pose or points: they change the open case and are no part of it.
+void OpenController::takeShared(const io::LoadedInputs& inputs, const QStringList& paths)
+{
+    asView_ = false;
+    if (!inputs.pose) {
+        const auto notes = takePoints(document_, inputs.fiducials, namesOf(paths));
+        if (notes) {
+            emit poseOpened(notes.value());
+        } else {
+            emit failed(ui::messageText(notes.error().message), paths);
+        }
+        return;
+    }
+    const PoseFit fit = poseFit(document_.current(), *inputs.pose);
+    if (!fit.refusal.isEmpty()) {
+        emit failed(fit.refusal, paths);
+        return;
+    }
+    if (!fit.isOtherCamera) {
+        finishPose(*inputs.pose, ArrivingCamera::OfCase, namesOf(paths));
+        return;
+    }
+    waitingPose_ = inputs.pose;
+    waitingPoseName_ = namesOf(paths);
+    emit cameraChoiceNeeded(waitingPoseName_);
+}
+
+void OpenController::openWaitingPose(ArrivingCamera camera)
+{
+    if (const auto pose = std::exchange(waitingPose_, std::nullopt); pose && !document_.isLocked()) {
+        finishPose(*pose, camera, waitingPoseName_);
+    }
+}
+
+void OpenController::finishPose(const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name)
+{
+    const QStringList notes = takePose(document_, pose, camera, name);
+    emit poseOpened(QStringList{tr("Pose of %1 taken.").arg(name)} + notes);
 }
 
 /// Nothing of another patient comes in unasked.

@@ -2,6 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/files/opening.h"
+#include "app/files/pose_arrival.h"
 #include "app/jobs/load_job.h"
 
 #include <QObject>
@@ -39,6 +40,8 @@ public:
     void replaceImage();
     /// Answers `mismatchNeedsConsent`.
     void openMismatched();
+    /// Answers `cameraChoiceNeeded`.
+    void openWaitingPose(ArrivingCamera camera);
     /// Answers `inputsMissing`: opens without those that can be done without.
     void openWithoutOptional();
     /// Answers `inputsMissing`: where some of them lie, or another folder to search.
@@ -66,9 +69,12 @@ signals:
     /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
     /// `replaceImage` or nothing.
     void viewChoiceNeeded(const QString& name);
+    /// A pose brings another camera than the case has; answer with `openWaitingPose` or nothing.
+    void cameraChoiceNeeded(const QString& name);
     /// What was opened seems to be of another patient, or of the other side; answer with `openMismatched` or nothing.
     void mismatchNeedsConsent(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
     void opened(const QStringList& notes);   ///< what to know about the files, in words
+    void poseOpened(const QStringList& notes);   ///< a pose or points were taken into the open case
     void failed(const QString& reason, const QStringList& paths);
     /// Asked before the open case, with unsaved changes, is replaced; answer with `replaceOpenCase` or nothing.
     void replacementNeedsConsent();
@@ -82,6 +88,8 @@ private:
     void take(const io::LoadedInputs& inputs, const QStringList& paths);
     void admit(const Opening& opening);
     void carryOut(const Opening& opening);
+    void takeShared(const io::LoadedInputs& inputs, const QStringList& paths);
+    void finishPose(const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name);
     void openNextRun();
     io::ScanUse scanUse() const;
     void finish();
@@ -89,6 +97,8 @@ private:
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
     std::optional<Opening> waiting_;   ///< read, but the user still has to agree
+    std::optional<io::PoseWithCamera> waitingPose_;   ///< with another camera than the case's
+    QString waitingPoseName_;
     QString askedSeries_;   ///< of the scan that is asked about
     QStringList furtherRuns_;   ///< of a study, to be opened as views
     QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for

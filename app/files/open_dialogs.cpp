@@ -62,6 +62,7 @@ OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveContr
     connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askWhatScan);
     connect(&open_, &OpenController::unitNeeded, this, &OpenDialogs::askUnit);
     connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
+    connect(&open_, &OpenController::cameraChoiceNeeded, this, &OpenDialogs::askWhichCamera);
     connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::askAboutPatient);
     connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
     connect(&ui_.welcome, &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
@@ -136,6 +137,27 @@ void OpenDialogs::askWhichView(const QString& name)
             open_.replaceImage();
         } else {
             open_.abandon();
+        }
+    });
+    question->open();
+}
+
+void OpenDialogs::askWhichCamera(const QString& name)
+{
+    auto* question = new ui::QuestionDialog(
+        {tr("Whose camera counts?"),
+         tr("“%1” brings a camera that is not the one of the case. A pose shows the vessels in their place by its own "
+            "camera only.")
+             .arg(name),
+         {}},
+        {tr("Take pose and camera"), tr("Take the pose alone"), tr("Cancel")}, &ui_.dialogParent);
+    question->setObjectName(QStringLiteral("cameraQuestion"));
+    question->setMeantByClosing(2);
+    connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
+        if (index == 2) {
+            open_.abandon();
+        } else {
+            open_.openWaitingPose(index == 0 ? ArrivingCamera::OfPose : ArrivingCamera::OfCase);
         }
     });
     question->open();

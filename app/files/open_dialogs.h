@@ -42,6 +42,7 @@ private:
     void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
     void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
     void askWhichView(const QString& name);
+    void askWhichCamera(const QString& name);
     void askAboutPatient(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
     void askWhatScan(const QString& name);
     void askUnit(const QString& name, double unitsAcross);

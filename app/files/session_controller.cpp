@@ -141,6 +141,13 @@ void SessionController::connectOpening()
         }
         offerRecoveryOnce();
     });
+    connect(&open_, &OpenController::poseOpened, this, [this](const QStringList& notes) {
+        if (notes.size() == 1) {
+            notices_.showNote(notes.front());
+        } else {
+            notices_.showWarnings(ui::joinedSentences(notes));
+        }
+    });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
                              paths);

@@ -1,6 +1,9 @@
 #include "io/opening/input_kind.h"
 
+#include "io/fiducial_file.h"
 #include "io/messages/says.h"
+#include "io/pose/opencv_storage.h"
+#include "io/pose_camera_file.h"
 #include "io/series/slice_record.h"
 #include "io/support/input_bytes.h"
 #include "io/vessel/tree_table.h"
@@ -40,9 +43,24 @@ bool startsAsDicom(std::string_view head)
     return head.size() > dicomMagicAt && head.substr(dicomMagicAt).starts_with("DICM");
 }
 
-/// X-ray runs are images; what lies in the patient (CT, MR, …) is a slice of a volume.
-InputKind kindOfDicom(const std::string& path)
+constexpr std::string_view spatialRegistration = "1.2.840.10008.5.1.4.1.1.66.1";
+
+/// JSON of curves, of fiducials, or of a pose.
+InputKind kindOfJson(const std::string& path, std::string_view head)
 {
+    if (head.find("\"markups\"") != std::string_view::npos) {
+        return isFiducialFile(path) ? InputKind::Points : InputKind::Centerline;
+    }
+    const bool isPose = head.find("cameraFromPatient") != std::string_view::npos || readPoseWithCamera(path);
+    return isPose ? InputKind::Pose : InputKind::Centerline;   // reading it says what is wrong
+}
+
+/// X-ray runs are images; what lies in the patient (CT, MR, …) is a slice of a volume.
+InputKind kindOfDicom(const std::string& path, std::string_view head)
+{
+    if (head.find(spatialRegistration) != std::string_view::npos) {
+        return InputKind::Pose;
+    }
     const auto images = readSliceRecords(path);
     if (!images || images.value().slices.empty()) {
         return InputKind::Image;   // reading it says what is wrong
@@ -74,11 +92,21 @@ core::Result<InputKind> kindByName(const std::string& path, std::string_view hea
 {
     static constexpr std::array<std::string_view, 8> images{".png",  ".tif", ".tiff",  ".jpg",
                                                             ".jpeg", ".dcm", ".dicom", ".ima"};
-    static constexpr std::array<std::string_view, 5> centrelines{".vtp", ".vtk", ".vtu", ".swc", ".json"};
+    static constexpr std::array<std::string_view, 4> centrelines{".vtp", ".vtk", ".vtu", ".swc"};
+    static constexpr std::array<std::string_view, 6> poses{".tfm", ".mat", ".h5", ".yml", ".yaml", ".xml"};
     static constexpr std::array<std::string_view, 3> surfaces{".stl", ".ply", ".obj"};
     const std::string extension = extensionOf(path);
     if (extension == ".csv") {
         return isTreeTable(head) ? InputKind::Centerline : InputKind::Target;
+    }
+    if (extension == ".json") {
+        return kindOfJson(path, head);
+    }
+    if (isOneOf(poses, extension) || (extension == ".txt" && !numbersOfText(head).empty())) {
+        return InputKind::Pose;
+    }
+    if (extension == ".fcsv") {
+        return InputKind::Points;
     }
     if (isOneOf(centrelines, extension)) {
         return InputKind::Centerline;
@@ -116,7 +144,7 @@ core::Result<InputKind> inputKindOf(const std::string& path)
         return InputKind::Case;
     }
     if (startsAsDicom(head.value())) {
-        return kindOfDicom(path);
+        return kindOfDicom(path, head.value());
     }
     if (startsAsPicture(head.value())) {
         return InputKind::Image;

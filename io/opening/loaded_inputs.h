@@ -3,6 +3,8 @@
 #include "core/case/case.h"
 #include "io/case/moved_inputs.h"
 #include "io/dicom_series.h"
+#include "io/pose_camera_file.h"
+#include "io/vessel/fiducial.h"
 
 #include <memory>
 #include <optional>
@@ -31,6 +33,8 @@ struct LoadedInputs {
     core::SubtractionPlan headerPlan;   ///< of the angiogram
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
+    std::optional<PoseWithCamera> pose;   ///< of a pose file: nothing else was read
+    std::vector<Fiducial> fiducials;   ///< of a file of points: nothing else was read
     core::Messages warnings;
     std::vector<DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
     std::vector<MissingInput> missing;   ///< of a case, found nowhere: nothing else is read

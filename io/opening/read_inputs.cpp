@@ -2,8 +2,10 @@
 
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
+#include "io/fiducial_file.h"
 #include "io/file_hash.h"
 #include "io/messages/says.h"
+#include "io/messages/says_exchange.h"
 #include "io/opening/add_vessels.h"
 #include "io/opening/input_kind.h"
 #include "io/opening/read_case_inputs.h"
@@ -108,6 +110,27 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
                               : addVessels(inputs, path, hints, found->id, partOf(observe, 0.1, 1.0));
 }
 
+/// A pose or points are of a case that is open: they come alone.
+core::Result<LoadedInputs> readPoseInput(const std::string& path)
+{
+    const auto pose = readPoseWithCamera(path);
+    LoadedInputs inputs;
+    if (pose) {
+        inputs.pose = pose.value();
+    }
+    return pose ? core::Result<LoadedInputs>(std::move(inputs)) : pose.error();
+}
+
+core::Result<LoadedInputs> readPointsInput(const std::string& path)
+{
+    const auto fiducials = readFiducials(path);
+    LoadedInputs inputs;
+    if (fiducials) {
+        inputs.fiducials = fiducials.value();
+    }
+    return fiducials ? core::Result<LoadedInputs>(std::move(inputs)) : fiducials.error();
+}
+
 core::Status addFile(LoadedInputs& inputs, const std::string& path, const OpenHints& hints, const ReadObserver& observe)
 {
     const auto kind = inputKindOf(path);
@@ -124,6 +147,9 @@ core::Status addFile(LoadedInputs& inputs, const std::string& path, const OpenHi
             return addImage(inputs, path);
         case InputKind::Target:
             return addTarget(inputs, path);
+        case InputKind::Pose:
+        case InputKind::Points:
+            return core::Error(says::openPoseAlone(std::filesystem::path(path).filename().string()));
         case InputKind::Case:
             break;
     }
@@ -162,6 +188,12 @@ core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, con
         }
         if (kind && kind.value() == InputKind::Case) {
             return readCaseInputs(paths.front(), hints, observe);
+        }
+        if (kind && kind.value() == InputKind::Pose) {
+            return readPoseInput(paths.front());
+        }
+        if (kind && kind.value() == InputKind::Points) {
+            return readPointsInput(paths.front());
         }
     }
     LoadedInputs inputs;

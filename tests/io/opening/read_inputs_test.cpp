@@ -136,6 +136,26 @@ TEST(InputKind, IsToldByContentBeforeName)
     EXPECT_EQ(kindOf("picture.dat", "\x89PNG\r\n\x1a\n"), InputKind::Image);
 }
 
+TEST(InputKind, TellsPosesAndPointsFromCurves)
+{
+    const test::TemporaryFolder folder;
+    const auto kindOf = [&folder](const char* name, const std::string& content) {
+        return inputKindOf(folder.write(name, content)).value();
+    };
+    const std::string markups = R"({"markups": [{"type": "TYPE", "controlPoints": [{"position": [1, 2, 3]}]}]})";
+    const auto markupsOf = [&](const std::string& type) {
+        return std::string(markups).replace(markups.find("TYPE"), 4, type);
+    };
+    EXPECT_EQ(kindOf("curve.mrk.json", markupsOf("Curve")), InputKind::Centerline);
+    EXPECT_EQ(kindOf("points.mrk.json", markupsOf("Fiducial")), InputKind::Points);
+    EXPECT_EQ(kindOf("points.fcsv", "# CoordinateSystem = LPS\n"), InputKind::Points);
+    EXPECT_EQ(kindOf("pose.json", R"({"cameraFromPatient": [[1]]})"), InputKind::Pose);
+    EXPECT_EQ(kindOf("p.json", R"({"P": [1,0,0,0, 0,1,0,0, 0,0,1,700]})"), InputKind::Pose);
+    EXPECT_EQ(kindOf("p.txt", "1 0 0 0\n0 1 0 0\n0 0 1 700\n"), InputKind::Pose);
+    EXPECT_EQ(kindOf("camera.yml", "%YAML:1.0\n"), InputKind::Pose);
+    EXPECT_EQ(kindOf("pose.tfm", "#Insight Transform File V1.0\n"), InputKind::Pose);
+}
+
 TEST(InputKind, SaysWhatCanBeOpenedInsteadOfAStrangeFile)
 {
     const test::TemporaryFolder folder;
