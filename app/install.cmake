@@ -50,6 +50,10 @@ install(FILES ${completion}/angiopose.fish DESTINATION ${share}/fish/vendor_comp
 install(FILES ${described}/cli.fish DESTINATION ${share}/fish/vendor_completions.d RENAME angiopose-cli.fish
   COMPONENT runtime)
 
+# Modules for 3D Slicer, to be named in its settings.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/slicer DESTINATION ${share}/angiopose COMPONENT runtime
+  PATTERN __pycache__ EXCLUDE)
+
 # Documents lie as they do in the source, so that their links to each other and to the examples hold.
 foreach(document README CHANGELOG CONTRIBUTING KNOWN_ISSUES SECURITY THIRD_PARTY_NOTICES)
   install(FILES ${CMAKE_SOURCE_DIR}/${document}.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)

@@ -18,7 +18,11 @@ expected="bin/angiopose bin/angiopose-cli libexec/angiopose/angiopose-decode-itk
     share/man/man1/angiopose.1 share/man/man1/angiopose-cli.1 share/icons/hicolor/scalable/apps/angiopose.svg
     share/bash-completion/completions/angiopose share/bash-completion/completions/angiopose-cli
     share/zsh/vendor-completions/_angiopose share/zsh/vendor-completions/_angiopose-cli
-    share/fish/vendor_completions.d/angiopose.fish share/fish/vendor_completions.d/angiopose-cli.fish"
+    share/fish/vendor_completions.d/angiopose.fish share/fish/vendor_completions.d/angiopose-cli.fish
+    share/angiopose/slicer/README.md share/angiopose/slicer/AngioPose/AngioPose.py
+    share/angiopose/slicer/AngioPose/AngioPoseLib/__init__.py share/angiopose/slicer/AngioPose/AngioPoseLib/command_line.py
+    share/angiopose/slicer/AngioPoseRegister/AngioPoseRegister.py
+    share/angiopose/slicer/AngioPoseRegister/AngioPoseRegister.xml"
 for size in 16 22 24 32 36 48 64 72 96 128 192 256 512; do
     icon=share/icons/hicolor/${size}x$size/apps/angiopose.png
     expected="$expected $icon"

@@ -1,0 +1,1 @@
+"""What both modules share; knows nothing of Slicer."""
