@@ -47,11 +47,10 @@ const std::vector<double>* find(const NamedMatrices& matrices, Names names, std:
 
 int pixelsOf(const NamedMatrices& matrices, Names names, std::size_t place)
 {
-    if (const auto* both = find(matrices, {"image_size", "imageSize", "size"}, {2})) {
-        return static_cast<int>((*both)[place]);
-    }
+    const auto* both = find(matrices, {"image_size", "imageSize", "size"}, {2});
     const auto* one = find(matrices, names, {1});
-    return one && one->front() > 0.0 && one->front() < 1e6 ? static_cast<int>(one->front()) : 0;
+    const double pixels = both ? (*both)[place] : one ? one->front() : 0.0;
+    return pixels >= 1.0 && pixels < 1e6 ? static_cast<int>(pixels) : 0;
 }
 
 using RowMajor3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;

@@ -36,6 +36,12 @@ bool appendTo(std::vector<double>& numbers, std::string_view part)
     }
 }
 
+/// Less those that are closed.
+std::ptrdiff_t openedBrackets(std::string_view line)
+{
+    return std::ranges::count(line, '[') - std::ranges::count(line, ']');
+}
+
 std::string_view afterColon(std::string_view line, std::size_t colon)
 {
     std::string_view rest = trimmed(line.substr(colon + 1));
@@ -77,7 +83,7 @@ NamedMatrices matricesOfYaml(std::string_view text)
 {
     NamedMatrices matrices;
     std::string name;
-    std::vector<double>* open = nullptr;   // a list that goes on in the next line
+    std::ptrdiff_t depth = 0;   // brackets that are open: the list goes on in the next line
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view raw = text.substr(begin, end - begin);
@@ -88,17 +94,16 @@ NamedMatrices matricesOfYaml(std::string_view text)
         }
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos) {
-            const bool isListItem = line.starts_with("- ") && !name.empty();
-            if (open || isListItem) {
-                appendTo(open ? *open : matrices[name], line);
+            if (!name.empty() && (depth > 0 || line.starts_with("- "))) {
+                appendTo(matrices[name], line);
+                depth = std::max<std::ptrdiff_t>(0, depth + openedBrackets(line));
             }
-            open = open && line.find(']') != std::string_view::npos ? nullptr : open;
             continue;
         }
         const std::string key(trimmed(line.substr(0, colon)));
         const bool isTop = raw.front() != ' ' && raw.front() != '\t';
         const std::string_view rest = afterColon(line, colon);
-        open = nullptr;
+        depth = 0;
         if (isTop) {
             name = key;
         }
@@ -109,8 +114,7 @@ NamedMatrices matricesOfYaml(std::string_view text)
         std::vector<double>& values = matrices[name];
         values.clear();
         appendTo(values, rest);
-        const auto opened = std::ranges::count(rest, '['), closed = std::ranges::count(rest, ']');
-        open = isList && opened > closed ? &values : nullptr;
+        depth = std::max<std::ptrdiff_t>(0, openedBrackets(rest));
     }
     return matrices;
 }

@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QTemporaryDir>
 
+#include <algorithm>
+
 namespace angiopose::app {
 namespace {
 
@@ -33,6 +35,16 @@ protected:
         EXPECT_TRUE(w.dialogs("messageDialog").isEmpty());
         w.press(Qt::Key_Z, Qt::ControlModifier);
         EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
+    }
+    bool isTold(const QString& words)
+    {
+        const auto* strip = w.window.findChild<ui::BottomStrip*>();
+        return QTest::qWaitFor(
+            [strip, &words] {
+                const auto& told = strip->told().all();
+                return std::ranges::any_of(told, [&words](const auto& each) { return each.text.contains(words); });
+            },
+            test::patienceMs);
     }
     /// What the one dialog says; it is closed.
     QString refusal()
@@ -131,11 +143,7 @@ TEST_F(WindowPoseFiles, OfAResultSayWhereItWasFoundWithOtherInputs)
     ASSERT_TRUE(io::writeAtomically(file("result.json"), result(std::string(64, 'a'))));
     w.drop({path("result.json")});
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, moved), 1e-9);
-    bool isTold = false;
-    for (const QLabel* label : w.window.findChildren<QLabel*>()) {
-        isTold = isTold || label->text().contains(QStringLiteral("another angiogram"));
-    }
-    EXPECT_TRUE(isTold);
+    EXPECT_TRUE(isTold(QStringLiteral("another angiogram")));
 }
 
 TEST(WindowPoseFilesAlone, NeedACase)
