@@ -5,6 +5,7 @@
 #include "app/messages/says_exchange.h"
 #include "core/exchange/xreg_camera.h"
 #include "io/camera_pose_file.h"
+#include "io/case_points.h"
 #include "io/fiducial_file.h"
 #include "io/messages/says_exchange.h"
 #include "io/pose_camera_file.h"
@@ -222,21 +223,13 @@ Status writeExchanged(const ExchangedPose& pose, const std::string& path, const 
                             : Status(core::Error(io::says::exchangeNoCamera().about(path)));
 }
 
-/// Check points, centres of rings, and the places of landmarks.
 core::Result<std::vector<io::Fiducial>> pointsOfCase(const std::string& path)
 {
     const auto loaded = loadCaseForCommand(path, std::nullopt);
     if (!loaded) {
         return loaded.error();
     }
-    std::vector<io::Fiducial> points;
-    for (const core::VesselMark& mark : loaded.value().vessels.marks) {
-        const bool isRing = mark.kind == core::VesselMarkKind::OstiumRing;
-        points.push_back({mark.pointInPatient, mark.name, isRing ? "ostium ring" : "check point"});
-    }
-    for (const core::Landmark& landmark : loaded.value().shown().landmarks) {
-        points.push_back({landmark.pointInPatient, landmark.name, "landmark"});
-    }
+    const std::vector<io::Fiducial> points = io::pointsOf(loaded.value());
     return points.empty() ? core::Result<std::vector<io::Fiducial>>(core::Error(says::convertNoPoints().about(path)))
                           : points;
 }

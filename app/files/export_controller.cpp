@@ -11,11 +11,14 @@
 #include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
 #include "core/registration/deformable/bent_tree.h"
+#include "io/case_points.h"
 #include "io/centerline2d_file.h"
 #include "io/check_point_table.h"
 #include "io/edited_mask.h"
+#include "io/fiducial_file.h"
 #include "io/measurement_table.h"
 #include "io/motion_table.h"
+#include "io/pose_camera_file.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
 #include "io/support/atomic_file.h"
@@ -208,9 +211,17 @@ void ExportController::askResult()
 
 void ExportController::askPose()
 {
-    askFile({tr("Export pose"), tr("Poses (*.json *.tfm *.h5)"), QStringLiteral("pose.json")},
-            [pose = document_.current().shown().cameraFromPatient](const QString& path) {
-                return io::writePose(pose, path.toStdString());
+    const core::View& shown = document_.current().shown();
+    const auto camera = core::cameraOf(shown);
+    const QString filters =
+        tr("Poses (*.json *.tfm *.h5)") + QStringLiteral(";;") + tr("Poses with their camera (*.txt *.yml *.xml)");
+    askFile({tr("Export pose"), camera ? filters : tr("Poses (*.json *.tfm *.h5)"), QStringLiteral("pose.json")},
+            [pose = shown.cameraFromPatient, camera](const QString& path) {
+                const QString ending = QFileInfo(path).suffix().toLower();
+                const bool isBoth = ending == QStringLiteral("txt") || ending == QStringLiteral("yml") ||
+                                    ending == QStringLiteral("yaml") || ending == QStringLiteral("xml");
+                return isBoth && camera ? io::writeSight({camera.value(), pose}, path.toStdString())
+                                        : io::writePose(pose, path.toStdString());
             });
 }
 
@@ -246,9 +257,13 @@ void ExportController::askCheckPoints()
         emit failed(tr("No check points or rings have been set yet."));
         return;
     }
-    askFile({tr("Export check points"), tr("Tables (*.csv)"), QStringLiteral("checkpoints.csv")},
+    const QString filters =
+        tr("Tables (*.csv)") + QStringLiteral(";;") + tr("Points for 3D Slicer (*.fcsv *.mrk.json)");
+    askFile({tr("Export check points"), filters, QStringLiteral("checkpoints.csv")},
             [snapshot = document_.current()](const QString& path) {
-                return io::writeCheckPoints(snapshot, path.toStdString());
+                return path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)
+                           ? io::writeCheckPoints(snapshot, path.toStdString())
+                           : io::writeFiducials(io::pointsOf(snapshot), path.toStdString());
             });
 }
 

@@ -384,6 +384,14 @@
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
+        <source>Points for 3D Slicer (*.fcsv *.mrk.json)</source>
+        <translation>Punkte für 3D Slicer (*.fcsv *.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Poses with their camera (*.txt *.yml *.xml)</source>
+        <translation>Lagen mit ihrer Kamera (*.txt *.yml *.xml)</translation>
+    </message>
+    <message>
         <source>Drawings (*.svg)</source>
         <translation>Zeichnungen (*.svg)</translation>
     </message>

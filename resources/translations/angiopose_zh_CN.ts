@@ -384,6 +384,14 @@
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
+        <source>Points for 3D Slicer (*.fcsv *.mrk.json)</source>
+        <translation>3D Slicer 标志点 (*.fcsv *.mrk.json)</translation>
+    </message>
+    <message>
+        <source>Poses with their camera (*.txt *.yml *.xml)</source>
+        <translation>带相机的位姿 (*.txt *.yml *.xml)</translation>
+    </message>
+    <message>
         <source>Drawings (*.svg)</source>
         <translation>矢量图 (*.svg)</translation>
     </message>

@@ -171,5 +171,15 @@ TEST_F(WindowPoseFiles, PointsOfSlicerBecomeCheckPoints)
     EXPECT_EQ(w.current().vessels.marks.size(), marks);
 }
 
+TEST_F(WindowPoseFiles, AreExportedWithTheirCamera)
+{
+    w.window.actions()[ui::Command::ExportPose]->trigger();
+    w.saveAs(path("out.yml"));
+    const auto read = io::readPoseWithCamera(file("out.yml"));
+    ASSERT_TRUE(read && read.value().camera);
+    EXPECT_EQ(*read.value().camera, camera);
+    EXPECT_LT(test::distance(read.value().cameraFromPatient, before), 1e-12);
+}
+
 }   // namespace
 }   // namespace angiopose::app

@@ -1,0 +1,18 @@
+#include "io/case_points.h"
+
+namespace angiopose::io {
+
+std::vector<Fiducial> pointsOf(const core::Case& theCase)
+{
+    std::vector<Fiducial> points;
+    for (const core::VesselMark& mark : theCase.vessels.marks) {
+        const bool isRing = mark.kind == core::VesselMarkKind::OstiumRing;
+        points.push_back({mark.pointInPatient, mark.name, isRing ? "ostium ring" : "check point"});
+    }
+    for (const core::Landmark& landmark : theCase.shown().landmarks) {
+        points.push_back({landmark.pointInPatient, landmark.name, "landmark"});
+    }
+    return points;
+}
+
+}   // namespace angiopose::io
