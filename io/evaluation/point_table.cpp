@@ -1,5 +1,6 @@
 #include "io/evaluation/point_table.h"
 
+#include "io/fiducial_file.h"
 #include "io/messages/says_own.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
@@ -47,10 +48,26 @@ core::Result<Rows> readPointRows(const std::string& path, std::initializer_list<
     return table ? parsePointRows(table.value(), wanted) : core::Result<Rows>(table.error());
 }
 
+core::Result<std::vector<Eigen::Vector3d>> landmarksOfSlicer(const std::string& path)
+{
+    const auto fiducials = readFiducials(path);
+    if (!fiducials) {
+        return fiducials.error();
+    }
+    std::vector<Eigen::Vector3d> landmarks;
+    for (const Fiducial& fiducial : fiducials.value()) {
+        landmarks.push_back(fiducial.pointInPatient);
+    }
+    return landmarks;
+}
+
 }   // namespace
 
 core::Result<std::vector<Eigen::Vector3d>> readLandmarks(const std::string& path)
 {
+    if (path.ends_with(".fcsv") || path.ends_with(".json")) {
+        return landmarksOfSlicer(path);
+    }
     const auto rows = readPointRows(path, {"x", "y", "z"});
     if (!rows) {
         return rows.error();

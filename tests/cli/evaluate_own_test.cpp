@@ -152,6 +152,26 @@ TEST_F(CliEvaluateOwn, JudgesAPoseFoundElsewhereByHandwrittenFormulas)
     EXPECT_NE(readText(output("out/report.html")).find("<svg"), std::string::npos);
 }
 
+TEST_F(CliEvaluateOwn, LandmarksMayBeFiducialsOfSlicer)
+{
+    std::ostringstream fcsv;
+    fcsv << "# Markups fiducial file version = 4.11\n# CoordinateSystem = LPS\n# columns = "
+            "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
+    for (const Point& point : landmarks) {
+        fcsv << "1," << point[0] << "," << point[1] << "," << point[2] << ",0,0,0,1,1,1,0,L,,\n";
+    }
+    writeText(folder.file("landmarks.fcsv"), fcsv.str());
+    const auto mtreOf = [&](const std::string& file) {
+        writeText(
+            folder.file("cases.csv"),
+            "case,reference,landmarks,pose.elsewhere\n3/case.angiopose,3/true-pose.json," + file + ",elsewhere.json\n");
+        EXPECT_EQ(evaluate("of-" + file, {"--method", "iterative-pnp"}).exitCode, 0);
+        const auto rows = rowsOfTable(output("of-" + file + "/runs.csv"));
+        return rows.size() < 2 ? std::string() : rows[1].at("mtre_mm");
+    };
+    EXPECT_EQ(mtreOf("landmarks.fcsv"), mtreOf("landmarks.csv"));
+}
+
 TEST_F(CliEvaluateOwn, AnswersAsRegisterDoesForEachCase)
 {
     ASSERT_EQ(evaluate("out").exitCode, 0);
