@@ -23,6 +23,8 @@ cp resources/manual/*.md resources/manual/*.svg "$docs/"
 python3 "$here/manual_reference.py" cpp app/library/include/angiopose/*.h >"$docs/cpp.md"
 python3 "$here/manual_reference.py" python app/python/angiopose/__init__.pyi >"$docs/python.md"
 
+cp resources/slicer/README.md "$docs/slicer.md"
+
 # The window's help, page after page, each heading a step lower.
 lower() { sed 's/^#/##/' "$1"; echo; }
 {
