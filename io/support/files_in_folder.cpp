@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t maxFiles = 50'000;
-constexpr int maxFolderDepth = 8;
+constexpr std::size_t mostFilesInFolder = 50'000;
+constexpr int deepestFolder = 8;
 
 }   // namespace
 
@@ -25,10 +25,10 @@ core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, 
         return fileError(folder, says::folderNotRead(failed.message()));
     }
     for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
-        if (failed || files.size() > maxFiles) {
+        if (failed || files.size() > mostFilesInFolder) {
             return fileError(folder, failed ? says::folderNotReadToEnd() : says::folderTooFull());
         }
-        if (reach == Reach::FolderOnly || at.depth() >= maxFolderDepth) {
+        if (reach == Reach::FolderOnly || at.depth() >= deepestFolder) {
             at.disable_recursion_pending();
         }
         std::error_code unknown;
