@@ -38,7 +38,9 @@ endforeach()
 add_custom_target(installed_extras ALL DEPENDS ${icons} ${descriptions})
 
 set(completion ${packaging}/completion)
-install(FILES ${packaging}/angiopose.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime)
+install(FILES ${packaging}/angiopose.1 ${packaging}/angiopose-study.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+  COMPONENT runtime)
+install(PROGRAMS ${CMAKE_SOURCE_DIR}/packaging/cluster/angiopose-study TYPE BIN COMPONENT runtime)
 install(FILES ${described}/cli.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME angiopose-cli.1 COMPONENT runtime)
 install(FILES ${completion}/angiopose.bash DESTINATION ${share}/bash-completion/completions RENAME angiopose
   COMPONENT runtime)

@@ -15,7 +15,7 @@ share=$prefix/share
 expected="bin/angiopose bin/angiopose-cli libexec/angiopose/angiopose-decode-itk libexec/angiopose/angiopose-decode-vtk
     share/applications/org.angiopose.AngioPose.desktop share/mime/packages/org.angiopose.AngioPose.mime.xml
     share/metainfo/org.angiopose.AngioPose.metainfo.xml share/thumbnailers/org.angiopose.AngioPose.thumbnailer
-    share/man/man1/angiopose.1 share/man/man1/angiopose-cli.1 share/icons/hicolor/scalable/apps/angiopose.svg
+    bin/angiopose-study share/man/man1/angiopose-study.1 share/man/man1/angiopose.1 share/man/man1/angiopose-cli.1 share/icons/hicolor/scalable/apps/angiopose.svg
     share/bash-completion/completions/angiopose share/bash-completion/completions/angiopose-cli
     share/zsh/vendor-completions/_angiopose share/zsh/vendor-completions/_angiopose-cli
     share/fish/vendor_completions.d/angiopose.fish share/fish/vendor_completions.d/angiopose-cli.fish
