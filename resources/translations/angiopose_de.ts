@@ -7350,6 +7350,101 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>sie ist auch anderswo geöffnet: Prozess %1 auf %2. Speichern Sie unter anderem Namen oder schließen Sie sie dort.</translation>
     </message>
     <message>
+        <source>it lists no cases. Begin it with a header row that has the column case, and one of reference and pairs; a row for each case.</source>
+        <comment>own.no-header</comment>
+        <translation>sie führt keine Fälle auf. Beginnen Sie sie mit einer Kopfzeile mit der Spalte case und einer von reference und pairs; je Fall eine Zeile.</translation>
+    </message>
+    <message>
+        <source>line %1 names no case. Write the path of a case file into the column case.</source>
+        <comment>own.no-case</comment>
+        <translation>Zeile %1 nennt keinen Fall. Schreiben Sie den Pfad einer Falldatei in die Spalte case.</translation>
+    </message>
+    <message>
+        <source>line %1 has no truth. Name a pose in the column reference, or a table of pairs of points in pairs.</source>
+        <comment>own.no-truth</comment>
+        <translation>Zeile %1 hat keine Wahrheit. Nennen Sie eine Lage in der Spalte reference oder eine Tabelle von Punktpaaren in pairs.</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; cannot be a condition&apos;s name, for files are called by it. Use letters, digits, dots, dashes and underscores.</source>
+        <comment>own.condition-name</comment>
+        <translation>Zeile %1: &apos;%2&apos; kann kein Name einer Bedingung sein, denn Dateien heißen danach. Nehmen Sie Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>
+    </message>
+    <message>
+        <source>a column is called pose. without a name after the dot. Name what found these poses.</source>
+        <comment>own.pose-without-name</comment>
+        <translation>eine Spalte heißt pose. ohne Namen nach dem Punkt. Nennen Sie, was diese Lagen gefunden hat.</translation>
+    </message>
+    <message>
+        <source>it has no column %1. Landmarks need x, y, z (mm, LPS), pairs of points u and v (px) besides.</source>
+        <comment>own.point-column-missing</comment>
+        <translation>sie hat keine Spalte %1. Landmarken brauchen x, y, z (mm, LPS), Punktpaare dazu u und v (px).</translation>
+    </message>
+    <message>
+        <source>it holds no points.</source>
+        <comment>own.no-points</comment>
+        <translation>sie enthält keine Punkte.</translation>
+    </message>
+    <message>
+        <source>it has no column %1: it is no log of blind trials, or one of an earlier version that did not keep the centroid. Such logs are written by Registration, Blind trial.</source>
+        <comment>observers.column-missing</comment>
+        <translation>sie hat keine Spalte %1: Sie ist kein Protokoll blinder Versuche, oder eines einer früheren Version, die den Schwerpunkt nicht behielt. Solche Protokolle schreibt Registrierung, Blinder Versuch.</translation>
+    </message>
+    <message>
+        <source>The logs hold no two finished trials of one image, so nothing can be compared. Let an observer repeat a trial, or another one do it.</source>
+        <comment>observers.too-few</comment>
+        <translation>Die Protokolle enthalten keine zwei beendeten Versuche an einem Bild, also ist nichts zu vergleichen. Lassen Sie einen Versuch wiederholen oder eine andere Person ihn machen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no key of %2. It knows: %3.</source>
+        <comment>study.unknown-key</comment>
+        <translation>&apos;%1&apos; ist kein Schlüssel von %2. Es kennt: %3.</translation>
+    </message>
+    <message>
+        <source>%1 lacks &apos;%2&apos;.</source>
+        <comment>study.missing-key</comment>
+        <translation>%1 fehlt &apos;%2&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 cannot be this: %3.</source>
+        <comment>study.wrong-value</comment>
+        <translation>&apos;%1&apos; von %2 kann nicht dies sein: %3.</translation>
+    </message>
+    <message>
+        <source>it is no study. Begin it with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <comment>study.no-study</comment>
+        <translation>sie ist keine Studie. Beginnen Sie sie mit &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</translation>
+    </message>
+    <message>
+        <source>two settings are called &apos;%1&apos;. Give each a name of its own: folders are called by it.</source>
+        <comment>study.name-twice</comment>
+        <translation>zwei Einstellungen heißen &apos;%1&apos;. Geben Sie jeder einen eigenen Namen: Ordner heißen danach.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 must lie between %3 and %4.</source>
+        <comment>study.out-of-range</comment>
+        <translation>&apos;%1&apos; von %2 muss zwischen %3 und %4 liegen.</translation>
+    </message>
+    <message>
+        <source>`evaluate own` needs one table of cases and what is known of them: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
+        <comment>evaluate.no-manifest</comment>
+        <translation>`evaluate own` braucht eine Tabelle der Fälle und dessen, was von ihnen bekannt ist: angiopose-cli evaluate own CASES.csv --output FOLDER.</translation>
+    </message>
+    <message>
+        <source>`evaluate observers` needs a log of blind trials: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
+        <comment>evaluate.no-log</comment>
+        <translation>`evaluate observers` braucht ein Protokoll blinder Versuche: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</translation>
+    </message>
+    <message>
+        <source>The experiment &apos;%1&apos; makes its own trials. Leave &apos;%2&apos; out, or write `evaluate own %2`.</source>
+        <comment>evaluate.input-of-experiment</comment>
+        <translation>Das Experiment &apos;%1&apos; macht seine Versuche selbst. Lassen Sie &apos;%2&apos; weg oder schreiben Sie `evaluate own %2`.</translation>
+    </message>
+    <message>
+        <source>`simulate` needs --seed for one case or --study for many.</source>
+        <comment>simulate.what</comment>
+        <translation>`simulate` braucht --seed für einen Fall oder --study für viele.</translation>
+    </message>
+    <message>
         <source>%1 voxels lie far beyond all others (between %2 and %3); they are taken as the lowest or highest of those.</source>
         <comment>volume.stray-values</comment>
         <translation>%1 Voxel liegen weit jenseits aller anderen (zwischen %2 und %3); sie gelten als kleinster oder größter Wert von diesen.</translation>

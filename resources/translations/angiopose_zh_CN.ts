@@ -7350,6 +7350,101 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>它也在别处打开：%2 上的进程 %1。请以另一名称保存，或在那里将其关闭。</translation>
     </message>
     <message>
+        <source>it lists no cases. Begin it with a header row that has the column case, and one of reference and pairs; a row for each case.</source>
+        <comment>own.no-header</comment>
+        <translation>未列出任何病例。请以表头行开始，包含 case 列以及 reference 或 pairs 列；每个病例一行。</translation>
+    </message>
+    <message>
+        <source>line %1 names no case. Write the path of a case file into the column case.</source>
+        <comment>own.no-case</comment>
+        <translation>第 %1 行没有指定病例。请在 case 列写入病例文件的路径。</translation>
+    </message>
+    <message>
+        <source>line %1 has no truth. Name a pose in the column reference, or a table of pairs of points in pairs.</source>
+        <comment>own.no-truth</comment>
+        <translation>第 %1 行没有真值。请在 reference 列指定位姿，或在 pairs 列指定点对表。</translation>
+    </message>
+    <message>
+        <source>line %1: &apos;%2&apos; cannot be a condition&apos;s name, for files are called by it. Use letters, digits, dots, dashes and underscores.</source>
+        <comment>own.condition-name</comment>
+        <translation>第 %1 行：&apos;%2&apos; 不能作为条件名称，因为文件以其命名。请使用字母、数字、点、连字符和下划线。</translation>
+    </message>
+    <message>
+        <source>a column is called pose. without a name after the dot. Name what found these poses.</source>
+        <comment>own.pose-without-name</comment>
+        <translation>有一列名为 pose. 但点后没有名称。请写明这些位姿由什么得到。</translation>
+    </message>
+    <message>
+        <source>it has no column %1. Landmarks need x, y, z (mm, LPS), pairs of points u and v (px) besides.</source>
+        <comment>own.point-column-missing</comment>
+        <translation>缺少列 %1。标志点需要 x、y、z（mm，LPS），点对还需要 u 和 v（px）。</translation>
+    </message>
+    <message>
+        <source>it holds no points.</source>
+        <comment>own.no-points</comment>
+        <translation>其中没有点。</translation>
+    </message>
+    <message>
+        <source>it has no column %1: it is no log of blind trials, or one of an earlier version that did not keep the centroid. Such logs are written by Registration, Blind trial.</source>
+        <comment>observers.column-missing</comment>
+        <translation>缺少列 %1：这不是盲法试验日志，或来自未保存质心的早期版本。此类日志由 配准 → 盲法试验 写出。</translation>
+    </message>
+    <message>
+        <source>The logs hold no two finished trials of one image, so nothing can be compared. Let an observer repeat a trial, or another one do it.</source>
+        <comment>observers.too-few</comment>
+        <translation>日志中没有同一图像的两次已完成试验，因此无法比较。请让观察者重复试验，或由另一人进行。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no key of %2. It knows: %3.</source>
+        <comment>study.unknown-key</comment>
+        <translation>&apos;%1&apos; 不是 %2 的键。已知的键：%3。</translation>
+    </message>
+    <message>
+        <source>%1 lacks &apos;%2&apos;.</source>
+        <comment>study.missing-key</comment>
+        <translation>%1 缺少 &apos;%2&apos;。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 cannot be this: %3.</source>
+        <comment>study.wrong-value</comment>
+        <translation>%2 的 &apos;%1&apos; 不能是：%3。</translation>
+    </message>
+    <message>
+        <source>it is no study. Begin it with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <comment>study.no-study</comment>
+        <translation>这不是研究文件。请以 &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1 开头。</translation>
+    </message>
+    <message>
+        <source>two settings are called &apos;%1&apos;. Give each a name of its own: folders are called by it.</source>
+        <comment>study.name-twice</comment>
+        <translation>有两个设置都名为 &apos;%1&apos;。请为每个设置取不同名称：文件夹以其命名。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 must lie between %3 and %4.</source>
+        <comment>study.out-of-range</comment>
+        <translation>%2 的 &apos;%1&apos; 必须在 %3 与 %4 之间。</translation>
+    </message>
+    <message>
+        <source>`evaluate own` needs one table of cases and what is known of them: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
+        <comment>evaluate.no-manifest</comment>
+        <translation>`evaluate own` 需要一张病例及其已知信息的表：angiopose-cli evaluate own CASES.csv --output FOLDER。</translation>
+    </message>
+    <message>
+        <source>`evaluate observers` needs a log of blind trials: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
+        <comment>evaluate.no-log</comment>
+        <translation>`evaluate observers` 需要盲法试验日志：angiopose-cli evaluate observers TRIALS.csv --output FOLDER。</translation>
+    </message>
+    <message>
+        <source>The experiment &apos;%1&apos; makes its own trials. Leave &apos;%2&apos; out, or write `evaluate own %2`.</source>
+        <comment>evaluate.input-of-experiment</comment>
+        <translation>实验 &apos;%1&apos; 自行生成试验。请去掉 &apos;%2&apos;，或写 `evaluate own %2`。</translation>
+    </message>
+    <message>
+        <source>`simulate` needs --seed for one case or --study for many.</source>
+        <comment>simulate.what</comment>
+        <translation>`simulate` 需要 --seed（单个病例）或 --study（多个病例）。</translation>
+    </message>
+    <message>
         <source>%1 voxels lie far beyond all others (between %2 and %3); they are taken as the lowest or highest of those.</source>
         <comment>volume.stray-values</comment>
         <translation>%1 个体素远离其他所有体素（介于 %2 和 %3 之间）；按其余体素的最低值或最高值处理。</translation>

@@ -132,6 +132,14 @@ TEST_F(VectorPictures, NothingIsDrawnInTheSwipe)
     EXPECT_GT(leftOf, 200);
 }
 
+/// Without the embedded image, whose Base64 may hold any four letters by chance.
+std::string withoutPixels(std::string text)
+{
+    const std::size_t begin = text.find(";base64,");
+    EXPECT_NE(begin, std::string::npos);
+    return text.erase(begin, text.find('"', begin) - begin);
+}
+
 TEST_F(VectorPictures, SaysWhatPixelsSay)
 {
     const std::string text = svg();
@@ -143,9 +151,9 @@ TEST_F(VectorPictures, SaysWhatPixelsSay)
         run->identity.patientName = "Doe^Jane";
         return run;
     }();
-    EXPECT_EQ(svg().find("Jane"), std::string::npos);
+    EXPECT_EQ(withoutPixels(svg()).find("Jane"), std::string::npos);
     options.identity = Identity::Shown;
-    EXPECT_NE(svg().find("Jane"), std::string::npos);
+    EXPECT_NE(withoutPixels(svg()).find("Jane"), std::string::npos);
 }
 
 TEST_F(VectorPictures, APageHasTheSizeInPrintAndOneImage)

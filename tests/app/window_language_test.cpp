@@ -117,6 +117,15 @@ TEST_F(WindowLanguage, FollowingGoesOn)
     EXPECT_TRUE(QTest::qWaitFor([&] { return !controller().following().isRunning(); }, test::patienceMs));
 }
 
+/// Words of one list that the other lacks.
+std::string onlyIn(QStringList words, const QStringList& others)
+{
+    for (const QString& other : others) {
+        words.removeOne(other);
+    }
+    return words.join(QStringLiteral(" | ")).toStdString();
+}
+
 /// What a window made in a language says, and what it says when it has learned the language later, is the same.
 TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
 {
@@ -132,7 +141,8 @@ TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
             QTest::qWaitFor([&] { return test::wordsOf(fresh.window()) == test::wordsOf(host->window()); }, 10000));
         const QStringList expected = test::wordsOf(fresh.window());
         const QStringList said = test::wordsOf(host->window());
-        ASSERT_EQ(said.size(), expected.size()) << code;
+        ASSERT_EQ(said.size(), expected.size())
+            << code << ": said alone " << onlyIn(said, expected) << "; expected alone " << onlyIn(expected, said);
         ASSERT_GT(said.size(), 400);
         for (qsizetype i = 0; i < said.size(); ++i) {
             EXPECT_EQ(said[i].toStdString(), expected[i].toStdString()) << code;

@@ -111,6 +111,15 @@ TEST_F(CliSimulateStudy, AWrongHeaderChangesTheHeaderAlone)
     EXPECT_EQ(readText(folder.file("study/plain/0002/tree.vtp")), readText(folder.file("study/wrong/0002/tree.vtp")));
 }
 
+TEST_F(CliSimulateStudy, ThePublishedSetHasItsPublishedBytes)
+{
+    const fs::path studies = fs::path(__FILE__).parent_path() / "../../resources/studies";
+    const auto outcome =
+        runCli({"simulate", "--study", (studies / "reference.json").string(), "--output", folder.file("reference")});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
+    EXPECT_EQ(readText(folder.file("reference/SHA256SUMS")), readText(studies / "reference.sha256"));
+}
+
 TEST_F(CliSimulateStudy, WrongStudiesAreRefusedNamingThePlace)
 {
     const std::vector<std::array<std::string, 3>> changes{

@@ -121,10 +121,13 @@ def prepare(program, folder):
     shutil.copytree(folder / "cta", folder / "ct-folder")
     shutil.copytree(folder / "cta", folder / "cdrom")
     write_trials(folder / "trials.csv")
+    (folder / "study.json").write_text(
+        '{"format": "angiopose-study", "version": 1, "casesPerSetting": 2, "trees": [{"grown": 2, "branches": 6}],'
+        ' "settings": [{"name": "rigid", "frames": 1}, {"name": "bent", "frames": 1, "deformationMm": 2}]}')
     (folder / "cases.csv").write_text("case,reference\ncase.angiopose,true-pose.json\n")
     run("register", "case.angiopose", "--output", "result")
-    run("evaluate", "toy", "--shard", "1/2", "--trials", "1", "--output", "a")
-    run("evaluate", "toy", "--shard", "2/2", "--trials", "1", "--output", "b")
+    run("evaluate", "toy", "--shard", "1/2", "--trials", "2", "--output", "a")
+    run("evaluate", "toy", "--shard", "2/2", "--trials", "2", "--output", "b")
 
 
 def as_run_here(example):

@@ -22,6 +22,7 @@ std::span<const CommandRow> CommandTable::fileCommands()
         {Command::NewWindow, QT_TR_NOOP("New window"), "Ctrl+N"},
         {Command::Save, QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
         {Command::SaveAs, QT_TR_NOOP("Save as …"), "Ctrl+Shift+S"},
+        {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E"},
         {Command::SendToArchive, QT_TR_NOOP("Send to archive …"), "", StartsGroup},
         {Command::PackCase, QT_TR_NOOP("Pack case for others …")},
         {Command::DeidentifyFiles, QT_TR_NOOP("De-identify files …")},
@@ -37,7 +38,6 @@ std::span<const CommandRow> CommandTable::fileCommands()
 std::span<const CommandRow> CommandTable::exportCommands()
 {
     static constexpr CommandRow rows[]{
-        {Command::ExportOverlay, QT_TR_NOOP("Export overlay …"), "Ctrl+E"},
         {Command::ExportMovie, QT_TR_NOOP("Export movie …"), "Ctrl+Shift+E"},
         {Command::ExportReport, QT_TR_NOOP("Export report …")},
         {Command::ExportDicom, QT_TR_NOOP("Export DICOM objects …")},

@@ -61,7 +61,7 @@ void WindowActions::addCommand(const CommandRow& row, QWidget* window)
 
 void WindowActions::fillMenus(QMenuBar* menuBar)
 {
-    const std::map<Command, QMenu*> submenuAfter{{Command::OpenSample, recent_}, {Command::SaveAs, exports_}};
+    const std::map<Command, QMenu*> submenuAfter{{Command::OpenSample, recent_}, {Command::ExportOverlay, exports_}};
     std::map<Menu, QMenu*> menus{{Menu::Exports, exports_}};
     for (const MenuRows& rows : CommandTable::menus()) {
         QMenu*& menu = menus[rows.menu];
