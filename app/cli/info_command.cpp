@@ -8,6 +8,7 @@
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/fiducial_file.h"
+#include "io/opening/input_kind.h"
 #include "io/opening/read_case_inputs.h"
 #include "io/pose_camera_file.h"
 #include "io/series/dicom_segmentation.h"
@@ -202,9 +203,10 @@ core::Result<Json> describe(const std::string& path)
     if (extension == ".stl" || extension == ".ply" || extension == ".obj") {
         return surfaceJson(path);
     }
-    if (extension == ".json" || extension == ".tfm" || extension == ".mat" || extension == ".h5" ||
-        extension == ".txt" || extension == ".yml" || extension == ".yaml" || extension == ".xml" ||
-        extension == ".fcsv") {
+    const bool isPoseName = extension == ".json" || extension == ".tfm" || extension == ".mat" || extension == ".h5" ||
+                            extension == ".fcsv";
+    const bool isText = extension == ".txt" || extension == ".yml" || extension == ".yaml" || extension == ".xml";
+    if (isPoseName || (isText && io::inputKindOf(path))) {
         return poseOrTreeJson(path, extension);
     }
     const bool isTree =
