@@ -1,8 +1,9 @@
 #include "io/support/system/child_process.h"
 
+#include "io/support/system/spawn_attributes.h"
+
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <array>
@@ -24,24 +25,15 @@ ChildProcess::ChildProcess(const std::string& program, std::vector<std::string> 
     ::posix_spawn_file_actions_adddup2(&files, ends[1], STDOUT_FILENO);
     ::posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
     ::posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
-    posix_spawnattr_t attributes;
-    ::posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    // A group of its own: Ctrl+C is for the program that asks, which then stops the helper.
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    const SpawnAttributes attributes;
     std::vector<char*> words{const_cast<char*>(program.c_str())};
     for (std::string& argument : arguments) {
         words.push_back(argument.data());
     }
     words.push_back(nullptr);
-    if (::posix_spawn(&id_, program.c_str(), &files, &attributes, words.data(), environ) != 0) {
+    if (::posix_spawn(&id_, program.c_str(), &files, attributes.get(), words.data(), environ) != 0) {
         id_ = -1;
     }
-    ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&files);
     ::close(ends[1]);
 }

@@ -1,8 +1,9 @@
 #include "io/support/system/worker_process.h"
 
+#include "io/support/system/spawn_attributes.h"
+
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -88,21 +89,13 @@ WorkerProcess::WorkerProcess(const std::string& program, std::vector<std::string
     ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     ::posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     ::posix_spawn_file_actions_addclosefrom_np(&files, channelNumber + 1);
-    posix_spawnattr_t attributes;
-    ::posix_spawnattr_init(&attributes);
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    const SpawnAttributes attributes;
     arguments.insert(arguments.begin(), program);
     std::vector<std::string> pairs = environmentWith(environment);
-    if (::posix_spawn(&id_, program.c_str(), &files, &attributes, pointersTo(arguments).data(),
+    if (::posix_spawn(&id_, program.c_str(), &files, attributes.get(), pointersTo(arguments).data(),
                       pointersTo(pairs).data()) != 0) {
         id_ = -1;
     }
-    ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&files);
     ::close(high);
     ::close(ends[1]);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <spawn.h>
+#include <csignal>
+
+namespace angiopose::io {
+
+/// How helper programs are started: no signal is blocked or ignored, and they are a group of their own: Ctrl+C is for
+/// the program that asks, which then stops them.
+class SpawnAttributes {
+public:
+    SpawnAttributes()
+    {
+        ::posix_spawnattr_init(&value_);
+        sigset_t none, all;
+        sigemptyset(&none);
+        sigfillset(&all);
+        ::posix_spawnattr_setsigmask(&value_, &none);
+        ::posix_spawnattr_setsigdefault(&value_, &all);
+        ::posix_spawnattr_setflags(&value_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    }
+    ~SpawnAttributes() { ::posix_spawnattr_destroy(&value_); }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+
+    const posix_spawnattr_t* get() const { return &value_; }
+
+private:
+    posix_spawnattr_t value_{};
+};
+
+}   // namespace angiopose::io
