@@ -105,6 +105,23 @@ TEST(VesselTreeFormats, KeepSeveralRootsAndLoops)
     }
 }
 
+/// Found by fuzzing: VTK 9.1 reads through a null pointer where an array has a type that there is not.
+TEST(VesselTreeFormats, AnArrayOfNoTypeIsRefused)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("tree.vtp");
+    for (const char* type : {"type=\"S parent\"", "", "type=", "type=\"\"", "type='Float'"}) {
+        test::writeText(path, std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+                                          "byte_order=\"LittleEndian\">\n<PolyData><FieldData><Array ") +
+                                  type +
+                                  " Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">1</Array></FieldData>"
+                                  "</PolyData></VTKFile>\n");
+        const auto tree = io::readVesselTree(path);
+        ASSERT_FALSE(tree) << type;
+        EXPECT_NE(tree.error().message.text().find("damaged"), std::string::npos) << tree.error().message;
+    }
+}
+
 }   // namespace
 
 TEST(WriteVesselTree, RestoresEveryBit)
