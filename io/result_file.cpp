@@ -4,6 +4,7 @@
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
 #include "io/case/fields/bent_fields.h"
+#include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/check_point_table.h"
 #include "io/edited_curves.h"
@@ -11,6 +12,7 @@
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/message_json.h"
+#include "io/support/pose_matrix.h"
 
 #include <exception>
 #include <filesystem>
@@ -33,32 +35,73 @@ void nameBranches(Json& branches, const core::Case& theCase)
     }
 }
 
+Json uidsOf(const core::StudyIdentity& identity)
+{
+    Json uids = Json::object();
+    const auto add = [&uids](const char* key, const std::string& uid) {
+        if (!uid.empty()) {
+            uids[key] = uid;
+        }
+    };
+    add("studyInstanceUid", identity.studyUid);
+    add("seriesInstanceUid", identity.seriesUid);
+    add("sopInstanceUid", identity.sopInstanceUid);
+    return uids;
+}
+
 /// File names only: results are passed around, and folders may name patients.
 Json inputsJson(const core::Case& theCase, const core::RegistrationResult& result)
 {
     Json inputs = Json::object();
-    const auto add = [&](const char* key, const core::InputFile& file) {
+    const auto add = [&](const char* key, const core::InputFile& file, const core::StudyIdentity* identity) {
         if (!file.path.empty()) {
             inputs[key]["file"] = std::filesystem::path(file.path).filename().string();
         }
         if (!file.path.empty() || !file.sha256.empty()) {
             inputs[key]["sha256"] = file.sha256;
         }
+        if (const Json uids = identity ? uidsOf(*identity) : Json::object(); !uids.empty()) {
+            inputs[key]["dicom"] = uids;
+        }
     };
-    add("vessel", theCase.vessels.file);
-    add("angiogram", theCase.shown().imageFile);
-    add("centerline", exportedFileOf(theCase.shown().target));
+    const auto& angiogram = theCase.shown().angiogram;
+    add("vessel", theCase.vessels.file, &theCase.vessels.scanIdentity);
+    add("angiogram", theCase.shown().imageFile, angiogram ? &angiogram->identity : nullptr);
+    add("centerline", exportedFileOf(theCase.shown().target), nullptr);
     inputs["frame"] = result.provenance.frame.value_or(theCase.shown().frame);
     return inputs;
 }
 
+/// The camera of the view, where it is known, and what it follows from.
+void addGeometry(Json& root, const core::View& view)
+{
+    if (const auto known = core::cameraOf(view)) {
+        const core::ProjectionCamera& camera = known.value();
+        root["projection"] = {{"fx", camera.fx}, {"fy", camera.fy},       {"cx", camera.cx},
+                              {"cy", camera.cy}, {"width", camera.width}, {"height", camera.height}};
+    }
+    root["geometry"] = writeFields(view.geometry, geometryFields(), {});
+}
+
+/// What it was found from, but the inputs themselves.
+void addOrigin(Json& root, const ResultOrigin& origin, std::size_t view)
+{
+    if (origin.asked) {
+        root["pose"]["initial"]["cameraFromPatient"] = rowsOf(origin.asked->views[view].cameraFromPatient);
+    }
+    if (!origin.caseText.empty()) {
+        root["case"] = Json::parse(origin.caseText);
+    }
+}
+
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result, const ResultOrigin& origin)
 {
     Json root;
     root["format"] = "angiopose-result";
-    root["version"] = 1;
+    root["version"] = 2;
+    root["view"] = theCase.shownView + 1;
     root["title"] = theCase.title;
     root.update(writeFields(result, resultFields(), {}));
     for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // there even where they are empty
@@ -78,7 +121,12 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     }
     if (result.bent) {
         root["deformable"] = bentSummary(*result.bent);
+        if (result.bent->verdict != core::BendVerdict::Rigid) {
+            root["bent"] = bentField().write(result, {});
+        }
     }
+    addGeometry(root, theCase.shown());
+    addOrigin(root, origin, theCase.shownView);
     if (!theCase.vessels.marks.empty()) {
         root["checkPoints"] = Json::parse(checkPointJson(theCase));
     }
@@ -105,7 +153,7 @@ Json cameraJson(const core::CameraEvidence& camera)
     return {{"error", three(camera.error)}, {"sigma", three(camera.std)}, {"gain", camera.gain}};
 }
 
-std::string jointJson(const core::RegisteredCase& registered)
+std::string jointJson(const core::RegisteredCase& registered, const ResultOrigin& origin)
 {
     const core::MultiViewResult& joint = *registered.joint;
     Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
@@ -116,14 +164,18 @@ std::string jointJson(const core::RegisteredCase& registered)
                            {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
-        Json view = Json::parse(resultJson(showing, *showing.shown().result));
+        Json view = Json::parse(resultJson(showing, *showing.shown().result, origin));
         view.erase("deformable");   // of all views together: below
+        view.erase("case");
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         if (k < joint.cameras.size()) {
             view["cameraByAllViews"] = cameraJson(joint.cameras[k]);
         }
         json["views"].push_back(std::move(view));
+    }
+    if (!origin.caseText.empty()) {
+        json["case"] = Json::parse(origin.caseText);
     }
     if (const auto& bent = registered.result().bent) {
         json["deformable"] = bentSummary(*bent);
@@ -133,14 +185,16 @@ std::string jointJson(const core::RegisteredCase& registered)
 
 }   // namespace
 
-std::string registeredJson(const core::RegisteredCase& registered)
+std::string registeredJson(const core::RegisteredCase& registered, const ResultOrigin& origin)
 {
-    return registered.joint ? jointJson(registered) : resultJson(registered.theCase, registered.result());
+    return registered.joint ? jointJson(registered, origin)
+                            : resultJson(registered.theCase, registered.result(), origin);
 }
 
-core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path)
+core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
+                              const ResultOrigin& origin)
 {
-    return writeAtomically(path, jointJson(registered));
+    return writeAtomically(path, jointJson(registered, origin));
 }
 
 }   // namespace angiopose::io

@@ -15,8 +15,8 @@ namespace {
 using io::AuditEvent;
 
 /// Arguments that name what is read and what is written, whichever command they belong to.
-constexpr std::array inputNames{"CASE",  "IN",       "FILE",   "FOLDER", "VOLUME",
-                                "IMAGE", "MANIFEST", "--view", "--pose", "--case"};
+constexpr std::array inputNames{"CASE",     "IN",     "FILE",   "FOLDER", "VOLUME", "IMAGE",
+                                "MANIFEST", "--view", "--pose", "--case", "--from"};
 constexpr std::array outputNames{"OUT", "PICTURE", "OUTPUT", "--output", "--mask", "--bent"};
 
 std::vector<std::string> valuesOf(const CLI::App& command, const auto& names)

@@ -24,6 +24,27 @@ std::string optionList()
     return text;
 }
 
+void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from)
+{
+    auto* file = command->add_option("CASE", casePath, "Case file, *.angiopose");
+    auto* result = command
+                       ->add_option("--from", from.path,
+                                    "Instead of a case: result.json or joint.json, with all that it was found from")
+                       ->excludes(file);
+    command
+        ->add_option(
+            "--inputs", from.inputFolders,
+            "Folder in which the inputs of that result lie, by name and content, beside its own; may be repeated")
+        ->needs(result);
+}
+
+void needCaseOrResult(const std::string& casePath, const FromResult& from)
+{
+    if (casePath.empty() && from.path.empty()) {
+        throw CLI::RequiredError("CASE or --from");
+    }
+}
+
 std::string settingList()
 {
     std::string text = "Names of settings, options first (see register --help):";
@@ -39,7 +60,7 @@ void addRegister(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand("register", "Find the pose of the vessel tree in the angiogram of a case");
     auto arguments = std::make_shared<RegisterArguments>();
-    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    addCaseOrResult(command, arguments->casePath, arguments->from);
     command->add_option("--method", arguments->method, "Method id; see the list below");
     command->add_option("--set", arguments->options, "Option of the method as key=value; may be repeated");
     command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Branches of the auxiliary problem, e.g. 1,2,5")
@@ -58,9 +79,13 @@ void addRegister(CLI::App& app, int& exitCode)
         "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the result as JSON and nothing else");
     command->footer([] {
         return methodList() + "\n\n" + optionList() +
-               "\n\nExample: angiopose-cli register case.angiopose --method angiopose --output result";
+               "\n\nExamples: angiopose-cli register case.angiopose --method angiopose --output result\n"
+               "          angiopose-cli register --from result/result.json --inputs data --output again";
     });
-    command->callback([arguments, &exitCode] { exitCode = runRegister(*arguments); });
+    command->callback([arguments, &exitCode] {
+        needCaseOrResult(arguments->casePath, arguments->from);
+        exitCode = runRegister(*arguments);
+    });
 }
 
 void addTrack(CLI::App& app, int& exitCode)
@@ -81,7 +106,7 @@ void addProject(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand("project", "Draw the projected tree of a case at a given pose");
     auto arguments = std::make_shared<ProjectArguments>();
-    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    addCaseOrResult(command, arguments->casePath, arguments->from);
     command->add_option("--pose", arguments->posePath,
                         "Pose: .json, or .tfm, .mat or .h5 of ITK (default: the pose of the case)");
     command->add_option("--output", arguments->outputPath, "Picture to write, .png or .svg")->required();
@@ -97,8 +122,13 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("--dpi", arguments->dotsPerInch, "Pixels to an inch, for print")->check(CLI::Range(10, 4800));
     command->add_flag("--bare", arguments->isFrameAlone, "The image alone, without vessels");
     command->add_flag("--16-bit", arguments->is16Bit, "The grey values of the frame alone, 16-bit .png, without texts");
-    command->footer("Example: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png");
-    command->callback([arguments, &exitCode] { exitCode = runProject(*arguments); });
+    command->footer(
+        "Examples: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png\n"
+        "          angiopose-cli project --from result/result.json --inputs data --output overlay.png");
+    command->callback([arguments, &exitCode] {
+        needCaseOrResult(arguments->casePath, arguments->from);
+        exitCode = runProject(*arguments);
+    });
 }
 
 void addMovie(CLI::App& app, int& exitCode)

@@ -4,6 +4,7 @@
 #include "app/messages/says.h"
 #include "core/case/start_pose.h"
 #include "io/opening/open_case_with.h"
+#include "io/opening/open_result.h"
 
 namespace angiopose::app {
 
@@ -20,6 +21,17 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
     }();
     printWarnings(warnings);
     return loaded ? atFrame(std::move(loaded).value(), frame, path) : loaded;
+}
+
+core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame)
+{
+    core::Messages warnings;
+    const io::ResultPlace place{from.path, from.inputFolders};
+    const auto observe = [](double) { return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue; };
+    auto loaded =
+        stage == ResultStage::Asked ? io::openAsked(place, warnings, observe) : io::openFound(place, warnings, observe);
+    printWarnings(warnings);
+    return loaded ? atFrame(std::move(loaded).value(), frame, from.path) : loaded;
 }
 
 core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path)

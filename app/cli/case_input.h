@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/commands.h"
 #include "core/case/case.h"
 #include "core/support/result.h"
 
@@ -10,6 +11,10 @@ namespace angiopose::app {
 
 /// Loads a case, prints its warnings, and moves it to `frame` where one is given.
 core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
+
+/// Likewise of what a result was found from: as the registration began with it, or as it left it.
+enum class ResultStage { Asked, Found };
+core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame);
 
 /// The case moved to `frame`, where one is given; fails naming `path` where its run has no such frame.
 core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path);

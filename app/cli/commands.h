@@ -15,8 +15,15 @@ namespace angiopose::app {
 
 // One struct of arguments and one function per command; each returns its exit code.
 
+/// A result instead of a case, and where its inputs may lie.
+struct FromResult {
+    std::string path;   ///< empty: a case
+    std::vector<std::string> inputFolders;
+};
+
 struct RegisterArguments {
     std::string casePath;
+    FromResult from;
     std::string method;   ///< empty: the case's own
     std::vector<std::string> options;   ///< "key=value", keys of core::optionFields()
     std::vector<int> auxiliaryBranchIds;   ///< empty: the case's own
@@ -40,6 +47,7 @@ int runTrack(const TrackArguments& arguments);
 
 struct ProjectArguments {
     std::string casePath;
+    FromResult from;
     std::string posePath;   ///< empty: the case's current pose
     std::string outputPath;
     int widthPx = 0;   ///< 0: twice the image

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "io/case/case_file.h"
+#include "io/result_schema.h"
 
 #include <cstdio>
 #include <memory>
@@ -77,9 +78,11 @@ void addValidate(CLI::App& app, int& exitCode)
 
 void addSchema(CLI::App& app, int& exitCode)
 {
-    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files");
-    command->callback([&exitCode] {
-        std::puts(io::caseSchema().c_str());
+    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files, or of results");
+    auto isOfResults = std::make_shared<bool>(false);
+    command->add_flag("--result", *isOfResults, "That of result.json");
+    command->callback([&exitCode, isOfResults] {
+        std::puts((*isOfResults ? io::resultSchema() : io::caseSchema()).c_str());
         exitCode = exitDone;
     });
 }

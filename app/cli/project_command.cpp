@@ -48,7 +48,9 @@ core::Status takePose(core::View& view, const std::string& path)
 
 int runProject(const ProjectArguments& arguments)
 {
-    auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
+    auto loaded = arguments.from.path.empty()
+                      ? loadCaseForCommand(arguments.casePath, arguments.frame)
+                      : loadResultForCommand(arguments.from, ResultStage::Found, arguments.frame);
     if (!loaded) {
         return failInput(loaded.error());
     }

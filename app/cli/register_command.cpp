@@ -4,7 +4,7 @@
 #include "app/cli/register_outputs.h"
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/support/stopwatch.h"
-#include "io/result_file.h"
+#include "io/case/asked_case.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -16,8 +16,10 @@ namespace fs = std::filesystem;
 
 std::string outputFolderOf(const RegisterArguments& arguments)
 {
-    return arguments.outputFolder.empty() ? fs::path(arguments.casePath).stem().string() + "-registered"
-                                          : arguments.outputFolder;
+    return arguments.outputFolder.empty()
+               ? fs::path(arguments.from.path.empty() ? arguments.casePath : arguments.from.path).stem().string() +
+                     "-registered"
+               : arguments.outputFolder;
 }
 
 /// The views that the cases at `paths` show.
@@ -50,7 +52,9 @@ int exitCodeOf(const core::RegisteredCase& registered)
 int runRegister(const RegisterArguments& arguments)
 {
     core::Stopwatch watch;
-    auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
+    const bool isAgain = !arguments.from.path.empty();
+    auto loaded = isAgain ? loadResultForCommand(arguments.from, ResultStage::Asked, arguments.frame)
+                          : loadCaseForCommand(arguments.casePath, arguments.frame);
     if (!loaded) {
         return failInput(loaded.error(), arguments.format);
     }
@@ -69,14 +73,15 @@ int runRegister(const RegisterArguments& arguments)
     plan.readMs = watch.lapMs();
     const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {
-        return failInput(registered.error().about(arguments.casePath), arguments.format);
+        return failInput(registered.error().about(isAgain ? arguments.from.path : arguments.casePath),
+                         arguments.format);
     }
     const std::string folder = outputFolderOf(arguments);
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return failInput(status.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::registeredJson(registered.value()).c_str());
+        std::puts(io::registeredJson(registered.value(), io::originOf(registered.value())).c_str());
     } else {
         printRegistered(registered.value(), folder);
     }

@@ -7,10 +7,12 @@
 #include "core/geometry/angle_units.h"
 #include "core/registration/deformable/bent_tree.h"
 #include "core/registration/judging/pose_uncertainty.h"
+#include "io/case/asked_case.h"
 #include "io/image_file.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
 #include "io/result_file.h"
+#include "io/support/atomic_file.h"
 #include "io/vessel_tree_file.h"
 
 #include <algorithm>
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 namespace angiopose::app {
 namespace {
@@ -36,35 +39,42 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-core::Status writePicture(const core::Case& theCase, const core::Centerline2d& target,
-                          const OverlayPictureOptions& options, const fs::path& path)
+/// A view as it is written: its result is a file of its own, and in its pictures.
+struct WrittenView {
+    core::Case theCase;   ///< showing it
+    const core::Centerline2d* target = nullptr;
+    std::string result;   ///< JSON
+};
+
+core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& options, const fs::path& path)
 {
-    const auto picture = drawOverlay(theCase, target, options);
-    return picture ? io::writePng(picture.value(), path.string(), provenanceTexts(theCase))
-                   : core::Status(picture.error());
+    const auto picture = drawOverlay(view.theCase, *view.target, options);
+    std::map<std::string, std::string> texts = provenanceTexts(view.theCase);
+    texts["Result"] = view.result;
+    return picture ? io::writePng(picture.value(), path.string(), texts) : core::Status(picture.error());
 }
 
 /// As the window shows them; of bent vessels also the rigid ones, and how far the bent ones lie from them.
-core::Status writePictures(const core::Case& theCase, const core::Centerline2d& target, const fs::path& folder)
+core::Status writePictures(const WrittenView& view, const fs::path& folder)
 {
     OverlayPictureOptions options;
-    if (auto status = writePicture(theCase, target, options, folder / "overlay.png"); !status) {
+    if (auto status = writePicture(view, options, folder / "overlay.png"); !status) {
         return status;
     }
-    const core::View& shown = theCase.shown();
-    if (!drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
+    const core::View& shown = view.theCase.shown();
+    if (!drawableBend(shown, view.theCase.vessels, shown.cameraFromPatient)) {
         return core::Done{};
     }
     options.coloring = OverlayColoring::Motion;
-    if (auto status = writePicture(theCase, target, options, folder / "motion.png"); !status) {
+    if (auto status = writePicture(view, options, folder / "motion.png"); !status) {
         return status;
     }
     options.coloring = OverlayColoring::Residuals;
     options.shape = VesselShape::Rigid;
-    return writePicture(theCase, target, options, folder / "rigid.png");
+    return writePicture(view, options, folder / "rigid.png");
 }
 
-core::Status writeView(const core::Case& theCase, const core::Centerline2d& target, const std::string& folderName)
+core::Status writeView(const WrittenView& view, const std::string& folderName)
 {
     const fs::path folder(folderName);
     std::error_code failure;
@@ -72,13 +82,13 @@ core::Status writeView(const core::Case& theCase, const core::Centerline2d& targ
     if (failure) {
         return core::Error(says::folderNotMade(folder.string(), failure.message()));
     }
-    if (auto status = io::writeResult(theCase, *theCase.shown().result, (folder / "result.json").string()); !status) {
+    if (auto status = io::writeAtomically((folder / "result.json").string(), view.result); !status) {
         return status;
     }
-    if (auto status = io::writePose(theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
+    if (auto status = io::writePose(view.theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    return writePictures(theCase, target, folder);
+    return writePictures(view, folder);
 }
 
 /// Where nothing is bent there is nothing to write, unless the user asked for it.
@@ -193,10 +203,11 @@ void printWays(const std::vector<core::WirePath>& ways)
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
 {
+    const io::ResultOrigin origin = io::originOf(registered);
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        if (auto status =
-                writeView(caseShowing(registered, k), registered.targets[k], viewFolder(registered, folder, k));
-            !status) {
+        WrittenView view{caseShowing(registered, k), &registered.targets[k], {}};
+        view.result = io::resultJson(view.theCase, *view.theCase.shown().result, origin);
+        if (auto status = writeView(view, viewFolder(registered, folder, k)); !status) {
             return status;
         }
     }
@@ -205,7 +216,7 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
             return status;
         }
     }
-    return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string())
+    return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string(), origin)
                             : core::Status(core::Done{});
 }
 

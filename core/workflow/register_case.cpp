@@ -307,7 +307,9 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!traced) {
         return traced.error();
     }
-    RegisteredCase run{std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}};
+    auto asked = std::make_shared<const Case>(theCase);
+    RegisteredCase run{
+        std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}, std::move(asked)};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
     const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},
                          plan.readMs,

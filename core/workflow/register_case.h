@@ -4,6 +4,7 @@
 #include "core/registration/register_views.h"
 #include "core/workflow/observer.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct RegisteredCase {
     std::vector<std::size_t> places;   ///< of the registered views in `theCase.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< what they were registered to, in the same order
     std::optional<MultiViewResult> joint;   ///< of several views
+    std::shared_ptr<const Case> asked{};   ///< the case as it was before
 
     const RegistrationResult& result() const { return *theCase.shown().result; }
 };

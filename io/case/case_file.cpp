@@ -52,26 +52,29 @@ core::Result<std::string> readCaseText(const std::string& path)
     return std::string(content);
 }
 
-/// Content of a case file, its paths absolute, and everything wrong with it. Fails where the file is no JSON.
-core::Result<CaseDocument> examine(const std::string& path)
+/// Content of a case that lies at `path`, its paths absolute, and everything wrong with it.
+CaseDocument examineText(const std::string& text, const std::string& path)
 {
-    const auto text = readCaseText(path);
-    if (!text) {
-        return text.error();
-    }
     CaseDocument document;
-    document.problems = findSchemaProblems(text.value());
+    document.problems = findSchemaProblems(text);
     if (document.problems.empty()) {
-        document = parseCaseDocument(text.value());
+        document = parseCaseDocument(text);
     }
     makePathsAbsolute(document, path);
     return document;
 }
 
-/// Likewise, and fails where it is no case, or one that makes no sense.
-core::Result<CaseDocument> readDocument(const std::string& path)
+/// Likewise of a file. Fails where it is no JSON.
+core::Result<CaseDocument> examine(const std::string& path)
 {
-    auto document = examine(path);
+    const auto text = readCaseText(path);
+    return text ? core::Result<CaseDocument>(examineText(text.value(), path)) : text.error();
+}
+
+/// Likewise, and fails where it is no case, or one that makes no sense.
+core::Result<CaseDocument> readDocument(const std::string& path, const std::optional<std::string>& text = std::nullopt)
+{
+    auto document = text ? core::Result<CaseDocument>(examineText(*text, path)) : examine(path);
     if (document && !document.value().problems.empty()) {
         return fileError(path, document.value().problems.front());
     }
@@ -150,7 +153,7 @@ core::Result<Case> loadCaseWith(const CaseWish& wish, const std::string& path, c
                                 const ReadObserver& observe, const MovedInputs& moved)
 {
     try {
-        auto read = readDocument(path);
+        auto read = readDocument(path, wish.text);
         if (!read) {
             return read.error();
         }
@@ -217,6 +220,19 @@ std::vector<std::string> filesNamedIn(const std::string& casePath)
     } catch (const std::exception&) {   // it names nothing that can be read
     }
     return paths;
+}
+
+std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::string& casePath)
+{
+    std::vector<core::InputFile> files;
+    try {
+        CaseDocument document = examineText(text, casePath);
+        for (const core::InputFile* file : inputsOf(document)) {
+            files.push_back(*file);
+        }
+    } catch (const std::exception&) {   // it names nothing that can be read
+    }
+    return files;
 }
 
 std::vector<core::InputFile> filesOf(const Case& theCase)

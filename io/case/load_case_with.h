@@ -10,6 +10,7 @@ namespace angiopose::io {
 struct CaseWish {
     CaseSettings settings;   ///< over what the file says, tracing among them
     FullestFrame fullest = FullestFrame::Sought;   ///< of runs whose frame the case says
+    std::optional<std::string> text = std::nullopt;   ///< instead of what the file holds, which need be no case then
 };
 
 /// loadCase as wished.
@@ -18,6 +19,9 @@ core::Result<core::Case> loadCaseWith(const CaseWish& wish, const std::string& p
 
 /// The files that a case file names, absolute, whether they are there or not; nothing of what is no case.
 std::vector<std::string> filesNamedIn(const std::string& casePath);
+
+/// Likewise of the text of a case that would lie at `casePath`, with the content that it knows of them.
+std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::string& casePath);
 
 /// The files that a loaded case came from, with what they hashed to.
 std::vector<core::InputFile> filesOf(const core::Case& theCase);

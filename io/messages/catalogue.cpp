@@ -8,6 +8,7 @@
 #include "io/messages/says_keeping.h"
 #include "io/messages/says_objects.h"
 #include "io/messages/says_own.h"
+#include "io/messages/says_results.h"
 #include "io/messages/says_study.h"
 #include "io/messages/says_support.h"
 
@@ -32,6 +33,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "io/messages/opening.def"
 #include "io/messages/own.def"
 #include "io/messages/study.def"
+#include "io/messages/results.def"
 #include "io/messages/support.def"
 #include "io/messages/vessels.def"
 #include "io/messages/volumes.def"

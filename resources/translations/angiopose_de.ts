@@ -3515,6 +3515,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Ergebnisse von %1 und %2 stammen aus anderen Einstellungen oder einer anderen Version. Führen Sie zusammen, was gleich ausgeführt wurde.</translation>
     </message>
     <message>
+        <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
+        <comment>result.not-one</comment>
+        <translation>das ist kein Ergebnis einer Registrierung. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>it does not hold what it was found from: an earlier version wrote it, or the window. Register its case instead.</source>
+        <comment>result.without-case</comment>
+        <translation>es enthält nicht, woraus es gefunden wurde: Eine frühere Version hat es geschrieben, oder das Fenster. Registrieren Sie stattdessen seinen Fall.</translation>
+    </message>
+    <message>
+        <source>its input %1 is nowhere to be found with the content that it was found from (SHA-256 %2). Name the folder that it lies in with --inputs.</source>
+        <comment>result.input-missing</comment>
+        <translation>seine Eingabe %1 ist nirgends mit dem Inhalt zu finden, aus dem es gefunden wurde (SHA-256 %2). Nennen Sie mit --inputs den Ordner, in dem sie liegt.</translation>
+    </message>
+    <message>
+        <source>its input %1 has other content than it was found from. Name the folder of the right one with --inputs.</source>
+        <comment>result.input-changed</comment>
+        <translation>seine Eingabe %1 hat anderen Inhalt als der, aus dem es gefunden wurde. Nennen Sie mit --inputs den Ordner der richtigen.</translation>
+    </message>
+    <message>
         <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
         <translation>--shard braucht einen Teil und die Zahl der Teile wie 2/4, nicht „%1“.</translation>

@@ -3515,6 +3515,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 与 %2 的结果来自不同的设置或不同的版本。请只合并以相同方式运行的结果。</translation>
     </message>
     <message>
+        <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
+        <comment>result.not-one</comment>
+        <translation>这不是配准结果。请给出由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>
+    </message>
+    <message>
+        <source>it does not hold what it was found from: an earlier version wrote it, or the window. Register its case instead.</source>
+        <comment>result.without-case</comment>
+        <translation>其中不含得出结果所用的内容：它由较早的版本或由窗口写出。请改为配准其病例。</translation>
+    </message>
+    <message>
+        <source>its input %1 is nowhere to be found with the content that it was found from (SHA-256 %2). Name the folder that it lies in with --inputs.</source>
+        <comment>result.input-missing</comment>
+        <translation>找不到内容与得出结果时相同的输入 %1（SHA-256 %2）。请用 --inputs 给出它所在的文件夹。</translation>
+    </message>
+    <message>
+        <source>its input %1 has other content than it was found from. Name the folder of the right one with --inputs.</source>
+        <comment>result.input-changed</comment>
+        <translation>输入 %1 的内容与得出结果时不同。请用 --inputs 给出正确输入所在的文件夹。</translation>
+    </message>
+    <message>
         <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
         <translation>--shard 需要部分号和总份数，例如 2/4，而不是“%1”。</translation>

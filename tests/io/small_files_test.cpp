@@ -164,7 +164,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     result.warnings = {core::says::trustDepthUnknown()};
     const nlohmann::json json = nlohmann::json::parse(io::resultJson(theCase, result));
     EXPECT_EQ(json["format"], "angiopose-result");
-    EXPECT_EQ(json["version"], 1);
+    EXPECT_EQ(json["version"], 2);
     EXPECT_EQ(json["method"], "dynaweight");
     EXPECT_EQ(json["pose"]["cameraFromPatient"][3][3], 1.0);
     EXPECT_EQ(json["metrics"]["medianProjectionDistancePx"], 0.75);

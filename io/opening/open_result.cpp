@@ -1,0 +1,151 @@
+#include "io/opening/open_result.h"
+
+#include "core/case/case_views.h"
+#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/geometry_fields.h"
+#include "io/case/fields/result_fields.h"
+#include "io/case/load_case_with.h"
+#include "io/messages/says_results.h"
+#include "io/support/file_error.h"
+#include "io/support/input_bytes.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <utility>
+
+namespace angiopose::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+core::Result<Json> readResultJson(const std::string& path)
+{
+    const auto input = openInput(path);
+    if (!input) {
+        return input.error();
+    }
+    if (const auto valid = checkJson(input.value().view(), path); !valid) {
+        return valid.error();
+    }
+    Json root = Json::parse(input.value().view());
+    const Json format = root.is_object() ? root.value("format", Json()) : Json();
+    if (format != "angiopose-result" && format != "angiopose-joint-result") {
+        return fileError(path, says::resultNotOne());
+    }
+    if (!root.contains("case")) {
+        return fileError(path, says::resultWithoutCase());
+    }
+    return root;
+}
+
+/// Its inputs, each where it lies with the content that it had.
+core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, const ResultPlace& place,
+                                   const ReadObserver& observe)
+{
+    std::vector<MissingInput> wanted;
+    for (const core::InputFile& file : files) {
+        wanted.push_back({file.path, file.sha256, false});
+    }
+    std::vector<std::string> folders{fs::absolute(place.path).parent_path().string()};
+    folders.insert(folders.end(), place.inputFolders.begin(), place.inputFolders.end());
+    MovedInputs found = findMovedInputs(wanted, folders, observe);
+    for (const MissingInput& each : wanted) {
+        if (!found.contains(each.path)) {
+            const std::string name = fs::path(each.path).filename().string();
+            return fileError(place.path, says::resultInputMissing(name, each.sha256));
+        }
+    }
+    return found;
+}
+
+/// Of a folder only its name was looked at.
+core::Status checkContents(const std::vector<core::InputFile>& wanted, const MovedInputs& places,
+                           const core::Case& loaded, const std::string& path)
+{
+    for (const core::InputFile& file : filesOf(loaded)) {
+        for (const core::InputFile& each : wanted) {
+            const auto found = places.find(each.path);
+            const bool isSame = found != places.end() && found->second == file.path;
+            if (isSame && !each.sha256.empty() && each.sha256 != file.sha256) {
+                return fileError(path, says::resultInputChanged(fs::path(file.path).filename().string()));
+            }
+        }
+    }
+    return core::Done{};
+}
+
+core::Result<core::Case> loadAsked(const Json& root, const ResultPlace& place, core::Messages& warnings,
+                                   const ReadObserver& observe)
+{
+    CaseWish wish;
+    wish.text = root.at("case").dump();
+    wish.fullest = FullestFrame::NotNeeded;
+    const std::vector<core::InputFile> wanted = filesNamedBy(*wish.text, place.path);
+    const auto places = placesOf(wanted, place, observe);
+    if (!places) {
+        return places.error();
+    }
+    auto loaded = loadCaseWith(wish, place.path, warnings, observe, places.value());
+    if (!loaded) {
+        return loaded;
+    }
+    if (const auto checked = checkContents(wanted, places.value(), loaded.value(), place.path); !checked) {
+        return checked.error();
+    }
+    return loaded;
+}
+
+/// What a result says of a view goes into it.
+core::Messages takeOverFound(core::View& view, const Json& json)
+{
+    Reading reading;
+    core::RegistrationResult result;
+    readFields(json, result, resultFields(), reading);
+    if (json.contains("bent")) {
+        bentField().read(json.at("bent"), result, reading);
+    }
+    result.provenance.frame = json.at("inputs").value("frame", view.frame);
+    core::ViewGeometry geometry;
+    readFields(json.at("geometry"), geometry, geometryFields(), reading);
+    view.geometry = geometry;
+    view.cameraFromPatient = result.cameraFromPatient;
+    view.result = std::move(result);
+    return reading.problems;
+}
+
+}   // namespace
+
+core::Result<core::Case> openAsked(const ResultPlace& place, core::Messages& warnings, const ReadObserver& observe)
+{
+    const auto root = readResultJson(place.path);
+    return root ? loadAsked(root.value(), place, warnings, observe) : core::Result<core::Case>(root.error());
+}
+
+core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& warnings, const ReadObserver& observe)
+{
+    const auto root = readResultJson(place.path);
+    if (!root) {
+        return root.error();
+    }
+    auto loaded = loadAsked(root.value(), place, warnings, observe);
+    if (!loaded) {
+        return loaded;
+    }
+    core::Case theCase = std::move(loaded).value();
+    try {
+        const Json results = root.value().contains("views") ? root.value()["views"] : Json::array({root.value()});
+        const std::size_t first = results.at(0).at("view").get<std::size_t>() - 1;
+        for (const Json& each : results) {
+            core::Messages problems = takeOverFound(theCase.views.at(each.at("view").get<std::size_t>() - 1), each);
+            if (!problems.empty()) {
+                return fileError(place.path, problems.front());
+            }
+        }
+        return core::showingView(std::move(theCase), first);
+    } catch (const std::exception&) {   // a value of another kind
+        return fileError(place.path, says::resultNotOne());
+    }
+}
+
+}   // namespace angiopose::io

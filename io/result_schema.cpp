@@ -1,0 +1,86 @@
+#include "io/result_schema.h"
+
+#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/geometry_fields.h"
+#include "io/case/fields/result_fields.h"
+
+namespace angiopose::io {
+namespace {
+
+Json inputOfResult()
+{
+    Json uids = objectSchema(
+        {{"studyInstanceUid", textSchema()}, {"seriesInstanceUid", textSchema()}, {"sopInstanceUid", textSchema()}});
+    return objectSchema(
+        {{"file", about(textSchema(), "Its name, without the folder.")}, {"sha256", textSchema()}, {"dicom", uids}});
+}
+
+Json inputsSchema()
+{
+    return objectSchema({{"vessel", inputOfResult()},
+                         {"angiogram", inputOfResult()},
+                         {"centerline", inputOfResult()},
+                         {"frame", integerSchema(0, 100000)},
+                         {"mismatch", listSchema(textSchema())}},
+                        {"frame"});
+}
+
+Json projectionSchema()
+{
+    const Json number = numberSchema();
+    const Json count{{"type", "integer"}, {"minimum", 1}};
+    return about(
+        objectSchema(
+            {{"fx", number}, {"fy", number}, {"cx", number}, {"cy", number}, {"width", count}, {"height", count}},
+            {"fx", "fy", "cx", "cy", "width", "height"}),
+        "The camera of the pose, px: u = fx X/Z + cx, v = fy Y/Z + cy, from the centre of the first pixel.");
+}
+
+/// What is there beside the rows that a case keeps of a result, too.
+Json ownProperties()
+{
+    Json anything{{"type", "object"}};
+    return {{"format", choiceSchema({"angiopose-result"})},
+            {"version", about(Json{{"type", "integer"}, {"minimum", 1}}, "2 since it holds what it was found from.")},
+            {"title", textSchema()},
+            {"view", about(Json{{"type", "integer"}, {"minimum", 1}}, "Its number in the case, from 1.")},
+            {"warnings", listSchema(textSchema())},
+            {"inputs", inputsSchema()},
+            {"projection", projectionSchema()},
+            {"geometry", objectSchema(propertiesOf(geometryFields()))},
+            {"deformable", about(anything, "How far the vessels are bent (FORMATS, section 3.5).")},
+            {"bent", about(bentField().schema, "The same with the motion of every point.")},
+            {"checkPoints", listSchema(anything)},
+            {"case", about(anything,
+                           "What the registration began with: a case file (angiopose-case.schema.json) whose "
+                           "inputs are told by name and content.")}};
+}
+
+}   // namespace
+
+const std::string& resultSchema()
+{
+    static const std::string text = [] {
+        Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                    {"$id", "https://angiopose.org/schema/angiopose-result-2.json"},
+                    {"title", "AngioPose result"},
+                    {"description",
+                     "What a registration found of one view, and all that it was found from but the inputs themselves. "
+                     "Lengths in mm, angles in degrees, pixels from the centre of the first pixel; patient space is "
+                     "DICOM LPS. Other keys are allowed."}};
+        Json properties = ownProperties();
+        for (const auto& [key, value] : propertiesOf(resultFields()).items()) {
+            properties[key] = value;
+        }
+        properties["pose"]["properties"]["initial"] = about(definedAs("pose"), "From which it began.");
+        schema.update(objectSchema(
+            std::move(properties),
+            {"format", "version", "method", "pose", "metrics", "uncertainty", "perBranch", "trustworthy", "warnings",
+             "messages", "stopReason", "iterations", "timeMs", "inputs", "options", "programVersion"}));
+        schema["definitions"] = schemaDefinitions();
+        return prettyJson(schema.dump());
+    }();
+    return text;
+}
+
+}   // namespace angiopose::io

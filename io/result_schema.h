@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace angiopose::io {
+
+/// The JSON Schema of `result.json`, as published under resources/.
+const std::string& resultSchema();
+
+}   // namespace angiopose::io
