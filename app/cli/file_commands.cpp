@@ -2,7 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "io/case/case_file.h"
-#include "io/result_schema.h"
+#include "io/results/result_schema.h"
 
 #include <cstdio>
 #include <memory>

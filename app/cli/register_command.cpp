@@ -5,6 +5,7 @@
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/support/stopwatch.h"
 #include "io/case/asked_case.h"
+#include "io/results/result_file.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -81,7 +82,7 @@ int runRegister(const RegisterArguments& arguments)
         return failInput(status.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::registeredJson(registered.value(), io::originOf(registered.value())).c_str());
+        std::puts(io::registeredJson(registered.value(), io::askedCaseText(registered.value())).c_str());
     } else {
         printRegistered(registered.value(), folder);
     }

@@ -11,7 +11,7 @@
 #include "io/image_file.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "io/support/atomic_file.h"
 #include "io/vessel_tree_file.h"
 
@@ -44,13 +44,14 @@ struct WrittenView {
     core::Case theCase;   ///< showing it
     const core::Centerline2d* target = nullptr;
     std::string result;   ///< JSON
+    std::string resultInPictures;   ///< likewise, which may go further than the folder: without names
 };
 
 core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& options, const fs::path& path)
 {
     const auto picture = drawOverlay(view.theCase, *view.target, options);
     std::map<std::string, std::string> texts = provenanceTexts(view.theCase);
-    texts["Result"] = view.result;
+    texts["Result"] = view.resultInPictures;
     return picture ? io::writePng(picture.value(), path.string(), texts) : core::Status(picture.error());
 }
 
@@ -203,10 +204,11 @@ void printWays(const std::vector<core::WirePath>& ways)
 
 core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
 {
-    const io::ResultOrigin origin = io::originOf(registered);
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        WrittenView view{caseShowing(registered, k), &registered.targets[k], {}};
-        view.result = io::resultJson(view.theCase, *view.theCase.shown().result, origin);
+        const std::size_t place = registered.places[k];
+        const WrittenView view{caseShowing(registered, k), &registered.targets[k],
+                               io::resultJson(registered, place, io::ResultNames::Kept),
+                               io::resultJson(registered, place, io::ResultNames::LeftOut)};
         if (auto status = writeView(view, viewFolder(registered, folder, k)); !status) {
             return status;
         }
@@ -216,7 +218,8 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
             return status;
         }
     }
-    return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string(), origin)
+    return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string(),
+                                                   io::askedCaseText(registered))
                             : core::Status(core::Done{});
 }
 

@@ -20,7 +20,7 @@
 #include "io/motion_table.h"
 #include "io/pose_camera_file.h"
 #include "io/pose_file.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "io/support/atomic_file.h"
 #include "io/vessel_tree_file.h"
 #include "ui/dialogs/message_dialog.h"
@@ -205,7 +205,7 @@ void ExportController::askResult()
     }
     askFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")},
             [snapshot = document_.current()](const QString& path) {
-                return io::writeResult(snapshot, *snapshot.shown().result, path.toStdString());
+                return io::writeResult(snapshot, path.toStdString());
             });
 }
 

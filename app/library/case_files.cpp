@@ -6,7 +6,7 @@
 #include "io/opening/assemble_case.h"
 #include "io/opening/read_case_inputs.h"
 #include "io/opening/read_inputs.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
 
@@ -116,7 +116,7 @@ void writeResult(const Case& theCase, const std::string& path)
         throw Error("library.no-result",
                     "The case has no result: it was not registered, or its pose was changed since.");
     }
-    library::check(io::writeResult(values, *values.shown().result, path));
+    library::check(io::writeResult(values, path));
 }
 
 }   // namespace angiopose

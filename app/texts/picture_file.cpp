@@ -2,6 +2,7 @@
 
 #include "app/messages/says.h"
 #include "io/image_file.h"
+#include "io/results/result_file.h"
 #include "io/support/atomic_file.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ core::Status writePictureFile(const core::Case& theCase, const core::Centerline2
     if (endOf(path) != ".png") {
         return core::Error(says::pictureKindUnknown()).about(path);
     }
-    const std::map<std::string, std::string> texts = provenanceTexts(theCase);
+    std::map<std::string, std::string> texts = provenanceTexts(theCase);
     if (file.content == PictureContent::Frame16) {
         const auto& run = theCase.shown().angiogram;
         return run && theCase.shown().frame < run->frameCount()
@@ -75,6 +76,10 @@ core::Status writePictureFile(const core::Case& theCase, const core::Centerline2
                    : core::Status(core::Error(says::overlayIncomplete()));
     }
     const bool isFrame = file.content == PictureContent::Frame;
+    if (!isFrame && theCase.shown().result) {
+        texts["Result"] = io::keptResultJson(
+            theCase, options.identity == Identity::Shown ? io::ResultNames::Kept : io::ResultNames::LeftOut);
+    }
     const auto picture =
         isFrame ? drawOverlay(frameAlone(theCase), {}, withoutVessels(options)) : drawOverlay(theCase, target, options);
     return picture ? io::writePng(picture.value(), path, texts, file.dotsPerInch) : core::Status(picture.error());

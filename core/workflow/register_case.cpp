@@ -320,6 +320,9 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!status) {
         return status.error();
     }
+    for (const std::size_t place : run.places) {
+        run.theCase.views[place].result->provenance.start = run.asked->views[place].cameraFromPatient;
+    }
     return run;
 }
 

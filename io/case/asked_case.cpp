@@ -1,10 +1,13 @@
 #include "io/case/asked_case.h"
 
+#include "core/messages/says.h"
 #include "io/case/case_document.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace angiopose::io {
@@ -51,6 +54,12 @@ void keepOnlyWhatIsAsked(core::View& view)
     view.extraKeys.clear();
 }
 
+bool hasEstimatedGeometry(const core::RegistrationResult& result)
+{
+    return std::ranges::any_of(result.warnings,
+                               [](const core::Message& warning) { return warning.is(core::says::cameraEstimated); });
+}
+
 }   // namespace
 
 std::string askedCaseText(const core::Case& asked)
@@ -70,12 +79,45 @@ std::string askedCaseText(const core::Case& asked)
     }
 }
 
-ResultOrigin originOf(const core::RegisteredCase& registered)
+std::string askedCaseText(const core::RegisteredCase& registered)
 {
-    if (!registered.asked) {
-        return {};
+    return registered.asked ? askedCaseText(*registered.asked) : std::string();
+}
+
+core::Case viewsOfItsRun(core::Case theCase)
+{
+    const core::Provenance run = theCase.shown().result->provenance;
+    const auto isOfRun = [&run](const core::View& view) {
+        return view.result && !run.time.empty() && view.result->provenance.time == run.time &&
+               view.result->provenance.author == run.author;
+    };
+    std::vector<core::View> views;
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < theCase.views.size(); ++i) {
+        if (i == theCase.shownView) {
+            shown = views.size();
+        }
+        if (i == theCase.shownView || isOfRun(theCase.views[i])) {
+            views.push_back(std::move(theCase.views[i]));
+        }
     }
-    return {registered.asked.get(), askedCaseText(*registered.asked)};
+    theCase.views = std::move(views);
+    theCase.shownView = shown;
+    return theCase;
+}
+
+std::string askedCaseTextOfRun(core::Case ofOneRun)
+{
+    ofOneRun.options = ofOneRun.shown().result->provenance.options;
+    for (core::View& view : ofOneRun.views) {
+        const core::RegistrationResult& result = *view.result;
+        if (!result.provenance.start || hasEstimatedGeometry(result)) {
+            return {};
+        }
+        view.cameraFromPatient = *result.provenance.start;
+        view.frame = result.provenance.frame.value_or(view.frame);
+    }
+    return askedCaseText(ofOneRun);
 }
 
 }   // namespace angiopose::io

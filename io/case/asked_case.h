@@ -1,6 +1,7 @@
 #pragma once
 
-#include "io/result_file.h"
+#include "core/case/case.h"
+#include "core/workflow/register_case.h"
 
 #include <string>
 
@@ -11,7 +12,14 @@ namespace angiopose::io {
 /// findings, notes and measurements. Empty where a file name cannot be told in JSON.
 std::string askedCaseText(const core::Case& asked);
 
-/// Of a registration, for its result.
-ResultOrigin originOf(const core::RegisteredCase& registered);
+/// What a registration that was just made began with.
+std::string askedCaseText(const core::RegisteredCase& registered);
+
+/// A case with the views alone that were registered together with the shown one, which has a result.
+core::Case viewsOfItsRun(core::Case theCase);
+
+/// What the run that found the results of such a case began with, as far as it is still known: empty where no start
+/// pose was noted (before 2.0 of the result), or where the run changed the geometry.
+std::string askedCaseTextOfRun(core::Case ofOneRun);
 
 }   // namespace angiopose::io

@@ -3,7 +3,7 @@
 #include "io/case/case_file.h"
 #include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
-#include "io/sharing/nameless_case.h"
+#include "io/case/nameless_case.h"
 #include "io/sharing/zip_archive.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"

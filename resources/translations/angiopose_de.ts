@@ -3520,9 +3520,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist kein Ergebnis einer Registrierung. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
     </message>
     <message>
-        <source>it does not hold what it was found from: an earlier version wrote it, or the window. Register its case instead.</source>
+        <source>it does not hold what it was found from: an earlier version found it, or its registration estimated the geometry. Register its case instead.</source>
         <comment>result.without-case</comment>
-        <translation>es enthält nicht, woraus es gefunden wurde: Eine frühere Version hat es geschrieben, oder das Fenster. Registrieren Sie stattdessen seinen Fall.</translation>
+        <translation>es enthält nicht, woraus es gefunden wurde: Eine frühere Version hat es gefunden, oder seine Registrierung hat die Geometrie geschätzt. Registrieren Sie stattdessen seinen Fall.</translation>
     </message>
     <message>
         <source>its input %1 is nowhere to be found with the content that it was found from (SHA-256 %2). Name the folder that it lies in with --inputs.</source>

@@ -3520,9 +3520,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是配准结果。请给出由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>
     </message>
     <message>
-        <source>it does not hold what it was found from: an earlier version wrote it, or the window. Register its case instead.</source>
+        <source>it does not hold what it was found from: an earlier version found it, or its registration estimated the geometry. Register its case instead.</source>
         <comment>result.without-case</comment>
-        <translation>其中不含得出结果所用的内容：它由较早的版本或由窗口写出。请改为配准其病例。</translation>
+        <translation>其中不含得出结果所用的内容：它由较早的版本得出，或其配准估计了几何。请改为配准其病例。</translation>
     </message>
     <message>
         <source>its input %1 is nowhere to be found with the content that it was found from (SHA-256 %2). Name the folder that it lies in with --inputs.</source>

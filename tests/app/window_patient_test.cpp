@@ -2,7 +2,7 @@
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "io/vessel_tree_file.h"
 #include "tests/app/open_window.h"
 #include "tests/io/series/ct_phantom.h"

@@ -5,7 +5,7 @@
 #include "io/image_file.h"
 #include "io/messages/says.h"
 #include "io/pose_file.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -142,9 +142,8 @@ TEST(ReadPose, FindsThePoseInAResult)
 {
     const test::TemporaryFolder folder;
     core::Case theCase;
-    core::RegistrationResult result;
-    result.cameraFromPatient = oddPose();
-    ASSERT_TRUE(io::writeResult(theCase, result, folder.file("result.json")));
+    theCase.shown().result.emplace().cameraFromPatient = oddPose();
+    ASSERT_TRUE(io::writeResult(theCase, folder.file("result.json")));
     const auto pose = io::readPose(folder.file("result.json"));
     ASSERT_TRUE(pose) << pose.error().message;
     EXPECT_EQ(pose.value().matrix(), oddPose().matrix());

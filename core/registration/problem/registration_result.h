@@ -147,6 +147,7 @@ struct Provenance {
     std::string programVersion;   ///< empty: not known
     RegistrationOptions options;
     std::optional<int> frame{};   ///< of the angiogram, counts from 0: what is said of the fit holds for it alone
+    std::optional<RigidTransform> start{};   ///< camera from patient, from which it began; none: not known
 };
 
 struct RegistrationResult {

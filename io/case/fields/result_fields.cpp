@@ -165,6 +165,23 @@ StoredFields<IterationReport> iterationFields()
             storedIfSet("view", Json{{"type", "integer"}, {"minimum", 0}}, &IterationReport::view)};
 }
 
+/// Beside the pose that was found.
+StoredField<RegistrationResult> startField()
+{
+    return {"initial", about(definedAs("pose"), "From which it began."),
+            [](const Json& value, RegistrationResult& result, Reading& reading) {
+                if (const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>())) {
+                    result.provenance.start = pose.value();
+                } else {
+                    reading.problems.push_back(pose.error().message.about("result"));
+                }
+            },
+            [](const RegistrationResult& result, const fs::path&) {
+                const auto& start = result.provenance.start;
+                return start ? Json{{"cameraFromPatient", rowsOf(*start)}} : Json();
+            }};
+}
+
 StoredField<Provenance> runOptionsField()
 {
     return {"options", about(Json{{"type", "object"}}, "Those it was found with."),
@@ -194,7 +211,7 @@ const StoredFields<RegistrationResult>& resultFields()
         StoredFields<RegistrationResult> rows{
             storedValue("method", textSchema(), &RegistrationResult::method),
             storedGroup<RegistrationResult>("pose", Json::object(),
-                                            {storedPose(&RegistrationResult::cameraFromPatient)}),
+                                            {storedPose(&RegistrationResult::cameraFromPatient), startField()}),
             storedPart("metrics", Json::object(), &RegistrationResult::metrics, distanceMetricsFields()),
             storedPart("uncertainty", Json::object(), &RegistrationResult::uncertainty, uncertaintyFields()),
             cameraEvidenceField(),

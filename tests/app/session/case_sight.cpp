@@ -2,7 +2,7 @@
 
 #include "app/files/case_report.h"
 #include "io/case/case_file.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "tests/app/session/words_of_window.h"
 #include "tests/support/patience.h"
 #include "ui/views/angiogram_view.h"

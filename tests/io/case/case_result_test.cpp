@@ -3,7 +3,7 @@
 #include "core/registration/registration.h"
 #include "io/messages/says.h"
 #include "io/motion_table.h"
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 #include "tests/io/case/small_case.h"
 
 #include <cmath>

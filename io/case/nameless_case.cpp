@@ -1,6 +1,8 @@
-#include "io/sharing/nameless_case.h"
+#include "io/case/nameless_case.h"
 
+#include <filesystem>
 #include <string>
+#include <utility>
 
 namespace angiopose::io {
 namespace {
@@ -63,6 +65,15 @@ void clearView(core::View& view, Eraser& erase)
     }
 }
 
+/// "angiogram.dcm"; of a folder there is no more than the word.
+void forgetName(core::InputFile& file, const std::string& word)
+{
+    if (!file.path.empty()) {
+        const std::filesystem::path path(file.path);
+        file.path = (path.parent_path() / word).string() + path.extension().string();
+    }
+}
+
 }   // namespace
 
 std::size_t clearTexts(core::Case& theCase)
@@ -76,6 +87,18 @@ std::size_t clearTexts(core::Case& theCase)
         clearView(view, erase);
     }
     return erase.count();
+}
+
+core::Case namelessCase(core::Case theCase)
+{
+    clearTexts(theCase);
+    forgetName(theCase.vessels.file, "vessels");
+    forgetName(theCase.vessels.scanFile, "scan");
+    for (core::View& view : theCase.views) {
+        forgetName(view.imageFile, "angiogram");
+        forgetName(view.target.file, "curves");
+    }
+    return theCase;
 }
 
 }   // namespace angiopose::io

@@ -1,4 +1,4 @@
-#include "io/result_schema.h"
+#include "io/results/result_schema.h"
 
 #include "io/case/fields/bent_fields.h"
 #include "io/case/fields/geometry_fields.h"
@@ -72,7 +72,6 @@ const std::string& resultSchema()
         for (const auto& [key, value] : propertiesOf(resultFields()).items()) {
             properties[key] = value;
         }
-        properties["pose"]["properties"]["initial"] = about(definedAs("pose"), "From which it began.");
         schema.update(objectSchema(
             std::move(properties),
             {"format", "version", "method", "pose", "metrics", "uncertainty", "perBranch", "trustworthy", "warnings",

@@ -1,19 +1,21 @@
-#include "io/result_file.h"
+#include "io/results/result_file.h"
 
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
+#include "io/case/asked_case.h"
 #include "io/case/fields/bent_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
+#include "io/case/nameless_case.h"
 #include "io/check_point_table.h"
 #include "io/edited_curves.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/message_json.h"
-#include "io/support/pose_matrix.h"
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -83,20 +85,28 @@ void addGeometry(Json& root, const core::View& view)
     root["geometry"] = writeFields(view.geometry, geometryFields(), {});
 }
 
-/// What it was found from, but the inputs themselves.
-void addOrigin(Json& root, const ResultOrigin& origin, std::size_t view)
+void eraseUids(Json& json)
 {
-    if (origin.asked) {
-        root["pose"]["initial"]["cameraFromPatient"] = rowsOf(origin.asked->views[view].cameraFromPatient);
+    if (json.is_object()) {
+        json.erase("dicom");
     }
-    if (!origin.caseText.empty()) {
-        root["case"] = Json::parse(origin.caseText);
+    if (json.is_structured()) {
+        std::ranges::for_each(json, eraseUids);
     }
+}
+
+/// Nor with sentences about whose images they are.
+std::string withoutUids(const std::string& result)
+{
+    Json root = Json::parse(result);
+    root["inputs"].erase("mismatch");
+    eraseUids(root);
+    return prettyJson(root.dump());
 }
 
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result, const ResultOrigin& origin)
+std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result, const std::string& askedCase)
 {
     Json root;
     root["format"] = "angiopose-result";
@@ -126,7 +136,9 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
         }
     }
     addGeometry(root, theCase.shown());
-    addOrigin(root, origin, theCase.shownView);
+    if (!askedCase.empty()) {
+        root["case"] = Json::parse(askedCase);
+    }
     if (!theCase.vessels.marks.empty()) {
         root["checkPoints"] = Json::parse(checkPointJson(theCase));
     }
@@ -134,9 +146,30 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-core::Status writeResult(const core::Case& theCase, const core::RegistrationResult& result, const std::string& path)
+std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names)
 {
-    return writeAtomically(path, resultJson(theCase, result));
+    const core::Case showing = core::showingView(registered.theCase, place);
+    if (names == ResultNames::Kept) {
+        return resultJson(showing, *showing.shown().result, askedCaseText(registered));
+    }
+    const core::Case nameless = namelessCase(showing);
+    const std::string asked = registered.asked ? askedCaseText(namelessCase(*registered.asked)) : std::string();
+    return withoutUids(resultJson(nameless, *nameless.shown().result, asked));
+}
+
+std::string keptResultJson(const core::Case& theCase, ResultNames names)
+{
+    core::Case ofRun = viewsOfItsRun(theCase);
+    if (names == ResultNames::Kept) {
+        return resultJson(ofRun, *ofRun.shown().result, askedCaseTextOfRun(ofRun));
+    }
+    ofRun = namelessCase(std::move(ofRun));
+    return withoutUids(resultJson(ofRun, *ofRun.shown().result, askedCaseTextOfRun(ofRun)));
+}
+
+core::Status writeResult(const core::Case& theCase, const std::string& path)
+{
+    return writeAtomically(path, keptResultJson(theCase, ResultNames::Kept));
 }
 
 namespace {
@@ -153,7 +186,7 @@ Json cameraJson(const core::CameraEvidence& camera)
     return {{"error", three(camera.error)}, {"sigma", three(camera.std)}, {"gain", camera.gain}};
 }
 
-std::string jointJson(const core::RegisteredCase& registered, const ResultOrigin& origin)
+std::string jointJson(const core::RegisteredCase& registered, const std::string& askedCase)
 {
     const core::MultiViewResult& joint = *registered.joint;
     Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
@@ -164,7 +197,7 @@ std::string jointJson(const core::RegisteredCase& registered, const ResultOrigin
                            {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
-        Json view = Json::parse(resultJson(showing, *showing.shown().result, origin));
+        Json view = Json::parse(resultJson(showing, *showing.shown().result, askedCase));
         view.erase("deformable");   // of all views together: below
         view.erase("case");
         view["view"] = registered.places[k] + 1;
@@ -174,8 +207,8 @@ std::string jointJson(const core::RegisteredCase& registered, const ResultOrigin
         }
         json["views"].push_back(std::move(view));
     }
-    if (!origin.caseText.empty()) {
-        json["case"] = Json::parse(origin.caseText);
+    if (!askedCase.empty()) {
+        json["case"] = Json::parse(askedCase);
     }
     if (const auto& bent = registered.result().bent) {
         json["deformable"] = bentSummary(*bent);
@@ -185,16 +218,16 @@ std::string jointJson(const core::RegisteredCase& registered, const ResultOrigin
 
 }   // namespace
 
-std::string registeredJson(const core::RegisteredCase& registered, const ResultOrigin& origin)
+std::string registeredJson(const core::RegisteredCase& registered, const std::string& askedCase)
 {
-    return registered.joint ? jointJson(registered, origin)
-                            : resultJson(registered.theCase, registered.result(), origin);
+    return registered.joint ? jointJson(registered, askedCase)
+                            : resultJson(registered.theCase, registered.result(), askedCase);
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
-                              const ResultOrigin& origin)
+                              const std::string& askedCase)
 {
-    return writeAtomically(path, jointJson(registered, origin));
+    return writeAtomically(path, jointJson(registered, askedCase));
 }
 
 }   // namespace angiopose::io

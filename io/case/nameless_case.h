@@ -11,4 +11,7 @@ namespace angiopose::io {
 /// text. How many there were. Branches keep their names, which are anatomy.
 std::size_t clearTexts(core::Case& theCase);
 
+/// Without texts and names of input files, whose content still tells which they are. Images keep what they say.
+core::Case namelessCase(core::Case theCase);
+
 }   // namespace angiopose::io

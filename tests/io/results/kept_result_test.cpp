@@ -1,0 +1,141 @@
+#include "core/messages/says.h"
+#include "io/opening/open_result.h"
+#include "io/results/result_file.h"
+#include "io/results/result_schema.h"
+#include "tests/io/case/small_case.h"
+
+#include <gtest/gtest.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+using namespace angiopose;
+
+namespace {
+
+core::RigidTransform movedBy(double xMm)
+{
+    return core::expSe3((core::Vector6d() << 0.0, 0.0, 0.1, xMm, 0.0, 740.0).finished());
+}
+
+core::RegistrationResult resultOfRun(const std::string& time)
+{
+    core::RegistrationResult result;
+    result.method = "dynaweight";
+    result.cameraFromPatient = movedBy(3.0);
+    result.provenance.start = movedBy(1.0);
+    result.provenance.time = time;
+    result.provenance.author = "Ada";
+    result.provenance.frame = 0;
+    result.provenance.options.method = "dynaweight";
+    return result;
+}
+
+/// What a case keeps of a run must tell where it began, long after it.
+class KeptResult : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        auto loaded = small_.load(small_.json());
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        theCase_ = std::move(loaded).value();
+        theCase_.title = "Jane Doe's coronaries";
+        keep(theCase_.shown(), "2026-11-26T10:00:00Z");
+    }
+
+    static void keep(core::View& view, const std::string& time)
+    {
+        view.result = resultOfRun(time);
+        view.cameraFromPatient = view.result->cameraFromPatient;
+    }
+
+    io::ResultPlace write(io::ResultNames names = io::ResultNames::Kept)
+    {
+        return {small_.folder().write("results/result.json", io::keptResultJson(theCase_, names)), {small_.path("in")}};
+    }
+
+    test::SmallCase small_;
+    core::Case theCase_;
+    core::Messages warnings_;
+};
+
+TEST_F(KeptResult, TellsWhereItsRunBegan)
+{
+    theCase_.options.method = "rgbr";   // chosen since
+    const auto place = write();
+    const auto asked = io::openAsked(place, warnings_);
+    ASSERT_TRUE(asked) << asked.error().message;
+    EXPECT_EQ(asked.value().shown().cameraFromPatient.matrix(), movedBy(1.0).matrix());
+    EXPECT_EQ(asked.value().options.method, "dynaweight");
+    EXPECT_FALSE(asked.value().shown().result);
+    const auto found = io::openFound(place, warnings_);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found.value().shown().cameraFromPatient.matrix(), movedBy(3.0).matrix());
+}
+
+TEST_F(KeptResult, StillKnowsItFromASavedCase)
+{
+    ASSERT_TRUE(io::saveCase(theCase_, small_.path("saved.angiopose")));
+    const std::string before = io::keptResultJson(theCase_, io::ResultNames::Kept);
+    auto again = io::loadCase(small_.path("saved.angiopose"), warnings_);
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(io::keptResultJson(again.value(), io::ResultNames::Kept), before);
+}
+
+TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
+{
+    theCase_.views.insert(theCase_.views.begin(), 2, theCase_.views.front());
+    keep(theCase_.views[0], "2026-11-26T09:00:00Z");   // alone, before
+    theCase_.shownView = 2;
+    const auto json = nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept));
+    EXPECT_EQ(json["case"]["views"].size(), 1U);
+    const auto found = io::openFound(write(), warnings_);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found.value().views.size(), 2U);
+}
+
+TEST_F(KeptResult, TellsNoCaseWhereItsBeginningIsNotKnown)
+{
+    theCase_.shown().result->warnings = {core::says::cameraEstimated(core::Quantity{98.0, 1, "%"}, 2, 3)};
+    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept)).contains("case"));
+    theCase_.shown().result->warnings.clear();
+    theCase_.shown().result->provenance.start.reset();
+    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept)).contains("case"));
+    const auto asked = io::openAsked(write(), warnings_);
+    ASSERT_FALSE(asked);
+    EXPECT_TRUE(test::contains(asked.error().message.text(), "does not hold what it was found from"));
+}
+
+TEST_F(KeptResult, WithoutNamesStillFindsItsInputs)
+{
+    const auto place = write(io::ResultNames::LeftOut);
+    const std::string text = test::readText(place.path);
+    for (const char* name : {"Jane", "Ada", "tree.csv", "image.png", "2026-11-26"}) {
+        EXPECT_EQ(text.find(name), std::string::npos) << name;
+    }
+    const auto asked = io::openAsked(place, warnings_);
+    ASSERT_TRUE(asked) << asked.error().message;
+    EXPECT_EQ(asked.value().shown().cameraFromPatient.matrix(), movedBy(1.0).matrix());
+}
+
+TEST_F(KeptResult, KeepsToThePublishedSchema)
+{
+    std::ifstream file(std::string(RESOURCES_DIR) + "/angiopose-result.schema.json");
+    ASSERT_TRUE(file);
+    const auto schemaJson = nlohmann::json::parse(io::resultSchema());
+    EXPECT_TRUE(nlohmann::json::parse(file) == schemaJson) << "angiopose-cli schema --result prints the new one";
+    valijson::Schema schema;
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schemaJson), schema);
+    const auto keepsTo = [&schema](const nlohmann::json& json) {
+        return valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(json), nullptr);
+    };
+    auto json = nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept));
+    EXPECT_TRUE(keepsTo(json)) << json;
+    json["pose"]["initial"] = 3;
+    EXPECT_FALSE(keepsTo(json));
+}
+
+}   // namespace
