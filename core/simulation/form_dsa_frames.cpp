@@ -12,8 +12,6 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double runS = 3.6;   ///< first frame to last: the bolus comes and goes
-constexpr double fillingS = 1.4;   ///< inlet to the farthest tip
 constexpr double attenuationPerMm = 0.08;   ///< of undiluted contrast medium
 constexpr double scatterShare = 0.2;
 constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< of the image width
@@ -143,17 +141,18 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     const ImageF logMask = logDetected(expectedCounts(shiftedBody(body, Eigen::Vector2d::Zero()), options.photonCount),
                                        maskAverage, random.fork(MaskStream));
     const Mask2d open = drawShutter(width, height, options.shutterProbability, random.fork(ShutterStream));
-    const Bolus bolus{.speedMmPerS = scene.longestPathMm / fillingS};
+    const ContrastTiming& timing = options.timing;
+    const Bolus bolus{scene.longestPathMm / timing.fillingS, timing.injectionS, timing.riseS, timing.washoutS};
 
     DsaRun run;
-    run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * runS / options.frameCount) : 0.0;
+    run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * timing.runS / options.frameCount) : 0.0;
     double fullest = -1.0;
     ImageF fullestThicknessMm;
     ImageF fullestAttenuation;   // of the body alone
     for (int k = 0; k < options.frameCount; ++k) {
         const double share = (k + 0.5) / options.frameCount;
-        const ImageF thicknessMm =
-            contrastThicknessMm(scene.paths, bolus, share * runS, scene.camera, scene.cameraFromPatient);
+        const ImageF thicknessMm = contrastThicknessMm(scene.paths, bolus, timing.firstS + share * timing.runS,
+                                                       scene.camera, scene.cameraFromPatient);
         const ImageF attenuation = shiftedBody(body, motionAt(share, options.maskMotionPx, random.fork(MotionStream)));
         const double contrast = std::accumulate(thicknessMm.pixels.begin(), thicknessMm.pixels.end(), 0.0);
         if (contrast > fullest) {

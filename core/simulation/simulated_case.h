@@ -23,6 +23,16 @@ struct TreeOptions {
 /// A random, smooth, bifurcating vessel tree around the origin of the patient frame. Same seed, same tree.
 VesselTree simulateTree(std::uint64_t seed, const TreeOptions& options = {});
 
+/// When the contrast medium comes and goes, in seconds since the injection began.
+struct ContrastTiming {
+    double firstS = 0.0;   ///< where the run begins
+    double runS = 3.6;   ///< how long it lasts: the bolus comes and goes
+    double fillingS = 1.4;   ///< inlet to the farthest tip
+    double injectionS = 1.6;
+    double riseS = 0.4;   ///< the front is this blurred
+    double washoutS = 0.45;   ///< decay time after the injection
+};
+
 /// Image formation (ALGORITHMS §4.4).
 struct DsaOptions {
     int width = 512;
@@ -35,6 +45,7 @@ struct DsaOptions {
     double catheterProbability = 0.5;
     double maskMotionPx = 1.0;   ///< up to this shift between mask and contrast frames
     double shutterProbability = 0.5;   ///< black, octagonal or round border, as exported with the display shutter
+    ContrastTiming timing;
 };
 
 /// What cannot be simulated, in words for the user; empty when all can.

@@ -149,6 +149,25 @@ core::Status headerFrom(const Json& json, const std::string& where, const std::s
     return reader.noOthers();
 }
 
+core::Status timingFrom(const Json& json, const std::string& where, const std::string& path,
+                        core::ContrastTiming& timing)
+{
+    if (!json.is_object()) {
+        return fileError(path, says::studyWrongValue("contrast", where, json.dump().substr(0, 60)));
+    }
+    ObjectReader reader(json, "contrast of " + where, path);
+    if (auto status = reader.numbers({{"firstS", &timing.firstS, -10, 60},
+                                      {"runS", &timing.runS, 0.1, 120},
+                                      {"fillingS", &timing.fillingS, 0.05, 30},
+                                      {"injectionS", &timing.injectionS, 0.05, 60},
+                                      {"riseS", &timing.riseS, 0.01, 10},
+                                      {"washoutS", &timing.washoutS, 0.01, 60}});
+        !status) {
+        return status;
+    }
+    return reader.noOthers();
+}
+
 core::Result<core::StudySetting> settingFrom(const Json& json, const std::string& where, const std::string& path)
 {
     core::StudySetting setting;
@@ -174,6 +193,11 @@ core::Result<core::StudySetting> settingFrom(const Json& json, const std::string
     }
     if (const Json* header = reader.take("header")) {
         if (auto status = headerFrom(*header, where, path, setting.header); !status) {
+            return status.error();
+        }
+    }
+    if (const Json* contrast = reader.take("contrast")) {
+        if (auto status = timingFrom(*contrast, where, path, dsa.timing); !status) {
             return status.error();
         }
     }

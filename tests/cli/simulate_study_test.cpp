@@ -130,6 +130,8 @@ TEST_F(CliSimulateStudy, WrongStudiesAreRefusedNamingThePlace)
         {"own.swc", "nowhere.swc", "nowhere.swc"},
         {"angiopose-study", "angiopose-case", "no study"},
         {"\"seed\": 5", "\"seed\": -5", "seed"},
+        {"\"header\": {", "\"contrast\": {\"riseS\": 0}, \"header\": {", "contrast of settings[1]"},
+        {"\"header\": {", "\"contrast\": {\"fast\": 1}, \"header\": {", "fast"},
         {"\"angleDeg\": 4", "\"angleDeg\": \"4\"", "header of settings[1]"}};
     for (const auto& [from, to, word] : changes) {
         std::string text = smallStudy();

@@ -181,6 +181,20 @@ TEST(SimulateCase, TheFullestFrameShowsMoreVesselThanTheFirstAndTheLast)
     EXPECT_GT(darkness(angiogram.suggestedFrame), 3.0 * darkness(7));
 }
 
+TEST(SimulateCase, TheContrastMediumKeepsToItsTiming)
+{
+    DsaOptions options = cleanDsa();
+    options.frameCount = 6;
+    options.timing.firstS = 0.9;   // the run begins late, and ends before the contrast medium goes
+    options.timing.injectionS = 10.0;
+    EXPECT_GE(simulateCase(2, {}, options).angiogram.suggestedFrame, 2);
+    options.timing.firstS = 10.5;
+    EXPECT_EQ(simulateCase(2, {}, options).angiogram.suggestedFrame, 0);   // it only goes
+    options.timing = {.firstS = 0.0, .runS = 0.6, .fillingS = 3.0};
+    EXPECT_EQ(simulateCase(2, {}, options).angiogram.suggestedFrame, 5);   // it only comes
+    EXPECT_EQ(simulateCase(2, {}, options).angiogram.frameTimeMs, 100.0);
+}
+
 TEST(SimulateCase, OneBranchOneFrameStillMakesACase)
 {
     DsaOptions options;
