@@ -147,6 +147,7 @@ struct BatchArguments {
     std::optional<int> threads;   ///< all cores when not given
     std::optional<double> timeLimitSeconds;   ///< of one case
     bool isResumed = false;   ///< what is done and up to date stays
+    bool isWithoutPictures = false;
     std::vector<std::string> settings;   ///< "name=value" of all rows
     std::vector<std::string> mergedFolders;   ///< not empty: nothing runs, the tables of their outcomes are written
     std::string outputFolder;

@@ -47,6 +47,14 @@ struct WrittenView {
     std::string resultInPictures;   ///< likewise, which may go further than the folder: without names
 };
 
+WrittenView writtenView(const RegisteredCase& registered, std::size_t k, Pictures pictures)
+{
+    const std::size_t place = registered.places[k];
+    return {caseShowing(registered, k), &registered.targets[k],
+            io::resultJson(registered, place, io::ResultNames::Kept),
+            pictures == Pictures::Drawn ? io::resultJson(registered, place, io::ResultNames::LeftOut) : std::string()};
+}
+
 core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& options, const fs::path& path)
 {
     const auto picture = drawOverlay(view.theCase, *view.target, options);
@@ -75,7 +83,7 @@ core::Status writePictures(const WrittenView& view, const fs::path& folder)
     return writePicture(view, options, folder / "rigid.png");
 }
 
-core::Status writeView(const WrittenView& view, const std::string& folderName)
+core::Status writeView(const WrittenView& view, Pictures pictures, const std::string& folderName)
 {
     const fs::path folder(folderName);
     std::error_code failure;
@@ -89,7 +97,7 @@ core::Status writeView(const WrittenView& view, const std::string& folderName)
     if (auto status = io::writePose(view.theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    return writePictures(view, folder);
+    return pictures == Pictures::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
 }
 
 /// Where nothing is bent there is nothing to write, unless the user asked for it.
@@ -202,14 +210,11 @@ void printWays(const std::vector<core::WirePath>& ways)
 
 }   // namespace
 
-core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder)
+core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder, Pictures pictures)
 {
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        const std::size_t place = registered.places[k];
-        const WrittenView view{caseShowing(registered, k), &registered.targets[k],
-                               io::resultJson(registered, place, io::ResultNames::Kept),
-                               io::resultJson(registered, place, io::ResultNames::LeftOut)};
-        if (auto status = writeView(view, viewFolder(registered, folder, k)); !status) {
+        const WrittenView view = writtenView(registered, k, pictures);
+        if (auto status = writeView(view, pictures, viewFolder(registered, folder, k)); !status) {
             return status;
         }
     }

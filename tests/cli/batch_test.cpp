@@ -207,6 +207,19 @@ TEST_F(CliBatch, ARowMayNameVesselsAndAnAngiogramInsteadOfACase)
     EXPECT_NE(summaryOf("out").find("\"c1/angiogram.dcm\""), std::string::npos);
 }
 
+TEST_F(CliBatch, WithoutPicturesTheTableIsTheSame)
+{
+    simulate(2);
+    batch("drawn");
+    batch("bare", {"--no-pictures"});
+    EXPECT_EQ(summaryOf("bare"), summaryOf("drawn"));
+    EXPECT_TRUE(fs::exists(in("drawn/c1/overlay.png")));
+    EXPECT_FALSE(fs::exists(in("bare/c1/overlay.png")));
+    EXPECT_EQ(readText(in("bare/c1/pose.tfm")), readText(in("drawn/c1/pose.tfm")));
+    EXPECT_NE(batch("bare", {"--no-pictures", "--resume"}).messages.find("2 cases are done already"),
+              std::string::npos);
+}
+
 TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
 {
     simulate(3);

@@ -100,6 +100,7 @@ private:
         for (std::size_t i = plan_.shard.index; i < plan_.entries.size(); i += plan_.shard.count) {
             BatchJob job = jobOf(plan_.entries[i], plan_.settings, plan_.folder);
             job.isResumed = arguments_.isResumed;
+            job.isWithoutPictures = arguments_.isWithoutPictures;
             if (arguments_.isResumed) {
                 outcomes_[i] = readOutcome(job.folder);
                 if (outcomes_[i] && isUpToDate(*outcomes_[i], job.asked, job.folder)) {

@@ -93,7 +93,7 @@ std::string lineOf(const BatchJob& job)
                  {"vessels", job.vesselsPath}, {"angiogram", job.angiogramPath},
                  {"method", job.method},       {"settings", job.settings},
                  {"folder", job.folder},       {"asked", job.asked},
-                 {"isResumed", job.isResumed}};
+                 {"isResumed", job.isResumed}, {"isWithoutPictures", job.isWithoutPictures}};
     if (job.frame) {
         json["frame"] = *job.frame;
     }
@@ -113,6 +113,7 @@ BatchJob jobFrom(const std::string& line)
     job.folder = json.at("folder");
     job.asked = json.at("asked");
     job.isResumed = json.at("isResumed");
+    job.isWithoutPictures = json.at("isWithoutPictures");
     if (json.contains("frame")) {
         job.frame = json["frame"].get<int>();
     }

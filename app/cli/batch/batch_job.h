@@ -22,6 +22,7 @@ struct BatchJob {
     std::string folder;   ///< its own in the output
     std::string asked;   ///< all that the outcome depends on besides the inputs, as JSON text; see askedOf
     bool isResumed = false;   ///< an outcome that is as good as a new one stays
+    bool isWithoutPictures = false;
 };
 
 /// What a row asks for, without the places of files: the same wherever a manifest lies. `common`: for all rows.

@@ -142,7 +142,9 @@ core::Status registerOpened(BatchOutcome& outcome, const BatchJob& job, core::Ca
         return core::Done{};
     }
     core::Stopwatch watch;
-    if (auto status = writeOutputs(registered.value(), job.folder); !status) {
+    if (auto status =
+            writeOutputs(registered.value(), job.folder, job.isWithoutPictures ? Pictures::LeftOut : Pictures::Drawn);
+        !status) {
         return status;
     }
     addResult(outcome, registered.value());

@@ -18,7 +18,7 @@
 // batch_kills ANGIOPOSE-CLI [--cases N] [--kills N] [--seed N] [--folder DIR] [--measure 1]
 // Registers N simulated cases in one quiet run; then in another that is killed at so many random moments, and resumed
 // after each. Counts what is lost, doubled, done twice or different; fails where anything is. `--measure 1` also
-// compares two workers with one. With a folder the cases stay there for the next time.
+// compares two workers with one, and runs without pictures. With a folder the cases stay there for the next time.
 
 using namespace angiopose;
 
@@ -104,18 +104,22 @@ void simulateCases(const Settings& settings)
     test::writeText(fs::path(settings.folder) / "cases.csv", rows);
 }
 
-std::vector<std::string> batchWords(const Settings& settings, const std::string& output, int threads)
+using Words = std::vector<std::string>;
+
+Words batchWords(const Settings& settings, const std::string& output, int threads)
 {
     const fs::path folder(settings.folder);
     return {settings.program, "batch",     folder / "cases.csv",    "--output",
             folder / output,  "--threads", std::to_string(threads), "--resume"};
 }
 
-Ending runQuietly(const Settings& settings, const std::string& output, int threads)
+Ending runQuietly(const Settings& settings, const std::string& output, int threads, const Words& more = {})
 {
     fs::remove_all(fs::path(settings.folder) / output);
+    Words words = batchWords(settings, output, threads);
+    words.insert(words.end(), more.begin(), more.end());
     const auto begun = Clock::now();
-    const Ending ending = endOf(start(batchWords(settings, output, threads)), begun);
+    const Ending ending = endOf(start(words), begun);
     if (ending.code != 0 && ending.code != 4) {
         complain("the quiet run ends with " + std::to_string(ending.code));
     }
@@ -211,15 +215,21 @@ void compare(const Settings& settings)
     faults += lost + doubled + different + (isSame ? 0 : 1);
 }
 
+void tell(const Settings& settings, const char* what, const Ending& run)
+{
+    std::printf("%s: %.0f cases per hour, %.0f per hour of processor (%.1f s of wall, %.1f s of processor)\n", what,
+                3600.0 * settings.cases / run.seconds, 3600.0 * settings.cases / run.processorSeconds, run.seconds,
+                run.processorSeconds);
+}
+
 void measure(const Settings& settings, const Ending& one)
 {
-    std::printf("one worker: %.0f cases per hour, %.0f per hour of processor (%.1f s of wall, %.1f s of processor)\n",
-                3600.0 * settings.cases / one.seconds, 3600.0 * settings.cases / one.processorSeconds, one.seconds,
-                one.processorSeconds);
+    tell(settings, "one worker", one);
     if (settings.isMeasured) {
         const Ending two = runQuietly(settings, "two", 2);
-        std::printf("two workers: %.1f s of wall, %.1f s of processor: %.2f times as fast as one\n", two.seconds,
-                    two.processorSeconds, one.seconds / two.seconds);
+        tell(settings, "two workers", two);
+        std::printf("two workers are %.2f times as fast as one\n", one.seconds / two.seconds);
+        tell(settings, "one worker, no pictures", runQuietly(settings, "bare", 1, {"--no-pictures"}));
     }
 }
 
