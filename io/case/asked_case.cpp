@@ -109,6 +109,7 @@ core::Case viewsOfItsRun(core::Case theCase)
 std::string askedCaseTextOfRun(core::Case ofOneRun)
 {
     ofOneRun.options = ofOneRun.shown().result->provenance.options;
+    ofOneRun.options.method = ofOneRun.shown().result->method;   // a case keeps it apart from the options
     for (core::View& view : ofOneRun.views) {
         const core::RegistrationResult& result = *view.result;
         if (!result.provenance.start || hasEstimatedGeometry(result)) {

@@ -69,7 +69,8 @@ const std::string& resultSchema()
                      "Lengths in mm, angles in degrees, pixels from the centre of the first pixel; patient space is "
                      "DICOM LPS. Other keys are allowed."}};
         Json properties = ownProperties();
-        for (const auto& [key, value] : propertiesOf(resultFields()).items()) {
+        const Json kept = propertiesOf(resultFields());
+        for (const auto& [key, value] : kept.items()) {
             properties[key] = value;
         }
         schema.update(objectSchema(
