@@ -45,7 +45,7 @@ struct DsaOptions {
     double catheterProbability = 0.5;
     double maskMotionPx = 1.0;   ///< up to this shift between mask and contrast frames
     double shutterProbability = 0.5;   ///< black, octagonal or round border, as exported with the display shutter
-    ContrastTiming timing;
+    ContrastTiming timing{};
 };
 
 /// What cannot be simulated, in words for the user; empty when all can.
