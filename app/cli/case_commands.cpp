@@ -80,7 +80,7 @@ void addRegister(CLI::App& app, int& exitCode)
     command->footer([] {
         return methodList() + "\n\n" + optionList() +
                "\n\nExamples: angiopose-cli register case.angiopose --method angiopose --output result\n"
-               "          angiopose-cli register --from result/result.json --inputs data --output again";
+               "          angiopose-cli register --from result/result.json --inputs . --output again";
     });
     command->callback([arguments, &exitCode] {
         needCaseOrResult(arguments->casePath, arguments->from);
@@ -124,7 +124,7 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_flag("--16-bit", arguments->is16Bit, "The grey values of the frame alone, 16-bit .png, without texts");
     command->footer(
         "Examples: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png\n"
-        "          angiopose-cli project --from result/result.json --inputs data --output overlay.png");
+        "          angiopose-cli project --from result/result.json --inputs . --output overlay.png");
     command->callback([arguments, &exitCode] {
         needCaseOrResult(arguments->casePath, arguments->from);
         exitCode = runProject(*arguments);
