@@ -1,6 +1,7 @@
 #include "io/volume/itk_volume.h"
 
 #include "io/messages/says.h"
+#include "io/messages/says_readers.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
@@ -12,6 +13,7 @@
 #include <itkMetaImageIO.h>
 #include <itkVTKImageIO.h>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 
@@ -19,6 +21,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t longestHead = 4096;
+constexpr std::size_t longestMetaHeader = std::size_t{1} << 20;
 constexpr std::size_t giplMagicAt = 252;
 constexpr std::size_t giplHeader = 256;
 constexpr std::size_t slabBytes = std::size_t{4} << 20;
@@ -33,7 +36,7 @@ std::string_view nameOf(ItkFormat format)
 /// absent.
 std::string metaValue(std::string_view content, std::string_view key)
 {
-    std::string_view rest = content.substr(0, std::size_t{1} << 20);
+    std::string_view rest = content.substr(0, longestMetaHeader);
     for (bool isLast = false; !rest.empty() && !isLast;) {
         const std::size_t newline = std::min(rest.find('\n'), rest.size());
         const std::string_view line = rest.substr(0, newline);
@@ -53,9 +56,33 @@ bool isYes(const std::string& text)
     return !text.empty() && (text.front() == 'T' || text.front() == 't' || text.front() == '1');
 }
 
+/// A line of a MetaImage's header that overruns what MetaIO (ITK 5.2) has room for, which ends the program: a name, or
+/// the value of one of three keys.
+std::optional<core::Message> findOverlongLine(std::string_view content)
+{
+    constexpr std::size_t longest = 254;
+    constexpr std::array<std::string_view, 3> heldKeys{"Comment", "Name", "ObjectSubType"};
+    std::string_view rest = content.substr(0, longestMetaHeader);
+    std::string_view name;
+    for (int line = 1; !rest.empty() && name != "ElementDataFile"; ++line) {
+        const std::string_view text = rest.substr(0, rest.find_first_of("\r\n"));
+        const std::size_t sign = std::min(text.find_first_of("=:"), text.size());
+        name = trimmed(text.substr(0, sign));
+        const bool isHeld = std::ranges::find(heldKeys, name) != heldKeys.end();
+        if (name.size() > longest || (isHeld && text.size() - sign > longest)) {
+            return says::readerLineTooLong(line, static_cast<int>(longest));
+        }
+        rest.remove_prefix(std::min(text.size() + 1, rest.size()));
+    }
+    return {};
+}
+
 /// What ITK would pass over or refuse without saying why.
 std::optional<core::Message> findMetaProblem(std::string_view content)
 {
+    if (const auto overlong = findOverlongLine(content)) {
+        return overlong;
+    }
     const std::string object = metaValue(content, "ObjectType");
     if (!object.empty() && object != "Image") {
         return says::volumeHoldsOther(object.substr(0, 24));

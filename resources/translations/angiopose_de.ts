@@ -3515,6 +3515,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Ergebnisse von %1 und %2 stammen aus anderen Einstellungen oder einer anderen Version. Führen Sie zusammen, was gleich ausgeführt wurde.</translation>
     </message>
     <message>
+        <source>line %1 of its header is longer than ITK can hold (%2 characters). Shorten it or take it out.</source>
+        <comment>reader.line-too-long</comment>
+        <translation>Zeile %1 seines Kopfes ist länger, als ITK fassen kann (%2 Zeichen). Kürzen Sie sie, oder nehmen Sie sie heraus.</translation>
+    </message>
+    <message>
         <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
         <comment>result.not-one</comment>
         <translation>das ist kein Ergebnis einer Registrierung. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>

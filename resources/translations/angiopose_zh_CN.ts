@@ -3515,6 +3515,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 与 %2 的结果来自不同的设置或不同的版本。请只合并以相同方式运行的结果。</translation>
     </message>
     <message>
+        <source>line %1 of its header is longer than ITK can hold (%2 characters). Shorten it or take it out.</source>
+        <comment>reader.line-too-long</comment>
+        <translation>其文件头的第 %1 行超过 ITK 所能容纳的长度（%2 个字符）。请缩短或删除该行。</translation>
+    </message>
+    <message>
         <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
         <comment>result.not-one</comment>
         <translation>这不是配准结果。请给出由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>

@@ -77,4 +77,21 @@ TEST(Analyze, IsReadAsAPair)
     test::expectRefused(folder.write("alone.hdr", header), "alone.img, which is not there");
 }
 
+// Found by fuzzing: MetaIO overruns its own room and ends the program.
+TEST(MetaImage, LinesThatItkCannotHoldAreRefused)
+{
+    const test::TemporaryFolder folder;
+    const std::string voxels(16, 'v');
+    const auto with = [&](const std::string& line) {
+        return folder.write("a.mha", test::metaImage("MET_SHORT", voxels, line + "\n"));
+    };
+    for (const char* key : {"Comment", "Name", "ObjectSubType"}) {
+        test::expectRefused(with(std::string(key) + " = " + std::string(300, 'a')), "line 5 of its header");
+        EXPECT_TRUE(io::readVolume(with(std::string(key) + " = " + std::string(200, 'a')))) << key;
+    }
+    test::expectRefused(with(std::string(255, 'k') + " = 1"), "line 5 of its header");
+    test::expectRefused(with("\r" + std::string(300, 'k')), "line 6 of its header");
+    EXPECT_TRUE(io::readVolume(with("0008|103e = " + std::string(3000, 'a'))));   // as SimpleITK keeps DICOM's
+}
+
 }   // namespace
