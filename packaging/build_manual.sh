@@ -49,4 +49,7 @@ done
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date +%s)}
 export SOURCE_DATE_EPOCH
 (cd "$work" && mkdocs build --quiet --strict --site-dir "$output")
+# The theme's fonts come twice, and in forms for browsers before 2016.
+rm -rf "$output/css/fonts"
+find "$output/fonts" -type f ! -name '*.woff2' -delete
 echo "$output/index.html"
