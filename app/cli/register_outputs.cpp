@@ -6,6 +6,7 @@
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
 #include "core/registration/deformable/bent_tree.h"
+#include "core/registration/judging/disagreeing_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "io/case/asked_case.h"
 #include "io/image_file.h"
@@ -143,7 +144,8 @@ void printViews(const RegisteredCase& registered)
         const core::RegistrationResult& result = registered.result();
         const core::DistanceMetrics& metrics = result.metrics;
         printLine("distance", "median " + fixedText(metrics.medianPx, 2) + " px (" + fixedText(metrics.medianMm, 2) +
-                                  " mm), 95 % " + fixedText(metrics.p95Px, 2) + " px");
+                                  " mm), 95 % " + fixedText(metrics.p95Px, 2) + " px (" + fixedText(metrics.p95Mm, 2) +
+                                  " mm)");
         printLine("covered", fixedText(100.0 * metrics.coverage, 0) + " % of the traced vessels");
     }
 }
@@ -183,6 +185,23 @@ std::string likelihoodText(const core::RegistrationResult& result)
     return probability ? ", within 2 mm of the vessels with a probability of " +
                              fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
                        : "";
+}
+
+/// Of the shown view: branches that the image contradicts though the pose may be right, as the window tells them.
+void printDisagreement(const RegisteredCase& registered)
+{
+    const core::DistanceMetrics& metrics = registered.result().metrics;
+    const double mmPerPx = metrics.meanPx > 0.0 ? metrics.meanMm / metrics.meanPx : 0.0;
+    const core::DisagreeingBranches found = core::disagreeingBranches(registered.result(), mmPerPx);
+    if (found.branchIds.empty()) {
+        return;
+    }
+    std::string names;
+    for (const int id : found.branchIds) {
+        names += (names.empty() ? "" : ", ") + std::to_string(id);
+    }
+    printLine("", (found.branchIds.size() == 1 ? "branch " : "branches ") + names + " up to " +
+                      fixedText(found.worstMm, 1) + " mm off: perhaps unfilled in this frame, or moved");
 }
 
 /// "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
@@ -268,15 +287,19 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     printViews(registered);
     const core::PoseUncertainty& uncertainty = result.uncertainty;
     const int depthDecimals = registered.joint ? 2 : 1;
-    printLine("uncertainty", sigmasText(core::sigmasOf(uncertainty.covariance), depthDecimals));
+    const std::string inSpace = sigmasText(core::sigmasOf(uncertainty.covariance), depthDecimals);
     if (result.camera) {
-        printLine("", sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) +
-                          " where the geometry is right");
+        printLine("uncertainty", sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) +
+                                     " of the overlay, which wrong geometry hardly moves");
+        printLine("", inSpace + " in space, by how well the geometry is known");
+    } else {
+        printLine("uncertainty", inSpace);
     }
     printLine("trustworthy", (result.trustworthy ? "yes" : "NO") + likelihoodText(result));
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());
     }
+    printDisagreement(registered);
     printWays(result.wirePaths);
     if (registered.result().bent) {
         printBent(*registered.result().bent);

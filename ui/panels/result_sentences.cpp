@@ -2,6 +2,7 @@
 
 #include "core/messages/says.h"
 #include "core/registration/deformable/deform_vessels.h"
+#include "core/registration/judging/disagreeing_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
@@ -16,8 +17,6 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double agreeingMm = 0.5;   ///< branches with a median below this agree
-constexpr double disagreeingMm = 1.0;   ///< branches with a median above this are named
-constexpr double seenEnough = 0.5;   ///< of a branch's length
 
 /// The words of this file.
 struct ResultWords {
@@ -113,36 +112,14 @@ QString depthWords(const core::RegistrationResult& result)
                : ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(*depthMm));
 }
 
-/// Whether the vessels were found bent, and this branch of them in the image: its distance has been said and explained.
-bool isExplainedByBending(const core::RegistrationResult& result, int branchId)
-{
-    if (!result.bent || result.bent->verdict != core::BendVerdict::Bent) {
-        return false;
-    }
-    return std::ranges::any_of(result.bent->branches, [branchId](const core::BranchMotion& motion) {
-        return motion.branchId == branchId && motion.seenShare >= seenEnough;
-    });
-}
-
-/// Whether nothing of this branch is expected in the image: a wire takes other ones.
-bool isBesideWire(const core::RegistrationResult& result, int branchId)
-{
-    return !result.wirePaths.empty() && std::ranges::count(result.wirePaths.front().branchIds, branchId) == 0;
-}
-
 /// Of branches that the run itself does not call empty, that no bend explains and that lie on the way of a wire.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
+    const core::DisagreeingBranches found = core::disagreeingBranches(result, mmPerPx);
     QStringList names;
-    double worstMm = 0.0;
-    for (const core::BranchResidual& residual : result.branches) {
-        const core::VesselBranch* branch = tree.find(residual.branchId);
-        const double medianMm = residual.medianPx * mmPerPx;
-        const auto isIt = [&residual](const core::UnfilledBranch& each) { return each.branchId == residual.branchId; };
-        if (branch && medianMm > disagreeingMm && std::ranges::none_of(result.unfilled, isIt) &&
-            !isExplainedByBending(result, residual.branchId) && !isBesideWire(result, residual.branchId)) {
+    for (const int id : found.branchIds) {
+        if (const core::VesselBranch* branch = tree.find(id)) {
             names << displayName(*branch);
-            worstMm = std::max(worstMm, medianMm);
         }
     }
     if (names.isEmpty()) {
@@ -150,16 +127,16 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
     }
     if (names.size() == 1) {
         return ResultWords::tr("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
-            .arg(names.front(), resultNumber(worstMm));
+            .arg(names.front(), resultNumber(found.worstMm));
     }
     if (names.size() > 3) {
         return ResultWords::tr("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
             .arg(names.size())
-            .arg(resultNumber(worstMm));
+            .arg(resultNumber(found.worstMm));
     }
     const QString last = names.takeLast();
     return ResultWords::tr("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
-        .arg(joinedNames(names), last, resultNumber(worstMm));
+        .arg(joinedNames(names), last, resultNumber(found.worstMm));
 }
 
 }   // namespace

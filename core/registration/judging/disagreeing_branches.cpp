@@ -1,0 +1,52 @@
+#include "core/registration/judging/disagreeing_branches.h"
+
+#include "core/registration/deformable/deform_vessels.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double disagreeingMm = 1.0;
+constexpr double seenEnough = 0.5;   ///< of a branch's length
+
+bool isCalledUnfilled(const RegistrationResult& result, int branchId)
+{
+    return std::ranges::find(result.unfilled, branchId, &UnfilledBranch::branchId) != result.unfilled.end();
+}
+
+/// Whether the vessels were found bent, and this branch of them in the image.
+bool isExplainedByBending(const RegistrationResult& result, int branchId)
+{
+    if (!result.bent || result.bent->verdict != BendVerdict::Bent) {
+        return false;
+    }
+    return std::ranges::any_of(result.bent->branches, [branchId](const BranchMotion& motion) {
+        return motion.branchId == branchId && motion.seenShare >= seenEnough;
+    });
+}
+
+/// Whether nothing of this branch is expected in the image: a wire takes other ones.
+bool isBesideWire(const RegistrationResult& result, int branchId)
+{
+    return !result.wirePaths.empty() && std::ranges::count(result.wirePaths.front().branchIds, branchId) == 0;
+}
+
+}   // namespace
+
+DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetresPerPixel)
+{
+    DisagreeingBranches found;
+    for (const BranchResidual& residual : result.branches) {
+        const double medianMm = residual.medianPx * millimetresPerPixel;
+        const int id = residual.branchId;
+        if (medianMm > disagreeingMm && !isCalledUnfilled(result, id) && !isExplainedByBending(result, id) &&
+            !isBesideWire(result, id)) {
+            found.branchIds.push_back(id);
+            found.worstMm = std::max(found.worstMm, medianMm);
+        }
+    }
+    return found;
+}
+
+}   // namespace angiopose::core
