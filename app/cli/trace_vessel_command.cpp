@@ -121,16 +121,29 @@ int traceStretches(const TraceVesselArguments& arguments)
     return exitDone;
 }
 
-/// Every piece where there are several, with a seed that asks for it.
+constexpr double crumbShare = 0.005;   ///< pieces with fewer of the voxels are noise, not vessels
+
+/// Every piece where there are several, with a seed that asks for it; crumbs that were left out in one line.
 void printPieces(const std::vector<core::TracedPiece>& pieces)
 {
+    int crumbs = 0;
+    double shareOfCrumbs = 0.0;
     for (std::size_t n = 0; pieces.size() > 1 && n < pieces.size(); ++n) {
         const core::TracedPiece& piece = pieces[n];
+        if (!piece.isTraced() && piece.share < crumbShare) {
+            ++crumbs;
+            shareOfCrumbs += piece.share;
+            continue;
+        }
         const Eigen::Vector3d& place = piece.placeInPatient;
         const std::string length = piece.isTraced() ? fixedText(piece.lengthMm, 1) + " mm" : std::string("left out");
         std::printf("piece %zu: %s, %s %% of the voxels, --seed=%s,%s,%s\n", n + 1, length.c_str(),
                     fixedText(100.0 * piece.share, 2).c_str(), fixedText(place.x(), 2).c_str(),
                     fixedText(place.y(), 2).c_str(), fixedText(place.z(), 2).c_str());
+    }
+    if (crumbs > 0) {
+        std::printf("%d small pieces with %s %% of the voxels in all: left out\n", crumbs,
+                    fixedText(100.0 * shareOfCrumbs, 2).c_str());
     }
 }
 
