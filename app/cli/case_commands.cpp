@@ -1,5 +1,6 @@
 #include "app/cli/case_commands.h"
 
+#include "app/cli/case_or_result.h"
 #include "app/cli/commands.h"
 #include "app/cli/method_list.h"
 #include "core/registration/options/option_fields.h"
@@ -24,27 +25,6 @@ std::string optionList()
     return text;
 }
 
-void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from)
-{
-    auto* file = command->add_option("CASE", casePath, "Case file, *.angiopose");
-    auto* result = command
-                       ->add_option("--from", from.path,
-                                    "Instead of a case: result.json or joint.json, with all that it was found from")
-                       ->excludes(file);
-    command
-        ->add_option(
-            "--inputs", from.inputFolders,
-            "Folder in which the inputs of that result lie, by name and content, beside its own; may be repeated")
-        ->needs(result);
-}
-
-void needCaseOrResult(const std::string& casePath, const FromResult& from)
-{
-    if (casePath.empty() && from.path.empty()) {
-        throw CLI::RequiredError("CASE or --from");
-    }
-}
-
 std::string settingList()
 {
     std::string text = "Names of settings, options first (see register --help):";
@@ -61,6 +41,12 @@ void addRegister(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("register", "Find the pose of the vessel tree in the angiogram of a case");
     auto arguments = std::make_shared<RegisterArguments>();
     addCaseOrResult(command, arguments->casePath, arguments->from);
+    command
+        ->add_option("ANGIOGRAM", arguments->angiogramPath,
+                     "Angiogram, where CASE is no case but its vessels, or a scan in which they are traced")
+        ->excludes("--from");
+    command->add_option("--save", arguments->savedPath,
+                        "Write the case with what was found, *.angiopose, for the window and all other commands");
     command->add_option("--method", arguments->method, "Method id; see the list below");
     command->add_option("--set", arguments->options, "Option of the method as key=value; may be repeated");
     command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Branches of the auxiliary problem, e.g. 1,2,5")
@@ -80,6 +66,7 @@ void addRegister(CLI::App& app, int& exitCode)
     command->footer([] {
         return methodList() + "\n\n" + optionList() +
                "\n\nExamples: angiopose-cli register case.angiopose --method angiopose --output result\n"
+               "          angiopose-cli register scan.nii.gz angiogram.dcm --output result --save found.angiopose\n"
                "          angiopose-cli register --from result/result.json --inputs . --output again";
     });
     command->callback([arguments, &exitCode] {

@@ -34,6 +34,20 @@ core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStag
     return loaded ? atFrame(std::move(loaded).value(), frame, from.path) : loaded;
 }
 
+core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame)
+{
+    core::Messages warnings;
+    auto loaded = [&] {
+        ProgressLine progress("reading");
+        return openTogether(pair, {}, warnings, [&progress](double fraction) {
+            progress.show(fraction, "");
+            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        });
+    }();
+    printWarnings(warnings);
+    return loaded ? atFrame(std::move(loaded).value(), frame, pair.angiogramPath) : loaded;
+}
+
 core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path)
 {
     if (!frame) {

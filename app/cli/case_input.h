@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/commands.h"
+#include "app/cli/open_together.h"
 #include "core/case/case.h"
 #include "core/support/result.h"
 
@@ -15,6 +16,9 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
 /// Likewise of what a result was found from: as the registration began with it, or as it left it.
 enum class ResultStage { Asked, Found };
 core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame);
+
+/// Likewise of vessels, or a scan in which they are traced, and an angiogram.
+core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame);
 
 /// The case moved to `frame`, where one is given; fails naming `path` where its run has no such frame.
 core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path);

@@ -23,6 +23,8 @@ struct FromResult {
 
 struct RegisterArguments {
     std::string casePath;
+    std::string angiogramPath;   ///< not empty: `casePath` is the vessels' file
+    std::string savedPath;   ///< of the case with its results; empty: not written
     FromResult from;
     std::string method;   ///< empty: the case's own
     std::vector<std::string> options;   ///< "key=value", keys of core::optionFields()

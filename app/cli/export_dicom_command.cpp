@@ -1,10 +1,13 @@
 #include "app/cli/export_dicom_command.h"
 
 #include "app/cli/case_input.h"
+#include "app/cli/case_or_result.h"
 #include "app/cli/console.h"
 #include "app/cli/register_case.h"
 #include "app/messages/says_dicom.h"
+#include "app/messages/says_starting.h"
 #include "app/texts/dicom_export.h"
+#include "core/case/start_pose.h"
 #include "io/support/input_bytes.h"
 
 #include <cstdio>
@@ -15,12 +18,14 @@ namespace {
 
 struct ExportDicomArguments {
     std::string casePath;
+    FromResult from;
     std::string outputFolder;
     std::vector<std::string> objects;   ///< ids; empty: all that the case allows
     std::string reportPath;   ///< PDF to wrap; empty: none
     std::optional<int> frame;
     int widthPx = 0;   ///< of pictures; 0: twice the image, of runs the image
     bool isRegistered = false;   ///< its frame is registered first
+    bool isStartWanted = false;   ///< also where nothing has been registered
     bool isRigid = false;
     bool isIdentityShown = false;   ///< burned into pictures
     std::string author;
@@ -55,9 +60,16 @@ core::Result<DicomExport> exportFor(const ExportDicomArguments& arguments)
 
 core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
 {
-    auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
-    if (!loaded || !arguments.isRegistered) {
+    auto loaded = arguments.from.path.empty()
+                      ? loadCaseForCommand(arguments.casePath, arguments.frame)
+                      : loadResultForCommand(arguments.from, ResultStage::Found, arguments.frame);
+    if (!loaded) {
         return loaded;
+    }
+    if (!arguments.isRegistered) {
+        const core::Case& theCase = loaded.value();
+        const bool isUnwanted = !arguments.isStartWanted && core::isAtStart(theCase.shown(), theCase.vessels);
+        return isUnwanted ? core::Error(says::exportAtStart().about(arguments.casePath)) : loaded;
     }
     auto found = registerForCommand(std::move(loaded).value(), "registering");
     return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
@@ -100,7 +112,7 @@ void addExportDicom(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand("export-dicom", "Write what a case shows and found as DICOM objects");
     auto arguments = std::make_shared<ExportDicomArguments>();
-    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    addCaseOrResult(command, arguments->casePath, arguments->from);
     command->add_option("--output", arguments->outputFolder, "Folder for the objects, one file each")->required();
     command
         ->add_option("--objects", arguments->objects,
@@ -111,14 +123,20 @@ void addExportDicom(CLI::App& app, int& exitCode)
     command->add_option("--width", arguments->widthPx, "Width of pictures in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
+    command->add_flag("--start-pose", arguments->isStartWanted,
+                      "The vessels where they start, where nothing has been registered in the case");
     command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
     command->add_flag("--identity", arguments->isIdentityShown, "Write the patient's name into the pictures too");
     command->add_option("--author", arguments->author, "Who made them, as Family^Given");
     command->footer(
         "sc: picture, run: pictures of the run, pdf: report, ps: lines on the stored image, reg: pose, seg: vessels in "
         "the scan, sr: measurements. Each is a new instance in the study of its image.\n\n"
-        "Example: angiopose-cli export-dicom case.angiopose --register --output objects --objects sc,ps,reg");
-    command->callback([arguments, &exitCode] { exitCode = runExportDicom(*arguments); });
+        "Examples: angiopose-cli export-dicom case.angiopose --register --output objects --objects sc,ps,reg\n"
+        "          angiopose-cli export-dicom --from result/result.json --inputs . --output objects");
+    command->callback([arguments, &exitCode] {
+        needCaseOrResult(arguments->casePath, arguments->from);
+        exitCode = runExportDicom(*arguments);
+    });
 }
 
 }   // namespace angiopose::app

@@ -5,6 +5,7 @@
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
 #include "core/case/case.h"
+#include "core/case/start_pose.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/fiducial_file.h"
@@ -76,6 +77,17 @@ Json treeJson(const core::VesselTree& tree)
             {"branches", branches}};
 }
 
+Json resultJson(const core::RegistrationResult& result)
+{
+    Json json{{"method", result.method},
+              {"medianProjectionDistancePx", result.metrics.medianPx},
+              {"trustworthy", result.trustworthy}};
+    if (!result.provenance.time.empty()) {
+        json["time"] = result.provenance.time;
+    }
+    return json;
+}
+
 Json caseJson(const core::Case& theCase, const core::Messages& warnings)
 {
     Json json{{"kind", "case"}, {"title", theCase.title}, {"frame", theCase.shown().frame}};
@@ -91,6 +103,12 @@ Json caseJson(const core::Case& theCase, const core::Messages& warnings)
         json["camera"]["origin"] = theCase.shown().geometry.cameraOverride ? "user" : "derived";
     }
     json["startPose"] = theCase.shown().initialCameraFromPatient ? "given" : "from the angles";
+    json["pose"] = theCase.shown().result                               ? "registered"
+                   : core::isAtStart(theCase.shown(), theCase.vessels) ? "at its start"
+                                                                        : "set otherwise";
+    if (const auto& result = theCase.shown().result) {
+        json["result"] = resultJson(*result);
+    }
     addWarnings(json, warnings);
     return json;
 }

@@ -2,7 +2,10 @@
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
 #include "app/messages/says_exchange.h"
+#include "app/messages/says_starting.h"
 #include "app/texts/picture_file.h"
+#include "core/case/registration_input.h"
+#include "core/case/start_pose.h"
 #include "io/pose_camera_file.h"
 
 #include <cstdio>
@@ -44,6 +47,14 @@ core::Status takePose(core::View& view, const std::string& path)
     return core::Done{};
 }
 
+/// The traced vessels, by which those of a registered pose are coloured; of other poses, and where nothing can be
+/// traced, none.
+core::Centerline2d targetToColorBy(const core::View& view)
+{
+    const auto traced = core::resultOfShownFrame(view) ? core::targetOf(view) : core::Result<core::Centerline2d>({});
+    return traced ? traced.value() : core::Centerline2d();
+}
+
 }   // namespace
 
 int runProject(const ProjectArguments& arguments)
@@ -64,9 +75,15 @@ int runProject(const ProjectArguments& arguments)
     if (arguments.isMotionColored && !drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
         return failInput(core::Error(says::noBentVessels().about(arguments.casePath)));
     }
+    if (!arguments.isFrameAlone && !arguments.is16Bit && core::isAtStart(shown, theCase.vessels)) {
+        printWarnings({says::drawnAtStart().about(arguments.casePath)});
+    }
+    const core::Centerline2d target = targetToColorBy(shown);
     OverlayPictureOptions options;
     options.widthPx = arguments.widthPx;
-    options.coloring = arguments.isMotionColored ? OverlayColoring::Motion : OverlayColoring::Branches;
+    options.coloring = arguments.isMotionColored ? OverlayColoring::Motion
+                       : target.curves.empty()   ? OverlayColoring::Branches
+                                                 : OverlayColoring::Residuals;
     options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
     options.depthCue = arguments.depthCue ? ui::DepthCue::NearBright : ui::DepthCue::None;
     if (arguments.swipePx) {
@@ -74,7 +91,7 @@ int runProject(const ProjectArguments& arguments)
     }
     options.isStartBeside = arguments.startBeside;
     const PictureFile file{contentOf(arguments), arguments.dotsPerInch};
-    if (const auto status = writePictureFile(theCase, {}, options, file, arguments.outputPath); !status) {
+    if (const auto status = writePictureFile(theCase, target, options, file, arguments.outputPath); !status) {
         return failInput(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());

@@ -5,6 +5,7 @@
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/support/stopwatch.h"
 #include "io/case/asked_case.h"
+#include "io/case/case_file.h"
 #include "io/results/result_file.h"
 
 #include <cstdio>
@@ -15,12 +16,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The file that errors are about.
+const std::string& inputPathOf(const RegisterArguments& arguments)
+{
+    return !arguments.from.path.empty()       ? arguments.from.path
+           : !arguments.angiogramPath.empty() ? arguments.angiogramPath
+                                              : arguments.casePath;
+}
+
 std::string outputFolderOf(const RegisterArguments& arguments)
 {
-    return arguments.outputFolder.empty()
-               ? fs::path(arguments.from.path.empty() ? arguments.casePath : arguments.from.path).stem().string() +
-                     "-registered"
-               : arguments.outputFolder;
+    return arguments.outputFolder.empty() ? fs::path(inputPathOf(arguments)).stem().string() + "-registered"
+                                          : arguments.outputFolder;
+}
+
+core::Result<core::Case> loadAskedCase(const RegisterArguments& arguments)
+{
+    if (!arguments.from.path.empty()) {
+        return loadResultForCommand(arguments.from, ResultStage::Asked, arguments.frame);
+    }
+    return arguments.angiogramPath.empty()
+               ? loadCaseForCommand(arguments.casePath, arguments.frame)
+               : loadPairForCommand({arguments.casePath, arguments.angiogramPath}, arguments.frame);
 }
 
 /// The views that the cases at `paths` show.
@@ -53,9 +70,7 @@ int exitCodeOf(const core::RegisteredCase& registered)
 int runRegister(const RegisterArguments& arguments)
 {
     core::Stopwatch watch;
-    const bool isAgain = !arguments.from.path.empty();
-    auto loaded = isAgain ? loadResultForCommand(arguments.from, ResultStage::Asked, arguments.frame)
-                          : loadCaseForCommand(arguments.casePath, arguments.frame);
+    auto loaded = loadAskedCase(arguments);
     if (!loaded) {
         return failInput(loaded.error(), arguments.format);
     }
@@ -74,12 +89,16 @@ int runRegister(const RegisterArguments& arguments)
     plan.readMs = watch.lapMs();
     const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {
-        return failInput(registered.error().about(isAgain ? arguments.from.path : arguments.casePath),
-                         arguments.format);
+        return failInput(registered.error().about(inputPathOf(arguments)), arguments.format);
     }
     const std::string folder = outputFolderOf(arguments);
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
         return failInput(status.error(), arguments.format);
+    }
+    if (!arguments.savedPath.empty()) {
+        if (const auto status = io::saveCase(registered.value().theCase, arguments.savedPath); !status) {
+            return failInput(status.error(), arguments.format);
+        }
     }
     if (arguments.format == OutputFormat::Json) {
         std::puts(io::registeredJson(registered.value(), io::askedCaseText(registered.value())).c_str());

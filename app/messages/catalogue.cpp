@@ -6,6 +6,7 @@
 #include "app/messages/says_exchange.h"
 #include "app/messages/says_keeping.h"
 #include "app/messages/says_own.h"
+#include "app/messages/says_starting.h"
 
 #include <array>
 
@@ -21,6 +22,7 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "app/messages/exchange.def"
 #include "app/messages/keeping.def"
 #include "app/messages/own.def"
+#include "app/messages/starting.def"
 #include "app/messages/window.def"
 #undef MESSAGE
     });

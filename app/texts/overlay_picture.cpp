@@ -1,10 +1,12 @@
 #include "app/texts/overlay_picture.h"
 
 #include "app/messages/says.h"
+#include "app/messages/says_starting.h"
 #include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
 #include "app/texts/placed_marks.h"
 #include "core/case/case_patients.h"
+#include "core/case/start_pose.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/burn_marks.h"
@@ -57,6 +59,8 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
         if (!elsewhere->trustworthy) {
             lines.bottomLeft.push_back(says::runDistrusted());
         }
+    } else if (!heading && core::isAtStart(theCase.shown(), theCase.vessels)) {
+        lines.bottomLeft.push_back(says::poseAtStart());
     }
     if (drawn.known) {
         const core::Messages shape = shapeLines(drawn);

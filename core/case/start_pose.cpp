@@ -24,6 +24,12 @@ Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels)
     return poseFromAngles(view, vessels);
 }
 
+bool isAtStart(const View& view, const Vessels& vessels)
+{
+    const auto start = startPoseOf(view, vessels);
+    return !view.result && start && view.cameraFromPatient.matrix().isApprox(start.value().matrix(), 1e-9);
+}
+
 View withFrame(View view, const Vessels& vessels, int frame)
 {
     const auto before = poseFromAngles(view, vessels);

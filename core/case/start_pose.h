@@ -9,6 +9,9 @@ namespace angiopose::core {
 /// has it, else in the tree's centroid.
 Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels);
 
+/// Whether the vessels of a view are where they start: neither registered nor moved.
+bool isAtStart(const View& view, const Vessels& vessels);
+
 /// The view at another frame, at its own pose where following found one. Where the gantry turned in between, the poses
 /// turn with it about the isocentre.
 View withFrame(View view, const Vessels& vessels, int frame);

@@ -3515,6 +3515,21 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Ergebnisse von %1 und %2 stammen aus anderen Einstellungen oder einer anderen Version. Führen Sie zusammen, was gleich ausgeführt wurde.</translation>
     </message>
     <message>
+        <source>nothing has been registered in this case: its vessels are where they start. Give --register, or --from with a result; --start-pose where the start itself is wanted.</source>
+        <comment>dicom-export.at-start</comment>
+        <translation>in diesem Fall wurde nichts registriert: Seine Gefäße sind, wo sie beginnen. Geben Sie --register an, oder --from mit einem Ergebnis; --start-pose, wenn die Startlage selbst gewünscht ist.</translation>
+    </message>
+    <message>
+        <source>Nothing has been registered in this case: its vessels are drawn where they start. Register it with --save, or give --pose or --from.</source>
+        <comment>command.drawn-at-start</comment>
+        <translation>In diesem Fall wurde nichts registriert: Seine Gefäße sind in der Startlage gezeichnet. Registrieren Sie ihn mit --save, oder geben Sie --pose oder --from an.</translation>
+    </message>
+    <message>
+        <source>at the start pose: nothing registered</source>
+        <comment>pose.at-start</comment>
+        <translation>in der Startlage: nichts registriert</translation>
+    </message>
+    <message>
         <source>line %1 of its header is longer than ITK can hold (%2 characters). Shorten it or take it out.</source>
         <comment>reader.line-too-long</comment>
         <translation>Zeile %1 seines Kopfes ist länger, als ITK fassen kann (%2 Zeichen). Kürzen Sie sie, oder nehmen Sie sie heraus.</translation>

@@ -3515,6 +3515,21 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 与 %2 的结果来自不同的设置或不同的版本。请只合并以相同方式运行的结果。</translation>
     </message>
     <message>
+        <source>nothing has been registered in this case: its vessels are where they start. Give --register, or --from with a result; --start-pose where the start itself is wanted.</source>
+        <comment>dicom-export.at-start</comment>
+        <translation>此病例尚未配准：血管仍在起始处。请给出 --register，或用 --from 给出结果；若需要起始位姿本身，请用 --start-pose。</translation>
+    </message>
+    <message>
+        <source>Nothing has been registered in this case: its vessels are drawn where they start. Register it with --save, or give --pose or --from.</source>
+        <comment>command.drawn-at-start</comment>
+        <translation>此病例尚未配准：血管画在起始位姿处。请用 --save 配准，或给出 --pose 或 --from。</translation>
+    </message>
+    <message>
+        <source>at the start pose: nothing registered</source>
+        <comment>pose.at-start</comment>
+        <translation>处于起始位姿：尚未配准</translation>
+    </message>
+    <message>
         <source>line %1 of its header is longer than ITK can hold (%2 characters). Shorten it or take it out.</source>
         <comment>reader.line-too-long</comment>
         <translation>其文件头的第 %1 行超过 ITK 所能容纳的长度（%2 个字符）。请缩短或删除该行。</translation>

@@ -50,6 +50,7 @@ TEST_F(CliOnSimulatedCase, IsValidAndDescribed)
     EXPECT_EQ(json["kind"], "case");
     EXPECT_GT(json["tree"]["points"].get<int>(), 100);
     EXPECT_EQ(json["angiogram"]["geometry"]["sourceToDetectorMm"]["origin"], "header");
+    EXPECT_EQ(json["pose"], "at its start");
 }
 
 TEST_F(CliOnSimulatedCase, FindsAnInputThatHasMovedAsTheWindowDoes)

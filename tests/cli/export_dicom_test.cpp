@@ -33,8 +33,8 @@ protected:
 
     test::ProgramOutcome exported(std::vector<std::string> more)
     {
-        std::vector<std::string> arguments{"export-dicom",      casePath_, "--output",
-                                           folder_.file("out"), "--width", "160"};
+        std::vector<std::string> arguments{"export-dicom", casePath_, "--output",    folder_.file("out"),
+                                           "--width",      "160",     "--start-pose"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runCli(arguments);
     }

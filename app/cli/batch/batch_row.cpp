@@ -2,18 +2,15 @@
 
 #include "app/cli/case_input.h"
 #include "app/cli/console.h"
+#include "app/cli/open_together.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
 #include "app/messages/says.h"
-#include "app/messages/says_batch.h"
 #include "core/support/stopwatch.h"
 #include "core/support/utc_time.h"
 #include "io/case/load_case_with.h"
-#include "io/opening/assemble_case.h"
 #include "io/opening/open_case_with.h"
-#include "io/opening/read_inputs.h"
 #include "io/support/system/held_file.h"
-#include "io/vessel_input_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,57 +28,16 @@ core::Verdict goOnUnlessStopped(double)
     return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
 }
 
-/// How the vessels of the row are read; nothing where that follows from the file alone.
-core::Result<std::optional<core::VesselInput>> vesselInputOf(const BatchJob& job, const io::CaseSettings& settings)
-{
-    core::Case asked;
-    settings.applyTo(asked);
-    if (asked.vessels.input == core::VesselInput()) {
-        return std::optional<core::VesselInput>();
-    }
-    const auto kind = io::vesselInputKindOf(job.vesselsPath);
-    if (!kind) {
-        return kind.error();
-    }
-    asked.vessels.input.kind = kind.value();
-    return std::optional(asked.vessels.input);
-}
-
-/// A case of a file with vessels and one with an angiogram, as the window opens them together.
-core::Result<core::Case> openTogether(const BatchJob& job, const io::CaseSettings& settings, core::Messages& warnings)
-{
-    io::OpenHints hints;
-    auto vessels = vesselInputOf(job, settings);
-    if (!vessels) {
-        return vessels.error();
-    }
-    hints.vessels = std::move(vessels).value();
-    auto read = io::readInputs({job.vesselsPath, job.angiogramPath}, hints, goOnUnlessStopped);
-    if (!read) {
-        return read.error();
-    }
-    const io::LoadedInputs inputs = std::move(read).value();
-    if (!inputs.offered.empty()) {
-        return core::Error(says::batchSeveralSeries(inputs.offered.size()).about(job.vesselsPath));
-    }
-    if (inputs.askedUnitsAcross) {
-        return core::Error(says::batchUnitUnclear(core::Quantity{*inputs.askedUnitsAcross, 1}).about(job.vesselsPath));
-    }
-    warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
-    core::Case theCase = io::withInputs(core::Case(), inputs);
-    settings.applyTo(theCase);
-    return theCase;
-}
-
 core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
 {
     io::CaseSettings settings;
     if (const auto status = settings.add(job.settings); !status) {
         return status.error();
     }
-    auto opened = job.casePath.empty() ? openTogether(job, settings, warnings)
-                                       : io::openCaseWith({settings, io::FullestFrame::NotNeeded}, job.casePath,
-                                                          warnings, goOnUnlessStopped);
+    auto opened =
+        job.casePath.empty()
+            ? openTogether({job.vesselsPath, job.angiogramPath}, settings, warnings, goOnUnlessStopped)
+            : io::openCaseWith({settings, io::FullestFrame::NotNeeded}, job.casePath, warnings, goOnUnlessStopped);
     if (!opened) {
         return opened.error();
     }

@@ -1,0 +1,26 @@
+#include "app/cli/case_or_result.h"
+
+namespace angiopose::app {
+
+void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from)
+{
+    auto* file = command->add_option("CASE", casePath, "Case file, *.angiopose");
+    auto* result = command
+                       ->add_option("--from", from.path,
+                                    "Instead of a case: result.json or joint.json, with all that it was found from")
+                       ->excludes(file);
+    command
+        ->add_option(
+            "--inputs", from.inputFolders,
+            "Folder in which the inputs of that result lie, by name and content, beside its own; may be repeated")
+        ->needs(result);
+}
+
+void needCaseOrResult(const std::string& casePath, const FromResult& from)
+{
+    if (casePath.empty() && from.path.empty()) {
+        throw CLI::RequiredError("CASE or --from");
+    }
+}
+
+}   // namespace angiopose::app
