@@ -19,7 +19,13 @@ docs=$work/docs
 mkdir -p "$docs"
 cp resources/manual/mkdocs.yml "$work/"
 cp resources/manual/*.md resources/manual/*.svg "$docs/"
+cp resources/screenshot.png "$docs/"
 "$program" description markdown >"$docs/commands.md"
+
+# The overlay of the tutorial, by the program itself.
+"$program" simulate --seed 7 --branches 9 --output "$work/demo" >/dev/null
+"$program" register "$work/demo/case.angiopose" --output "$work/result" >/dev/null
+"$program" convert "$work/result/overlay.png" "$docs/overlay.png" --deidentify >/dev/null 2>&1   # without the time in its texts
 python3 "$here/manual_reference.py" cpp app/library/include/angiopose/*.h >"$docs/cpp.md"
 python3 "$here/manual_reference.py" python app/python/angiopose/__init__.pyi >"$docs/python.md"
 
