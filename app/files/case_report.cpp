@@ -1,5 +1,6 @@
 #include "app/files/case_report.h"
 
+#include "app/files/report_captions.h"
 #include "app/files/report_page.h"
 #include "app/texts/word_of_run.h"
 #include "core/case/registration_input.h"
@@ -50,12 +51,12 @@ core::Result<ReportedView> judgedView(const core::Case& theCase, const core::Res
     return ReportedView{theCase, look, target.value(), judgement.value(), {}};
 }
 
-/// The overlay, beside the start pose where there is one.
+/// The overlay, beside the start pose where that is another.
 core::Result<QImage> pictureOf(const ReportedView& view)
 {
     OverlayPictureOptions look = view.look;
     look.widthPx = pictureWidthPx;
-    look.isStartBeside = static_cast<bool>(core::startPoseOf(view.theCase));
+    look.isStartBeside = hasStartBeside(view);
     const auto drawn = drawOverlay(view.theCase, view.target, look);
     if (!drawn) {
         return drawn.error();

@@ -1,5 +1,6 @@
 #include "app/files/report_page.h"
 
+#include "app/files/report_captions.h"
 #include "app/files/report_measures.h"
 #include "app/messages/says.h"
 #include "app/words/geometry_state.h"
@@ -24,7 +25,8 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int shownWidth = 670;   // of 680 between the margins
+constexpr int shownWidth = 680;   // all that is between the margins
+constexpr int shownWidthOfOne = 340;   // as one of two; the page holds the rest, too
 constexpr int markWidth = 36;
 constexpr std::size_t branchesListed = 12;
 
@@ -57,15 +59,28 @@ QString table(const Rows& rows)
     return text + QStringLiteral("</table>");
 }
 
-/// Sentences on a ground of their own, as the window's card has them; nothing where there are none.
-QString card(const QStringList& sentences, const char* ground, const char* ink)
+/// A ground of its own, as the window's card has it, and the ink that is read on it.
+struct Ground {
+    const char* color;
+    const char* ink;
+};
+constexpr Ground certainGround{"#e3f2e6", "#14532d"};
+constexpr Ground doubtfulGround{"#fbefd9", "#7a4a00"};
+
+/// Sentences on a ground, after a word that is seen first; nothing where there are none.
+QString card(const QStringList& sentences, const Ground& ground, const QString& verdict = {})
 {
-    return sentences.isEmpty()
-               ? QString()
-               : QStringLiteral(
-                     "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"5\"><tr>"
-                     "<td style=\"background-color:%1; color:%2\">%3</td></tr></table>")
-                     .arg(QLatin1String(ground), QLatin1String(ink), ui::joinedSentences(sentences).toHtmlEscaped());
+    const QString first = verdict.isEmpty() ? QString()
+                                            : QStringLiteral(
+                                                  "<span style=\"font-size:11pt; font-weight:600\">%1</span>"
+                                                  "&nbsp;&nbsp;")
+                                                  .arg(verdict.toHtmlEscaped());
+    return sentences.isEmpty() ? QString()
+                               : QStringLiteral(
+                                     "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"5\"><tr>"
+                                     "<td style=\"background-color:%1; color:%2\">%3</td></tr></table>")
+                                     .arg(QLatin1String(ground.color), QLatin1String(ground.ink),
+                                          first + ui::joinedSentences(sentences).toHtmlEscaped());
 }
 
 /// Two columns of parts.
@@ -85,6 +100,11 @@ QString imageTag(const QString& url, const QSize& size, int width)
         .arg(size.scaled(width, size.height(), Qt::KeepAspectRatio).height());
 }
 
+int widthOf(const ReportedView& view)
+{
+    return hasStartBeside(view) ? shownWidth : shownWidthOfOne;
+}
+
 double mmPerPxOf(const core::Case& theCase)
 {
     const auto camera = core::cameraOf(theCase.shown());
@@ -97,9 +117,16 @@ QString programWords()
     return QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION);
 }
 
-QString timeWords()
+/// ISO 8601 with the time zone: read alike everywhere.
+QString timeWords(const QDateTime& time)
 {
-    return ui::languageLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat);
+    const int minutes = time.offsetFromUtc() / 60;
+    const QString zone = minutes == 0 ? QString()
+                                      : QStringLiteral("%1%2:%3")
+                                            .arg(minutes < 0 ? QLatin1Char('-') : QLatin1Char('+'))
+                                            .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
+                                            .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+    return time.toString(QStringLiteral("yyyy-MM-dd HH:mm")) + QStringLiteral(" UTC") + zone;
 }
 
 /// That the images are not of one patient stands where nobody overlooks it.
@@ -147,8 +174,7 @@ Rows originRows(const ReportedView& view)
     if (found.isValid()) {
         const QString& author = fromCore(result->provenance.author);
         rows.emplace_back(ReportWords::tr("Found"),
-                          ui::languageLocale().toString(found, QLocale::ShortFormat) +
-                              (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
+                          timeWords(found) + (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
     }
     if (!core::resultOfShownFrame(view.theCase.shown())) {
         rows.emplace_back(ReportWords::tr("Found in"), ReportWords::tr("frame %1; picture and figures are of frame %2")
@@ -171,10 +197,23 @@ QString resultPart(const ReportedView& view)
          QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
     const Rows origin = originRows(view);
     rows.insert(rows.end(), origin.begin(), origin.end());
-    const ui::ResultSentences sentences =
+    return heading(ReportWords::tr("Result")) + table(rows);
+}
+
+/// Whether the pose is to be trusted, what that means, and what the program says of it.
+QString verdictPart(const ReportedView& view)
+{
+    const ui::ResultSentences said =
         ui::sentencesOf(view.judgement, *view.theCase.vessels.tree, mmPerPxOf(view.theCase));
-    return heading(ReportWords::tr("Result")) + table(rows) + card(sentences.certain, "#e3f2e6", "#14532d") +
-           card(sentences.doubtful, "#fbefd9", "#7a4a00");
+    if (!view.judgement.trustworthy) {
+        const QString meaning = ReportWords::tr("This pose may be wrong. Do not use it as it is.");
+        return card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround,
+                    ReportWords::tr("Not trustworthy"));
+    }
+    const QString meaning =
+        ReportWords::tr("No check speaks against this pose. That is no proof: look at the picture.");
+    return card(QStringList{meaning} + said.certain, certainGround, ReportWords::tr("Trustworthy")) +
+           card(said.doubtful, doubtfulGround);
 }
 
 QString branchPart(const ReportedView& view)
@@ -251,9 +290,9 @@ QString viewPart(const ReportedView& view, const QString& picture, bool isAlone)
     const core::Case& theCase = view.theCase;
     const QString title = isAlone ? QString() : heading(numberedTitle(theCase.views, theCase.shownView));
     if (view.problem) {
-        return title + card({ui::messageText(*view.problem)}, "#fbefd9", "#7a4a00");
+        return title + card({ui::messageText(*view.problem)}, doubtfulGround);
     }
-    return title + QStringLiteral("<p>%1</p>").arg(picture) +
+    return title + captionsOf(view, widthOf(view)) + picture + colorLineOf(view) + verdictPart(view) +
            beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase)) +
            measuredPart(theCase) + checkedPart(theCase);
 }
@@ -284,7 +323,8 @@ QString inputPart(const CaseReport& report)
     }
     rows.emplace_back(ReportWords::tr("Program"), programWords());
     rows.emplace_back(ReportWords::tr("Made"),
-                      timeWords() + (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
+                      timeWords(QDateTime::currentDateTime()) +
+                          (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
     return heading(ReportWords::tr("Inputs")) + table(rows);
 }
 
@@ -306,9 +346,9 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
     QString views;
     for (std::size_t i = 0; i < report.views.size(); ++i) {
         const QImage& picture = pictures[i];
-        views +=
-            viewPart(report.views[i], picture.isNull() ? QString() : imageTag(urlOf(i), picture.size(), shownWidth),
-                     report.views.size() == 1);
+        views += viewPart(report.views[i],
+                          picture.isNull() ? QString() : imageTag(urlOf(i), picture.size(), widthOf(report.views[i])),
+                          report.views.size() == 1);
     }
     const std::size_t mark = report.views.size();
     const QHash<QString, QString> parts{
@@ -319,7 +359,7 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
         {QStringLiteral("views"), views},
         {QStringLiteral("inputs"), inputPart(report)},
         {QStringLiteral("signature"), ReportWords::tr("Signature").toHtmlEscaped()},
-        {QStringLiteral("date"), timeWords().toHtmlEscaped()},
+        {QStringLiteral("date"), timeWords(QDateTime::currentDateTime())},
         {QStringLiteral("author"), report.author.toHtmlEscaped()},
         {QStringLiteral("program"), programWords()},
         {QStringLiteral("mark"), imageTag(urlOf(mark), pictures[mark].size(), markWidth)},

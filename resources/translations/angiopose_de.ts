@@ -274,6 +274,42 @@
         <source>Scan</source>
         <translation>Scan</translation>
     </message>
+    <message>
+        <source>Before: start pose</source>
+        <translation>Vorher: Startlage</translation>
+    </message>
+    <message>
+        <source>After: registered</source>
+        <translation>Nachher: registriert</translation>
+    </message>
+    <message>
+        <source>After: pose set by hand</source>
+        <translation>Nachher: Lage von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>Colours: distance of the vessels from those traced in the image</source>
+        <translation>Farben: Abstand der Gefäße von den im Bild erkannten</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>weiter</translation>
+    </message>
+    <message>
+        <source>Trustworthy</source>
+        <translation>Vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>Not trustworthy</source>
+        <translation>Nicht vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>This pose may be wrong. Do not use it as it is.</source>
+        <translation>Diese Lage kann falsch sein. So nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>No check speaks against this pose. That is no proof: look at the picture.</source>
+        <translation>Keine Prüfung spricht gegen diese Lage. Das ist kein Beweis: das Bild ansehen.</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>

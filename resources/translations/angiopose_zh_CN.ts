@@ -274,6 +274,42 @@
         <source>Scan</source>
         <translation>扫描</translation>
     </message>
+    <message>
+        <source>Before: start pose</source>
+        <translation>之前：初始位姿</translation>
+    </message>
+    <message>
+        <source>After: registered</source>
+        <translation>之后：已配准</translation>
+    </message>
+    <message>
+        <source>After: pose set by hand</source>
+        <translation>之后：手动设置的位姿</translation>
+    </message>
+    <message>
+        <source>Colours: distance of the vessels from those traced in the image</source>
+        <translation>颜色：血管与图像中所提取血管的距离</translation>
+    </message>
+    <message>
+        <source>farther</source>
+        <translation>更远</translation>
+    </message>
+    <message>
+        <source>Trustworthy</source>
+        <translation>可信</translation>
+    </message>
+    <message>
+        <source>Not trustworthy</source>
+        <translation>不可信</translation>
+    </message>
+    <message>
+        <source>This pose may be wrong. Do not use it as it is.</source>
+        <translation>此位姿可能有误，请勿直接使用。</translation>
+    </message>
+    <message>
+        <source>No check speaks against this pose. That is no proof: look at the picture.</source>
+        <translation>没有检查结果与此位姿相悖。这并非证明：请查看图像。</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::app::CloseController</name>

@@ -1,0 +1,79 @@
+#include "app/files/report_captions.h"
+
+#include "ui/theme/theme.h"
+#include "ui/words/number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+/// The words of this file.
+struct CaptionWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
+};
+
+/// Residuals are coloured unless the vessels show something else, or nothing.
+bool showsResiduals(const ReportedView& view)
+{
+    return view.look.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 && !view.look.radiograph &&
+           view.look.vessels != ui::OverlayMode::Hidden;
+}
+
+double scaleEndMm(const core::Case& theCase)
+{
+    const auto camera = core::cameraOf(theCase.shown());
+    if (!camera) {
+        return 0.0;
+    }
+    const double depthMm =
+        std::max((theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z(),
+                 core::minProjectableDepthMm);
+    return residualScaleMaximumPx(camera.value(), depthMm) * core::millimetresPerPixel(camera.value(), depthMm);
+}
+
+/// A sample of the colour, which printers keep, and what it stands for.
+QString sample(const ui::Color& color, const QString& meaning)
+{
+    return QStringLiteral("&nbsp;&nbsp;<span style=\"color:%1\">&#9632;</span>&nbsp;%2")
+        .arg(QString::fromStdString(color.hex()), meaning.toHtmlEscaped());
+}
+
+}   // namespace
+
+bool hasStartBeside(const ReportedView& view)
+{
+    const auto start = core::startPoseOf(view.theCase);
+    return start && start.value().matrix() != view.theCase.shown().cameraFromPatient.matrix();
+}
+
+QString captionsOf(const ReportedView& view, int widthPx)
+{
+    if (!hasStartBeside(view)) {
+        return {};
+    }
+    const QString after = view.theCase.shown().result ? CaptionWords::tr("After: registered")
+                                                      : CaptionWords::tr("After: pose set by hand");
+    return QStringLiteral(
+               "<table width=\"%1\" style=\"margin-top:6px\" cellspacing=\"0\" cellpadding=\"0\"><tr>"
+               "<td width=\"50%\"><b>%2</b></td><td width=\"50%\"><b>%3</b></td></tr></table>")
+        .arg(QString::number(widthPx), CaptionWords::tr("Before: start pose").toHtmlEscaped(), after.toHtmlEscaped());
+}
+
+QString colorLineOf(const ReportedView& view)
+{
+    if (!showsResiduals(view)) {
+        return {};
+    }
+    const double endMm = scaleEndMm(view.theCase);
+    const auto at = [endMm](double fraction) {
+        return sample(ui::residualColor(fraction), ui::numberText(fraction * endMm, 0) + QStringLiteral(" mm"));
+    };
+    return QStringLiteral("<p style=\"margin-top:2px; margin-bottom:6px; color:#555555\">%1%2</p>")
+        .arg(CaptionWords::tr("Colours: distance of the vessels from those traced in the image").toHtmlEscaped(),
+             at(0.0) + at(0.5) + at(1.0) + sample(ui::residualColorAboveScale(), CaptionWords::tr("farther")));
+}
+
+}   // namespace angiopose::app
