@@ -2,6 +2,7 @@
 #include "app/preferences/language_choice.h"
 #include "app/preferences/theme_choice.h"
 #include "app/start/start_words.h"
+#include "app/start/write_report.h"
 #include "app/window_host.h"
 #include "io/support/crash_dumps.h"
 #include "io/support/file_limits.h"
@@ -18,6 +19,9 @@ int main(int argc, char** argv)
     const app::StartWords words = app::readStartWords(argc, argv);
     if (words.exitCode) {
         return *words.exitCode;
+    }
+    if (words.report) {
+        return app::writeReport(argc, argv, *words.report);
     }
     QApplication application(argc, argv);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/angiopose.svg")));

@@ -33,6 +33,11 @@ const ColorChoice& chosenColors()
 
 }   // namespace
 
+void applyChosenColors()
+{
+    ui::setColorScheme(chosenColors().scheme);
+}
+
 ColorController::ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView,
                                  QWidget& window, QObject* parent)
     : QObject(parent), view_(view), treeView_(treeView), window_(window)

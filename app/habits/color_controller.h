@@ -13,6 +13,9 @@ class WindowActions;
 
 namespace angiopose::app {
 
+/// Vessels and residuals take the colours that the user chose; for pictures that are drawn without a window.
+void applyChosenColors();
+
 /// The menu of colours for vessels and residuals, each readable with any colour vision.
 class ColorController : public QObject {
     Q_OBJECT

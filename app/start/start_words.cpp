@@ -85,6 +85,7 @@ void describeOptions(QCommandLineParser& parser)
                                  QCoreApplication::translate("main", "A case, or a centreline and an angiogram."),
                                  QStringLiteral("[case|files…]"));
     parser.addOption(rendererOption());
+    describeReport(parser);
 }
 
 int say(std::FILE* stream, const QString& text, int exitCode)
@@ -114,6 +115,9 @@ int answer(int argc, char** argv, const QStringList& words)
                                  .arg(rendererIn(parser));
         return say(stderr, text + QLatin1Char('\n'), exitWrongUsage);
     }
+    if (const auto fault = faultOfReport(parser)) {
+        return say(stderr, *fault + QLatin1Char('\n'), exitWrongUsage);
+    }
     const QString text = QCoreApplication::translate(
         "main", "There is no display to show the window on. angiopose-cli does the same work without one.");
     return say(stderr, text + QLatin1Char('\n'), exitNoDisplay);
@@ -131,8 +135,14 @@ StartWords readStartWords(int argc, char** argv)
     describeOptions(parser);
     const bool isAsked = !parser.parse(words) || parser.isSet(QStringLiteral("version")) ||
                          parser.isSet(QStringLiteral("help")) || parser.isSet(QStringLiteral("help-all"));
+    if (isAsked || !applyRenderer(parser) || faultOfReport(parser)) {
+        return {{}, answer(argc, argv, words)};
+    }
+    if (const auto report = reportIn(parser)) {
+        return {{}, std::nullopt, report};
+    }
     const bool hasToolkitWords = words.size() < argc;   // perhaps of another platform
-    if (isAsked || !applyRenderer(parser) || (lacksDisplay() && !hasToolkitWords)) {
+    if (lacksDisplay() && !hasToolkitWords) {
         return {{}, answer(argc, argv, words)};
     }
     return {parser.positionalArguments()};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/start/report_words.h"
+
 #include <QStringList>
 
 #include <optional>
@@ -10,6 +12,7 @@ namespace angiopose::app {
 struct StartWords {
     QStringList files;
     std::optional<int> exitCode = std::nullopt;   ///< answered already: the program ends with it
+    std::optional<ReportWords> report = std::nullopt;   ///< written instead of a window's being opened
 };
 
 /// Reads the command line before there is a window, a display or an application: `--help`, `--version` and what is

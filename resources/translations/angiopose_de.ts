@@ -7316,6 +7316,26 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>eine Segmentierung braucht den Scan oder die Maske, aus denen die Gefäße kommen. Zuerst öffnen oder die Segmentierung weglassen.</translation>
     </message>
     <message>
+        <source>reports are written by the program angiopose, which is not at &apos;%1&apos;. Install the window&apos;s program beside angiopose-cli, or build its target angiopose.</source>
+        <comment>report.program-missing</comment>
+        <translation>Berichte schreibt das Programm angiopose, das nicht unter &apos;%1&apos; liegt. Das Programm des Fensters neben angiopose-cli installieren oder sein Ziel angiopose bauen.</translation>
+    </message>
+    <message>
+        <source>The program angiopose was ended by signal %1; no report was written. angiopose-cli support-bundle gathers what tells why.</source>
+        <comment>report.program-fault</comment>
+        <translation>Das Programm angiopose wurde durch Signal %1 beendet; es wurde kein Bericht geschrieben. angiopose-cli support-bundle sammelt, was den Grund verrät.</translation>
+    </message>
+    <message>
+        <source>the report is written. It says that this pose is not trustworthy, and why.</source>
+        <comment>report.distrusted</comment>
+        <translation>der Bericht ist geschrieben. Er sagt, dass diese Lage nicht vertrauenswürdig ist, und warum.</translation>
+    </message>
+    <message>
+        <source>stopped; no report was written.</source>
+        <comment>report.stopped</comment>
+        <translation>angehalten; es wurde kein Bericht geschrieben.</translation>
+    </message>
+    <message>
         <source>the report is made by the window. Export it there as PDF and give it by --report, or leave it out.</source>
         <comment>dicom-export.no-report</comment>
         <translation>den Bericht macht das Fenster. Ihn dort als PDF exportieren und mit --report angeben oder weglassen.</translation>
@@ -7557,6 +7577,38 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>There is no display to show the window on. angiopose-cli does the same work without one.</source>
         <translation>Es gibt keine Anzeige, auf der das Fenster erscheinen kann. angiopose-cli leistet dasselbe ohne.</translation>
+    </message>
+    <message>
+        <source>Write the report of a case, .pdf or .html, and end; needs no display.</source>
+        <translation>Den Bericht eines Falls schreiben, .pdf oder .html, und enden; braucht keinen Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Beside --report: register the case first.</source>
+        <translation>Neben --report: den Fall zuerst registrieren.</translation>
+    </message>
+    <message>
+        <source>Beside --report: the page to fill in, in place of the built-in one.</source>
+        <translation>Neben --report: die auszufüllende Seite anstelle der eingebauten.</translation>
+    </message>
+    <message>
+        <source>Beside --report: who makes it, in place of the account&apos;s name.</source>
+        <translation>Neben --report: wer ihn macht, anstelle des Benutzernamens.</translation>
+    </message>
+    <message>
+        <source>Beside --report: name the patient, which is left out else.</source>
+        <translation>Neben --report: den Patienten nennen, der sonst wegbleibt.</translation>
+    </message>
+    <message>
+        <source>--register, --template, --author and --identity go beside --report FILE alone.</source>
+        <translation>--register, --template, --author und --identity gibt es nur neben --report FILE.</translation>
+    </message>
+    <message>
+        <source>A report is written as .pdf or .html, not as “%1”.</source>
+        <translation>Ein Bericht wird als .pdf oder .html geschrieben, nicht als „%1“.</translation>
+    </message>
+    <message>
+        <source>A report is of one case: angiopose --report FILE CASE</source>
+        <translation>Ein Bericht ist von einem Fall: angiopose --report FILE CASE</translation>
     </message>
 </context>
 <context>

@@ -7316,6 +7316,26 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分割需要血管所来自的扫描或掩模。请先打开，或不导出分割。</translation>
     </message>
     <message>
+        <source>reports are written by the program angiopose, which is not at &apos;%1&apos;. Install the window&apos;s program beside angiopose-cli, or build its target angiopose.</source>
+        <comment>report.program-missing</comment>
+        <translation>报告由程序 angiopose 写出，但“%1”处没有它。请将窗口程序安装在 angiopose-cli 旁，或构建其目标 angiopose。</translation>
+    </message>
+    <message>
+        <source>The program angiopose was ended by signal %1; no report was written. angiopose-cli support-bundle gathers what tells why.</source>
+        <comment>report.program-fault</comment>
+        <translation>程序 angiopose 被信号 %1 终止；未写出报告。angiopose-cli support-bundle 可收集说明原因的信息。</translation>
+    </message>
+    <message>
+        <source>the report is written. It says that this pose is not trustworthy, and why.</source>
+        <comment>report.distrusted</comment>
+        <translation>报告已写出。其中说明此位姿不可信及其原因。</translation>
+    </message>
+    <message>
+        <source>stopped; no report was written.</source>
+        <comment>report.stopped</comment>
+        <translation>已停止；未写出报告。</translation>
+    </message>
+    <message>
         <source>the report is made by the window. Export it there as PDF and give it by --report, or leave it out.</source>
         <comment>dicom-export.no-report</comment>
         <translation>报告由窗口生成。请在窗口中导出为 PDF 并用 --report 给出，或不导出。</translation>
@@ -7557,6 +7577,38 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>There is no display to show the window on. angiopose-cli does the same work without one.</source>
         <translation>没有可显示窗口的显示器。angiopose-cli 无需显示器即可完成同样的工作。</translation>
+    </message>
+    <message>
+        <source>Write the report of a case, .pdf or .html, and end; needs no display.</source>
+        <translation>写出病例的报告（.pdf 或 .html）后结束；不需要显示器。</translation>
+    </message>
+    <message>
+        <source>Beside --report: register the case first.</source>
+        <translation>与 --report 一起：先配准病例。</translation>
+    </message>
+    <message>
+        <source>Beside --report: the page to fill in, in place of the built-in one.</source>
+        <translation>与 --report 一起：要填写的页面，代替内置页面。</translation>
+    </message>
+    <message>
+        <source>Beside --report: who makes it, in place of the account&apos;s name.</source>
+        <translation>与 --report 一起：报告的作者，代替账户名。</translation>
+    </message>
+    <message>
+        <source>Beside --report: name the patient, which is left out else.</source>
+        <translation>与 --report 一起：写出患者姓名，否则不写。</translation>
+    </message>
+    <message>
+        <source>--register, --template, --author and --identity go beside --report FILE alone.</source>
+        <translation>--register、--template、--author 和 --identity 只能与 --report FILE 一起使用。</translation>
+    </message>
+    <message>
+        <source>A report is written as .pdf or .html, not as “%1”.</source>
+        <translation>报告以 .pdf 或 .html 写出，而非“%1”。</translation>
+    </message>
+    <message>
+        <source>A report is of one case: angiopose --report FILE CASE</source>
+        <translation>一份报告对应一个病例：angiopose --report FILE CASE</translation>
     </message>
 </context>
 <context>

@@ -10,7 +10,8 @@ _angiopose()
     if [[ $previous == --renderer ]]; then
         mapfile -t COMPREPLY < <(compgen -W 'auto vtk painter' -- "$current")
     elif [[ $current == -* ]]; then
-        mapfile -t COMPREPLY < <(compgen -W '-h --help --help-all -v --version --renderer' -- "$current")
+        mapfile -t COMPREPLY < <(compgen -W '-h --help --help-all -v --version --renderer --report --register --template --author
+            --identity' -- "$current")
     else
         compopt -o filenames 2>/dev/null
         mapfile -t COMPREPLY < <(compgen -f -- "$current")

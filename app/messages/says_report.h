@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/support/message.h"
+
+/// Of reports that no window writes, as app/messages/says.h.
+namespace angiopose::app::says {
+
+#define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};
+#include "app/messages/report.def"
+#undef MESSAGE
+
+}   // namespace angiopose::app::says

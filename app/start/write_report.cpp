@@ -1,0 +1,192 @@
+#include "app/start/write_report.h"
+
+#include "app/files/case_report.h"
+#include "app/habits/color_controller.h"
+#include "app/messages/says_report.h"
+#include "app/preferences/audit_path.h"
+#include "app/preferences/language_choice.h"
+#include "app/preferences/private_mode.h"
+#include "app/preferences/theme_choice.h"
+#include "app/start/work_watch.h"
+#include "app/words/corner_words.h"
+#include "app/words/snapshot_texts.h"
+#include "core/case/registration_input.h"
+#include "core/support/utc_time.h"
+#include "core/workflow/register_case.h"
+#include "io/opening/open_case_with.h"
+#include "io/sharing/audit_file.h"
+#include "io/support/atomic_file.h"
+
+#include <QApplication>
+
+#include <cstdio>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+// FORMATS §5.
+constexpr int exitWritten = 0;
+constexpr int exitNoInput = 3;
+constexpr int exitDistrusted = 4;
+constexpr int exitAtStop = 130;
+
+void tell(const core::Message& message, const char* kind = "")
+{
+    std::fprintf(stderr, "angiopose: %s%s\n", kind, message.text().c_str());
+}
+
+int failWith(const core::Error& error)
+{
+    endWatch();
+    tell(error.message);
+    return error.isStop() || isStopWished() ? exitAtStop : exitNoInput;
+}
+
+void audit(io::AuditEvent event, const QString& path)
+{
+    const QString auditFile = auditPath();
+    if (auditFile.isEmpty()) {
+        return;
+    }
+    if (const auto kept = io::recordAudit(auditFile.toStdString(), {event, "angiopose", {path.toStdString()}}); !kept) {
+        tell(kept.error().message, "warning: ");
+    }
+}
+
+core::Result<core::Case> readCase(const ReportWords& words)
+{
+    core::Messages warnings;
+    const io::CaseWish wish{{}, io::FullestFrame::NotNeeded};
+    auto read = io::openCaseWith(wish, words.casePath.toStdString(), warnings,
+                                 [](double fraction) { return watchWork("reading", fraction); });
+    endWatch();
+    for (const core::Message& warning : warnings) {
+        tell(warning, "warning: ");
+    }
+    return read;
+}
+
+std::string authorOf(const ReportWords& words)
+{
+    return words.author.value_or(observerName()).toStdString();
+}
+
+/// The case with the pose that it is to be reported with, and the vessels of its image.
+struct Reportable {
+    core::Case theCase;
+    core::Centerline2d target;
+};
+
+core::Result<Reportable> registered(core::Case theCase, const ReportWords& words)
+{
+    core::RegistrationPlan plan;
+    plan.author = authorOf(words);
+    plan.time = core::utcNow();
+    auto found = core::registerCase(std::move(theCase), std::move(plan), [](const core::WorkReport& report) {
+        return watchWork("registering", report.fraction);
+    });
+    endWatch();
+    if (!found) {
+        return found.error();
+    }
+    if (isStopWished()) {
+        return core::Stopped{says::reportStopped()};
+    }
+    core::RegisteredCase done = std::move(found).value();
+    return Reportable{std::move(done.theCase), std::move(done.targets.front())};
+}
+
+core::Result<Reportable> asItIs(core::Case theCase)
+{
+    auto target = core::targetOf(theCase.shown());
+    if (!target) {
+        return target.error();
+    }
+    return Reportable{std::move(theCase), std::move(target).value()};
+}
+
+core::Result<std::vector<ReportedView>> viewsOf(const Reportable& reported, const ReportWords& words)
+{
+    OverlayPictureOptions look;
+    look.texts = windowTexts;
+    look.identity = words.identity;
+    return judgedViews(outgoingCase(reported.theCase), reported.target, look);
+}
+
+core::Status write(const std::vector<ReportedView>& views, const ReportWords& words)
+{
+    const bool isPdf = words.outputPath.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
+    const CaseReport report{views, QString::fromStdString(authorOf(words)), QApplication::font().families(),
+                            words.templatePath};
+    const auto bytes = reportBytes(report, isPdf ? ReportKind::Pdf : ReportKind::Html);
+    if (!bytes) {
+        return bytes.error();
+    }
+    return io::writeAtomically(words.outputPath.toStdString(),
+                               {bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())});
+}
+
+/// Qt remarks on desktops that there are not; what users can act on comes as a message.
+void keepQtQuiet()
+{
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        if (type == QtFatalMsg) {
+            std::fprintf(stderr, "angiopose: %s\n", qPrintable(text));
+        }
+    });
+}
+
+int tellTrust(const core::RegistrationResult& judgement)
+{
+    if (judgement.trustworthy) {
+        return exitWritten;
+    }
+    tell(says::reportDistrusted());
+    for (const core::Message& warning : judgement.warnings) {
+        tell(warning, "warning: ");
+    }
+    return exitDistrusted;
+}
+
+int writeReportOf(const ReportWords& words)
+{
+    auto read = readCase(words);
+    if (!read) {
+        return failWith(read.error());
+    }
+    audit(io::AuditEvent::Opened, words.casePath);
+    const auto reported =
+        words.isRegistered ? registered(std::move(read).value(), words) : asItIs(std::move(read).value());
+    if (!reported) {
+        return failWith(reported.error().about(words.casePath.toStdString()));
+    }
+    const auto views = viewsOf(reported.value(), words);
+    if (!views) {
+        return failWith(views.error().about(words.casePath.toStdString()));
+    }
+    if (isStopWished()) {
+        return failWith(core::Stopped{says::reportStopped()});
+    }
+    if (const auto written = write(views.value(), words); !written) {
+        return failWith(written.error());
+    }
+    audit(io::AuditEvent::Exported, words.outputPath);
+    return tellTrust(views.value().front().judgement);
+}
+
+}   // namespace
+
+int writeReport(int argc, char** argv, const ReportWords& words)
+{
+    catchStops();
+    keepQtQuiet();
+    qputenv("QT_QPA_PLATFORM", "offscreen");   // also where there is a display: nothing is shown
+    QApplication application(argc, argv);
+    applyChosenLanguage();
+    applyChosenTheme(application);   // the typeface is the window's
+    applyChosenColors();
+    return writeReportOf(words);
+}
+
+}   // namespace angiopose::app
