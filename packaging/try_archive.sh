@@ -39,6 +39,7 @@ expect "sample case registered" '"$bin/angiopose-cli" register demo/case.angiopo
 say "  in" "$(awk "BEGIN {printf \"%.1f s\", $EPOCHREALTIME - $begin}")"
 expect "decoder helper runs (.h5)" '"$bin/angiopose-cli" convert result/result.json pose.h5 && "$bin/angiopose-cli" info pose.h5'
 expect "other LD_LIBRARY_PATH does no harm" 'mkdir -p bad && : >bad/libvtkCommonCore-9.1.so.1 && LD_LIBRARY_PATH=$HOME/bad "$bin/angiopose-cli" --version'
+expect "report without a display" '"$bin/angiopose-cli" report demo/case.angiopose --register --output report.pdf && test -s report.pdf'
 expect "window starts (offscreen)" 'QT_QPA_PLATFORM=offscreen timeout 5 "$bin/angiopose" demo/case.angiopose; test $? = 124'
 expect "fonts and dictionary are its own" 'LD_DEBUG=files QT_QPA_PLATFORM=offscreen timeout 5 "$bin/angiopose" --version &&
     test -s "$bin/../share/fonts/Inter-Regular.otf" && test -s "$bin/../share/dcmtk/dicom.dic"'

@@ -60,6 +60,7 @@ sed 's/^/    /' "$work/register.log"
 expect "overlay.png" in_root sh -c 'test -s ~/result/overlay.png'
 expect "decoder helper runs (.h5)" in_root sh -c 'cd && angiopose-cli convert result/result.json pose.h5 && angiopose-cli info pose.h5'
 expect "thumbnail" in_root sh -c 'cd && angiopose-cli thumbnail demo/case.angiopose thumb.png && test -s thumb.png'
+expect "report without a display" in_root sh -c 'cd && angiopose-cli report demo/case.angiopose --register --output report.pdf && test -s report.pdf'
 expect "window starts (offscreen), closes" in_root sh -c 'cd && QT_QPA_PLATFORM=offscreen timeout 5 angiopose demo/case.angiopose; test $? = 124'
 expect "removed without a trace" in_root sh -c 'apt-get purge -y -qq angiopose && ! find /usr /etc /var/lib/mime -iname "*angiopose*" | grep .'
 rm -rf --one-file-system "$root"

@@ -118,7 +118,8 @@ void addExportDicom(CLI::App& app, int& exitCode)
         ->add_option("--objects", arguments->objects,
                      "Which, of " + dicomKindIds() + " (default: all that the case allows)")
         ->delimiter(',');
-    command->add_option("--report", arguments->reportPath, "PDF of the report, as the window exports it, for pdf");
+    command->add_option("--report", arguments->reportPath,
+                        "PDF of the report, as `angiopose-cli report` writes it, for pdf");
     command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
     command->add_option("--width", arguments->widthPx, "Width of pictures in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));

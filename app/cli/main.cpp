@@ -6,6 +6,7 @@
 #include "app/cli/export_dicom_command.h"
 #include "app/cli/file_commands.h"
 #include "app/cli/pack_command.h"
+#include "app/cli/report_command.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/support_command.h"
 #include "app/cli/thumbnail_command.h"
@@ -39,6 +40,7 @@ int parseAndRun(int argc, char** argv)
     addTrack(app, exitCode);
     addProject(app, exitCode);
     addMovie(app, exitCode);
+    addReport(app, exitCode);
     addExportDicom(app, exitCode);
     addAngles(app, exitCode);
     addMeasure(app, exitCode);

@@ -7336,9 +7336,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>angehalten; es wurde kein Bericht geschrieben.</translation>
     </message>
     <message>
-        <source>the report is made by the window. Export it there as PDF and give it by --report, or leave it out.</source>
+        <source>a report is made by angiopose-cli report, or by the window. Give its PDF by --report, or leave it out.</source>
         <comment>dicom-export.no-report</comment>
-        <translation>den Bericht macht das Fenster. Ihn dort als PDF exportieren und mit --report angeben oder weglassen.</translation>
+        <translation>einen Bericht macht angiopose-cli report oder das Fenster. Sein PDF mit --report angeben oder weglassen.</translation>
     </message>
     <message>
         <source>Left out: %1: %2</source>

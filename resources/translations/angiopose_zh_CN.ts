@@ -7336,9 +7336,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已停止；未写出报告。</translation>
     </message>
     <message>
-        <source>the report is made by the window. Export it there as PDF and give it by --report, or leave it out.</source>
+        <source>a report is made by angiopose-cli report, or by the window. Give its PDF by --report, or leave it out.</source>
         <comment>dicom-export.no-report</comment>
-        <translation>报告由窗口生成。请在窗口中导出为 PDF 并用 --report 给出，或不导出。</translation>
+        <translation>报告由 angiopose-cli report 或窗口生成。请用 --report 给出其 PDF，或不导出。</translation>
     </message>
     <message>
         <source>Left out: %1: %2</source>

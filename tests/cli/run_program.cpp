@@ -24,8 +24,8 @@ std::string contentOf(const std::string& path)
     return content.str();
 }
 
-[[noreturn]] void becomeProgram(const std::vector<std::string>& arguments, const std::string& outputPath,
-                                const std::string& messagePath)
+[[noreturn]] void becomeProgram(const std::string& path, const std::vector<std::string>& arguments,
+                                const std::string& outputPath, const std::string& messagePath)
 {
     const int output = open(outputPath.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int messages = open(messagePath.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -33,20 +33,26 @@ std::string contentOf(const std::string& path)
     dup2(messages, STDERR_FILENO);
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
-    std::vector<std::string> words{CLI_PROGRAM};
+    std::vector<std::string> words{path};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) {
         pointers.push_back(word.data());
     }
     pointers.push_back(nullptr);
-    execv(CLI_PROGRAM, pointers.data());
+    execv(path.c_str(), pointers.data());
     _exit(127);
 }
 
 }   // namespace
 
 ProgramOutcome runCli(const std::vector<std::string>& arguments, double interruptAfterSeconds)
+{
+    return runProgram(CLI_PROGRAM, arguments, interruptAfterSeconds);
+}
+
+ProgramOutcome runProgram(const std::string& path, const std::vector<std::string>& arguments,
+                          double interruptAfterSeconds)
 {
     static std::atomic<int> runs{0};   // tests run several at once
     const auto folder = std::filesystem::temp_directory_path();
@@ -56,7 +62,7 @@ ProgramOutcome runCli(const std::vector<std::string>& arguments, double interrup
     const auto start = std::chrono::steady_clock::now();
     const pid_t child = fork();
     if (child == 0) {
-        becomeProgram(arguments, stem + ".out", stem + ".err");
+        becomeProgram(path, arguments, stem + ".out", stem + ".err");
     }
     if (interruptAfterSeconds > 0.0) {
         std::this_thread::sleep_for(std::chrono::duration<double>(interruptAfterSeconds));

@@ -17,4 +17,8 @@ struct ProgramOutcome {
 /// Runs angiopose-cli with the arguments and waits for its end. `interruptAfterSeconds` > 0 sends SIGINT then.
 ProgramOutcome runCli(const std::vector<std::string>& arguments, double interruptAfterSeconds = 0.0);
 
+/// Likewise the program at that path.
+ProgramOutcome runProgram(const std::string& path, const std::vector<std::string>& arguments,
+                          double interruptAfterSeconds = 0.0);
+
 }   // namespace angiopose::test

@@ -1,0 +1,77 @@
+#include "app/cli/report_command.h"
+
+#include "app/cli/console.h"
+#include "app/messages/says_report.h"
+#include "io/support/system/own_process.h"
+#include "io/support/system/run_program.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace angiopose::app {
+namespace {
+
+struct ReportArguments {
+    std::string casePath;
+    std::string outputPath;
+    bool isRegistered = false;
+    std::string templatePath;
+    std::string author;
+    bool isIdentityShown = false;
+};
+
+/// As the window's program takes them. Values stand behind "=": they may begin with a dash.
+std::vector<std::string> wordsFor(const ReportArguments& arguments)
+{
+    std::vector<std::string> words{"--report=" + arguments.outputPath};
+    if (arguments.isRegistered) {
+        words.emplace_back("--register");
+    }
+    if (!arguments.templatePath.empty()) {
+        words.push_back("--template=" + arguments.templatePath);
+    }
+    if (!arguments.author.empty()) {
+        words.push_back("--author=" + arguments.author);
+    }
+    if (arguments.isIdentityShown) {
+        words.emplace_back("--identity");
+    }
+    words.emplace_back("--");
+    words.push_back(arguments.casePath);
+    return words;
+}
+
+/// Letters and pages are drawn by Qt, which this program does without: the window's program writes them.
+int runReport(const ReportArguments& arguments)
+{
+    const std::filesystem::path program = io::ownBinary().parent_path() / "angiopose";
+    if (!io::isExecutable(program)) {
+        return failInput(says::reportProgramMissing(program.string()));
+    }
+    const io::ProgramEnd end = io::runProgram(program.string(), wordsFor(arguments), isInterrupted);
+    if (!end.isStarted) {
+        return failInput(says::reportProgramMissing(program.string()));
+    }
+    return end.signal != 0 ? failInput(says::reportProgramFault(std::to_string(end.signal))) : end.exitCode;
+}
+
+}   // namespace
+
+void addReport(CLI::App& app, int& exitCode)
+{
+    auto* command = app.add_subcommand("report", "Write the report of a case as PDF or HTML, for people to read");
+    auto arguments = std::make_shared<ReportArguments>();
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
+    command->add_option("--output", arguments->outputPath, "Report to write, .pdf or .html")->required();
+    command->add_flag("--register", arguments->isRegistered, "Register the case first; else its pose is reported");
+    command->add_option("--template", arguments->templatePath, "Page to fill in, .html (default: the built-in one)");
+    command->add_option("--author", arguments->author, "Who makes it (default: the account's name)");
+    command->add_flag("--identity", arguments->isIdentityShown, "Name the patient, who is left out else");
+    command->footer(
+        "Written by the window's program angiopose, which lies beside this one; it needs no display.\n"
+        "Exit code 4: the report says that its pose is not trustworthy.\n\n"
+        "Example: angiopose-cli report case.angiopose --register --output report.pdf");
+    command->callback([arguments, &exitCode] { exitCode = runReport(*arguments); });
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,58 @@
+#include "io/support/system/run_program.h"
+
+#include "io/support/system/spawn_attributes.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+#include <cerrno>
+#include <csignal>
+
+namespace angiopose::io {
+namespace {
+
+constexpr useconds_t askedEveryUs = 20000;
+
+/// The process that runs it; below 0: none does.
+pid_t startWithOurStreams(const std::string& program, std::vector<std::string> arguments)
+{
+    posix_spawn_file_actions_t files;
+    ::posix_spawn_file_actions_init(&files);
+    ::posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+    const SpawnAttributes attributes;
+    std::vector<char*> words{const_cast<char*>(program.c_str())};
+    for (std::string& argument : arguments) {
+        words.push_back(argument.data());
+    }
+    words.push_back(nullptr);
+    pid_t id = -1;
+    if (::posix_spawn(&id, program.c_str(), &files, attributes.get(), words.data(), environ) != 0) {
+        id = -1;
+    }
+    ::posix_spawn_file_actions_destroy(&files);
+    return id;
+}
+
+}   // namespace
+
+ProgramEnd runProgram(const std::string& program, std::vector<std::string> arguments, bool (*isStopped)())
+{
+    const pid_t id = startWithOurStreams(program, std::move(arguments));
+    if (id < 0) {
+        return {};
+    }
+    int status = 0;
+    bool isTold = false;
+    for (pid_t ended = 0; ended != id; ended = ::waitpid(id, &status, WNOHANG)) {
+        if (ended < 0 && errno != EINTR) {
+            return {};
+        }
+        if (isStopped() && !isTold) {
+            ::kill(id, SIGTERM);
+            isTold = true;
+        }
+        ::usleep(askedEveryUs);
+    }
+    return WIFSIGNALED(status) ? ProgramEnd{true, 0, WTERMSIG(status)} : ProgramEnd{true, WEXITSTATUS(status), 0};
+}
+
+}   // namespace angiopose::io
