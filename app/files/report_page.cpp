@@ -42,10 +42,10 @@ QString fromCore(const std::string& text)
     return QString::fromStdString(text);
 }
 
-QString heading(const QString& text)
+QString heading(const QString& text, const char* moreStyle = "")
 {
-    return QStringLiteral("<p style=\"font-size:10pt; font-weight:600; margin-top:10px; margin-bottom:3px\">%1</p>")
-        .arg(text.toHtmlEscaped());
+    return QStringLiteral("<p style=\"font-size:10pt; font-weight:600; margin-top:10px; margin-bottom:3px%1\">%2</p>")
+        .arg(QLatin1String(moreStyle), text.toHtmlEscaped());
 }
 
 /// Two columns: what it is, what it is here.
@@ -284,15 +284,21 @@ QString posePart(const core::Case& theCase)
     return text + QStringLiteral("</table>");
 }
 
-/// All that is about one view; `isAlone`: the case has no other.
-QString viewPart(const ReportedView& view, const QString& picture, bool isAlone)
+/// Which view among those of the case.
+enum class ReportPlace { Alone, First, Further };
+
+/// All that is about one view. A further one begins a page, lest its picture part from what stands above it.
+QString viewPart(const ReportedView& view, const QString& picture, ReportPlace place)
 {
     const core::Case& theCase = view.theCase;
-    const QString title = isAlone ? QString() : heading(numberedTitle(theCase.views, theCase.shownView));
+    const QString title = numberedTitle(theCase.views, theCase.shownView);
     if (view.problem) {
-        return title + card({ui::messageText(*view.problem)}, doubtfulGround);
+        return heading(title) + card({ui::messageText(*view.problem)}, doubtfulGround);
     }
-    return title + captionsOf(view, widthOf(view)) + picture + colorLineOf(view) + verdictPart(view) +
+    const QString above = place == ReportPlace::Alone   ? QString()
+                          : place == ReportPlace::First ? heading(title)
+                                                        : heading(title, "; page-break-before:always");
+    return above + captionsOf(view, widthOf(view)) + picture + colorLineOf(view) + verdictPart(view) +
            beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase)) +
            measuredPart(theCase) + checkedPart(theCase);
 }
@@ -348,7 +354,9 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
         const QImage& picture = pictures[i];
         views += viewPart(report.views[i],
                           picture.isNull() ? QString() : imageTag(urlOf(i), picture.size(), widthOf(report.views[i])),
-                          report.views.size() == 1);
+                          report.views.size() == 1 ? ReportPlace::Alone
+                          : i == 0                 ? ReportPlace::First
+                                                   : ReportPlace::Further);
     }
     const std::size_t mark = report.views.size();
     const QHash<QString, QString> parts{

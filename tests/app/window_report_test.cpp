@@ -139,6 +139,7 @@ TEST_F(WindowReport, HasAPartForEveryViewInTheTypefaceOfTheWindow)
     EXPECT_TRUE(page.contains("1 · ")) << "numbered as the strip numbers them";
     EXPECT_TRUE(page.contains("2 · "));
     EXPECT_EQ(page.count("Median distance"), 2);
+    EXPECT_EQ(page.count("page-break-before"), 1) << "a picture stays with what stands above it";
     EXPECT_TRUE(page.contains(QApplication::font().families().front().toUtf8()));
 }
 
