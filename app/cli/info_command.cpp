@@ -103,9 +103,9 @@ Json caseJson(const core::Case& theCase, const core::Messages& warnings)
         json["camera"]["origin"] = theCase.shown().geometry.cameraOverride ? "user" : "derived";
     }
     json["startPose"] = theCase.shown().initialCameraFromPatient ? "given" : "from the angles";
-    json["pose"] = theCase.shown().result                               ? "registered"
+    json["pose"] = theCase.shown().result                              ? "registered"
                    : core::isAtStart(theCase.shown(), theCase.vessels) ? "at its start"
-                                                                        : "set otherwise";
+                                                                       : "set otherwise";
     if (const auto& result = theCase.shown().result) {
         json["result"] = resultJson(*result);
     }

@@ -6,8 +6,8 @@
 #include "app/messages/says_exchange.h"
 #include "app/messages/says_keeping.h"
 #include "app/messages/says_own.h"
-#include "app/messages/says_starting.h"
 #include "app/messages/says_report.h"
+#include "app/messages/says_starting.h"
 
 #include <array>
 
@@ -23,8 +23,8 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "app/messages/exchange.def"
 #include "app/messages/keeping.def"
 #include "app/messages/own.def"
-#include "app/messages/starting.def"
 #include "app/messages/report.def"
+#include "app/messages/starting.def"
 #include "app/messages/window.def"
 #undef MESSAGE
     });

@@ -1,9 +1,9 @@
 #include "io/sharing/pack_case.h"
 
 #include "io/case/case_file.h"
+#include "io/case/nameless_case.h"
 #include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
-#include "io/case/nameless_case.h"
 #include "io/sharing/zip_archive.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
