@@ -7,11 +7,13 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
 folder=${1:-$(mktemp -d "${TMPDIR:-/tmp}/angiopose-twice-XXXXXX")}
 mkdir -p "$folder"
+commit=$(git -C "$root" rev-parse HEAD)   # of both, whatever is committed meanwhile
 
 # Builds in $1 with the time zone $2, the umask $3 and the user's name $4.
 build_once() {
     rm -rf "$1"
     git clone -q "$root" "$1"
+    git -C "$1" checkout -q "$commit"
     mkdir -p "$1-home"
     (cd "$1" && umask "$3" && TZ=$2 HOME=$1-home USER=$4 LOGNAME=$4 packaging/build_packages.sh) >"$1.log" 2>&1 ||
         { tail -30 "$1.log"; echo "try_reproducible.sh: no packages; all of it in $1.log" >&2; exit 1; }
