@@ -41,16 +41,20 @@ std::vector<std::string> wordsFor(const ReportArguments& arguments)
     return words;
 }
 
+/// Beside this one; where nothing tells where that is (no /proc), by the search path.
+std::string windowProgram()
+{
+    const std::filesystem::path own = io::ownBinary();
+    return own.has_parent_path() ? (own.parent_path() / "angiopose").string() : "angiopose";
+}
+
 /// Letters and pages are drawn by Qt, which this program does without: the window's program writes them.
 int runReport(const ReportArguments& arguments)
 {
-    const std::filesystem::path program = io::ownBinary().parent_path() / "angiopose";
-    if (!io::isExecutable(program)) {
-        return failInput(says::reportProgramMissing(program.string()));
-    }
-    const io::ProgramEnd end = io::runProgram(program.string(), wordsFor(arguments), isInterrupted);
+    const std::string program = windowProgram();
+    const io::ProgramEnd end = io::runProgram(program, wordsFor(arguments), isInterrupted);
     if (!end.isStarted) {
-        return failInput(says::reportProgramMissing(program.string()));
+        return failInput(says::reportProgramMissing(program));
     }
     return end.signal != 0 ? failInput(says::reportProgramFault(std::to_string(end.signal))) : end.exitCode;
 }

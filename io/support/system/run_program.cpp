@@ -25,7 +25,7 @@ pid_t startWithOurStreams(const std::string& program, std::vector<std::string> a
     }
     words.push_back(nullptr);
     pid_t id = -1;
-    if (::posix_spawn(&id, program.c_str(), &files, attributes.get(), words.data(), environ) != 0) {
+    if (::posix_spawnp(&id, program.c_str(), &files, attributes.get(), words.data(), environ) != 0) {
         id = -1;
     }
     ::posix_spawn_file_actions_destroy(&files);
