@@ -19,7 +19,7 @@ std::string askedCaseText(const core::RegisteredCase& registered);
 core::Case viewsOfItsRun(core::Case theCase);
 
 /// What the run that found the results of such a case began with, as far as it is still known: empty where no start
-/// pose was noted (before 2.0 of the result), or where the run changed the geometry.
+/// pose was noted (by an earlier version), or where the run changed the geometry.
 std::string askedCaseTextOfRun(core::Case ofOneRun);
 
 }   // namespace angiopose::io
