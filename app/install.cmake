@@ -65,6 +65,7 @@ install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/CITATION.cff DESTI
 install(FILES ${CMAKE_SOURCE_DIR}/resources/screenshot.png ${CMAKE_SOURCE_DIR}/resources/angiopose-case.schema.json
   ${CMAKE_SOURCE_DIR}/resources/angiopose-result.schema.json
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources COMPONENT doc)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/docs ${CMAKE_SOURCE_DIR}/resources/examples ${CMAKE_SOURCE_DIR}/resources/icons
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/docs ${CMAKE_SOURCE_DIR}/resources/studies ${CMAKE_SOURCE_DIR}/resources/examples
+  ${CMAKE_SOURCE_DIR}/resources/icons
   DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources COMPONENT doc PATTERN __pycache__ EXCLUDE
   PATTERN draw_icons.cpp EXCLUDE)
