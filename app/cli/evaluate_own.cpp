@@ -11,7 +11,9 @@
 #include "io/evaluation/observer_readings.h"
 #include "io/evaluation/own_manifest.h"
 #include "io/evaluation/point_table.h"
+#include "io/messages/says_own.h"
 #include "io/pose_file.h"
+#include "io/vessel_tree_file.h"
 
 #include <algorithm>
 #include <mutex>
@@ -51,6 +53,13 @@ core::Result<core::OwnTruth> truthOf(const io::OwnEntry& entry)
         return reference.error();
     }
     truth.cameraFromPatient = reference.value();
+    if (!entry.bentPath.empty()) {
+        auto bent = io::readVesselTree(entry.bentPath);
+        if (!bent) {
+            return bent.error();
+        }
+        truth.bentTree = std::make_shared<const core::VesselTree>(std::move(bent).value());
+    }
     if (!entry.landmarksPath.empty()) {
         auto landmarks = io::readLandmarks(entry.landmarksPath);
         if (!landmarks) {
@@ -133,6 +142,11 @@ public:
             theCase ? core::cameraOf(theCase.value().shown()) : core::Result<core::ProjectionCamera>(theCase.error());
         if (!camera || !theCase.value().vessels.tree) {
             tell(task, camera ? core::Error(core::says::noVesselTree()) : camera.error());
+            return unknownRecords(task);
+        }
+        const core::VesselTree* bent = task.truth.bentTree.get();
+        if (bent && !core::isTruthOf(*bent, *theCase.value().vessels.tree)) {
+            tell(task, core::Error(io::says::ownBentOther()).about(task.entry.bentPath));
             return unknownRecords(task);
         }
         const core::OwnCase own{*theCase.value().vessels.tree, camera.value(),

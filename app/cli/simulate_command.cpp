@@ -10,7 +10,6 @@
 #include "io/support/atomic_file.h"
 #include "io/volume_file.h"
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -19,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array caseFiles{"angiogram.dcm", "case.angiopose", "true-centreline.csv", "true-pose.json", "tree.vtp"};
 constexpr std::size_t numberDigits = 4;   ///< folders then sort as numbers do
 
 core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const core::CtaOptions& cta,
@@ -64,16 +62,33 @@ std::string folderOf(const core::SimulatedStudy& study, std::size_t index)
            std::string(numberDigits - std::min(numberDigits, number.size()), '0') + number;
 }
 
+bool isDeformed(const core::SimulatedStudy& study, std::size_t index)
+{
+    return study.settings[core::placeOf(study, index).setting].dsa.nonRigidStdMm > 0.0;
+}
+
+/// Of a case, in the order of their names.
+std::vector<std::string> filesOfCase(const core::SimulatedStudy& study, std::size_t index)
+{
+    std::vector<std::string> files{"angiogram.dcm", "case.angiopose", "true-centreline.csv", "true-pose.json"};
+    if (isDeformed(study, index)) {
+        files.push_back("true-vessels.vtp");
+    }
+    files.push_back("tree.vtp");
+    return files;
+}
+
 /// All cases with their truth, for `batch` and `evaluate own`.
 std::string manifestOf(const core::SimulatedStudy& study)
 {
-    std::string text = "case,name,reference,patient,condition\n";
+    std::string text = "case,name,reference,bent,patient,condition\n";
     for (std::size_t k = 0; k < study.caseCount(); ++k) {
         const core::StudyPlace place = core::placeOf(study, k);
         const std::string folder = folderOf(study, k);
         std::string name = folder;
         std::ranges::replace(name, '/', '-');
-        text += folder + "/case.angiopose," + name + "," + folder + "/true-pose.json,tree-" +
+        const std::string bent = isDeformed(study, k) ? folder + "/true-vessels.vtp" : "";
+        text += folder + "/case.angiopose," + name + "," + folder + "/true-pose.json," + bent + ",tree-" +
                 std::to_string(place.tree + 1) + "," + study.settings[place.setting].name + "\n";
     }
     return text;
@@ -92,7 +107,7 @@ core::Result<std::string> checksumsOf(const core::SimulatedStudy& study, const s
 {
     std::string text;
     for (const std::size_t index : cases) {
-        for (const char* name : caseFiles) {
+        for (const std::string& name : filesOfCase(study, index)) {
             const std::string file = folderOf(study, index) + "/" + name;
             const auto hash = io::sha256OfFile((output / file).string());
             if (!hash) {

@@ -34,6 +34,23 @@ core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, 
     return theCase;
 }
 
+core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& folder)
+{
+    if (auto status = io::writeCenterline2d(simulated.trueTarget, (folder / "true-centreline.csv").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
+        return status;
+    }
+    const fs::path bent = folder / "true-vessels.vtp";
+    if (simulated.bentTree) {
+        return io::writeVesselTree(*simulated.bentTree, bent.string());
+    }
+    std::error_code failure;
+    fs::remove(bent, failure);   // of another case that was here
+    return core::Done{};
+}
+
 }   // namespace
 
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
@@ -56,10 +73,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
     if (auto status = io::writeAngiogram(simulated.angiogram, (folder / "angiogram.dcm").string()); !status) {
         return status;
     }
-    if (auto status = io::writeCenterline2d(simulated.trueTarget, (folder / "true-centreline.csv").string()); !status) {
-        return status;
-    }
-    if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
+    if (auto status = writeTruth(simulated, folder); !status) {
         return status;
     }
     return io::saveCase(caseOf(simulated, absolute, title), casePath);

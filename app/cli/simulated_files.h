@@ -8,7 +8,8 @@
 namespace angiopose::app {
 
 /// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and what is true: true-pose.json and
-/// true-centreline.csv. Makes the folder. Writes over no case that is open elsewhere.
+/// true-centreline.csv, of deformed vessels true-vessels.vtp. Makes the folder. Writes over no case that is open
+/// elsewhere.
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
                                 const std::string& folder);
 

@@ -27,9 +27,8 @@ std::shared_ptr<const DeformableResult> knownBend(const View& view, const Vessel
         return nullptr;
     }
     const DeformableResult& bent = *view.result->bent;
-    const bool isSeen = bent.verdict != BendVerdict::Rigid && bent.stopReason != StopReason::StoppedByUser;
     const bool isHere = pose.matrix() == view.result->cameraFromPatient.matrix();
-    return isSeen && isHere && isOf(*vessels.tree, bent) ? view.result->bent : nullptr;
+    return isBent(bent) && isHere && isOf(*vessels.tree, bent) ? view.result->bent : nullptr;
 }
 
 }   // namespace angiopose::core

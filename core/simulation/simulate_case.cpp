@@ -112,6 +112,16 @@ RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& bent, con
     return fitKnownPose(points, pixels, camera, cameraFromPatient);
 }
 
+VesselTree movedTree(VesselTree tree, const RigidTransform& motion)
+{
+    for (VesselBranch& branch : tree.branches) {
+        for (Eigen::Vector3d& point : branch.pointsInPatient) {
+            point = motion * point;
+        }
+    }
+    return tree;
+}
+
 Angiogram asAngiogram(DsaRun run, const CArm& header, std::uint64_t seed)
 {
     Angiogram angiogram;
@@ -177,9 +187,12 @@ SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint6
     result.tree = grown.tree;
     result.camera = geometry.camera;
     result.initialCameraFromPatient = geometry.initialCameraFromPatient;
-    result.trueCameraFromPatient =
-        dsa.nonRigidStdMm > 0.0 ? bestRigidPose(grown.tree, bent.tree, geometry.camera, geometry.trueCameraFromPatient)
-                                : geometry.trueCameraFromPatient;
+    result.trueCameraFromPatient = geometry.trueCameraFromPatient;
+    if (dsa.nonRigidStdMm > 0.0) {
+        result.trueCameraFromPatient =
+            bestRigidPose(grown.tree, bent.tree, geometry.camera, geometry.trueCameraFromPatient);
+        result.bentTree = movedTree(bent.tree, result.trueCameraFromPatient.inverse() * geometry.trueCameraFromPatient);
+    }
     result.missingBranchIds = vessels.missingBranchIds;
     result.trueTarget = projectCurves(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);
     result.trueCatheter = projectCurves(vessels.catheter, geometry.camera, geometry.trueCameraFromPatient);

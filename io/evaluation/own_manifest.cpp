@@ -50,6 +50,7 @@ core::Result<OwnEntry> parseOwnEntry(const CsvTable& table, const OwnRow& row)
     OwnEntry entry{row.line(),
                    row.path("case"),
                    row.path("reference"),
+                   row.path("bent"),
                    row.path("landmarks"),
                    row.path("pairs"),
                    row.path("start"),
@@ -61,6 +62,9 @@ core::Result<OwnEntry> parseOwnEntry(const CsvTable& table, const OwnRow& row)
     }
     if (entry.referencePath.empty() && entry.pairsPath.empty()) {
         return fileError(table.path, says::ownNoTruth(entry.line));
+    }
+    if (!entry.bentPath.empty() && (entry.referencePath.empty() || !entry.landmarksPath.empty())) {
+        return fileError(table.path, says::ownBentAlone(entry.line));
     }
     if (const std::string condition = row.text("condition"); !condition.empty()) {
         if (!isFileWord(condition)) {

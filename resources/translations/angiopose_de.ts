@@ -7461,6 +7461,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 hat keine Wahrheit. Nennen Sie eine Lage in der Spalte reference oder eine Tabelle von Punktpaaren in pairs.</translation>
     </message>
     <message>
+        <source>line %1 says in the column bent where the vessels lay. That needs a pose in reference to see them with, and leaves no landmarks, for these would have to bend, too.</source>
+        <comment>own.bent-alone</comment>
+        <translation>Zeile %1 sagt in der Spalte bent, wo die Gefäße lagen. Das braucht eine Lage in reference, mit der sie gesehen werden, und lässt keine Landmarken zu, denn auch diese müssten sich biegen.</translation>
+    </message>
+    <message>
+        <source>its branches are not those of the case&apos;s vessels, with as many points each. Bent vessels are judged point by point: move the points of the case&apos;s own vessel file.</source>
+        <comment>own.bent-other</comment>
+        <translation>Ihre Äste sind nicht die der Gefäße des Falles mit je ebenso vielen Punkten. Gebogene Gefäße werden Punkt für Punkt beurteilt: Verschieben Sie die Punkte der Gefäßdatei des Falles.</translation>
+    </message>
+    <message>
         <source>line %1: &apos;%2&apos; cannot be a condition&apos;s name, for files are called by it. Use letters, digits, dots, dashes and underscores.</source>
         <comment>own.condition-name</comment>
         <translation>Zeile %1: &apos;%2&apos; kann kein Name einer Bedingung sein, denn Dateien heißen danach. Nehmen Sie Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>

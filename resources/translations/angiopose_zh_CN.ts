@@ -7461,6 +7461,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行没有真值。请在 reference 列指定位姿，或在 pairs 列指定点对表。</translation>
     </message>
     <message>
+        <source>line %1 says in the column bent where the vessels lay. That needs a pose in reference to see them with, and leaves no landmarks, for these would have to bend, too.</source>
+        <comment>own.bent-alone</comment>
+        <translation>第 %1 行在 bent 列给出了血管的真实位置。这需要 reference 列中的位姿来观察它们，且不能同时给出标志点，因为标志点也必须随之弯曲。</translation>
+    </message>
+    <message>
+        <source>its branches are not those of the case&apos;s vessels, with as many points each. Bent vessels are judged point by point: move the points of the case&apos;s own vessel file.</source>
+        <comment>own.bent-other</comment>
+        <translation>其分支与病例血管的分支及各分支的点数不一致。弯曲的血管逐点评判：请移动病例自身血管文件的点。</translation>
+    </message>
+    <message>
         <source>line %1: &apos;%2&apos; cannot be a condition&apos;s name, for files are called by it. Use letters, digits, dots, dashes and underscores.</source>
         <comment>own.condition-name</comment>
         <translation>第 %1 行：&apos;%2&apos; 不能作为条件名称，因为文件以其命名。请使用字母、数字、点、连字符和下划线。</translation>

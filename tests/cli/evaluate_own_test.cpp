@@ -172,6 +172,60 @@ TEST_F(CliEvaluateOwn, LandmarksMayBeFiducialsOfSlicer)
     EXPECT_EQ(mtreOf("landmarks.fcsv"), mtreOf("landmarks.csv"));
 }
 
+/// Points of a tree table, in its order.
+std::vector<Point> treePoints(const std::string& vesselsPath, const std::string& tablePath)
+{
+    EXPECT_EQ(runCli({"convert", vesselsPath, tablePath}).exitCode, 0);
+    std::vector<Point> points;
+    for (const Cells& row : rowsOfTable(tablePath)) {
+        points.push_back({std::stod(row.at("x")), std::stod(row.at("y")), std::stod(row.at("z"))});
+    }
+    return points;
+}
+
+TEST_F(CliEvaluateOwn, BentVesselsAreJudgedWhereTheyLay)
+{
+    ASSERT_EQ(
+        runCli({"simulate", "--seed", "7", "--branches", "8", "--non-rigid", "2", "--output", folder.file("bent")})
+            .exitCode,
+        0);
+    writeText(folder.file("cases.csv"),
+              "case,reference,bent,pose.truth\n"
+              "bent/case.angiopose,bent/true-pose.json,bent/true-vessels.vtp,"
+              "bent/true-pose.json\n");
+    const auto outcome = evaluate("out", {"--method", "angiopose,iterative-pnp"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
+    const auto straight = treePoints(folder.file("bent/tree.vtp"), folder.file("straight.csv"));
+    const auto lay = treePoints(folder.file("bent/true-vessels.vtp"), folder.file("lay.csv"));
+    ASSERT_EQ(straight.size(), lay.size());
+    const Matrix truth = matrixOf(folder.file("bent/true-pose.json"));
+    double mtre = 0.0;
+    double mrpd = 0.0;
+    for (std::size_t i = 0; i < lay.size(); ++i) {
+        mtre += length(minus(moved(truth, straight[i]), moved(truth, lay[i]))) / static_cast<double>(lay.size());
+        mrpd += distanceToLine(moved(truth, lay[i]), moved(truth, straight[i])) / static_cast<double>(lay.size());
+    }
+    std::map<std::string, Cells> rows;
+    for (const Cells& row : rowsOfTable(output("out/runs.csv"))) {
+        rows[row.at("method")] = row;
+    }
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_NEAR(std::stod(rows["truth"].at("mtre_mm")), mtre, 1e-4);   // the table has five digits
+    EXPECT_NEAR(std::stod(rows["truth"].at("mrpd_mm")), mrpd, 1e-4);
+    EXPECT_GT(mrpd, 0.5);   // the best rigid pose cannot do better
+    EXPECT_LT(std::stod(rows["angiopose"].at("mrpd_mm")), 0.6 * mrpd);
+}
+
+TEST_F(CliEvaluateOwn, BentVesselsOfAnotherTreeAreToldAndNotJudged)
+{
+    writeText(folder.file("cases.csv"), "case,reference,bent\n3/case.angiopose,3/true-pose.json,5/tree.vtp\n");
+    const auto outcome = evaluate("out", {"--method", "iterative-pnp"});
+    EXPECT_NE(outcome.messages.find("5/tree.vtp"), std::string::npos) << outcome.messages;
+    const auto rows = rowsOfTable(output("out/runs.csv"));
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].at("has_result"), "0");
+}
+
 TEST_F(CliEvaluateOwn, AnswersAsRegisterDoesForEachCase)
 {
     ASSERT_EQ(evaluate("out").exitCode, 0);
@@ -252,6 +306,8 @@ TEST_F(CliEvaluateOwn, WrongListsAreRefusedWithTheLine)
         {"case,reference\n3/case.angiopose,\n", "line 2"},
         {"case,reference,condition\n3/case.angiopose,3/true-pose.json,a/b\n", "a/b"},
         {"case,reference\n3/case.angiopose,nowhere.json\n", "nowhere.json"},
+        {"case,reference,bent\n3/case.angiopose,3/true-pose.json,nowhere.vtp\n", "nowhere.vtp"},
+        {"case,reference,bent,landmarks\n3/case.angiopose,3/true-pose.json,3/tree.vtp,landmarks.csv\n", "line 2"},
         {"case,reference,landmarks\n3/case.angiopose,3/true-pose.json,cases.csv\n", "column x"}};
     for (const auto& [text, word] : wrong) {
         writeText(folder.file("cases.csv"), text);

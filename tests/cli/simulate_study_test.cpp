@@ -24,7 +24,8 @@ std::string smallStudy()
                "trees": [{"grown": 1, "branches": 5, "extentMm": 100}, {"file": "own.swc", "rootRadiusMm": 2}],
                "settings": [{"name": "plain", "frames": 1, "width": 128, "height": 128},
                             {"name": "wrong", "frames": 1, "width": 128, "height": 128,
-                             "header": {"distancePercent": 3, "angleDeg": 4}}]})";
+                             "header": {"distancePercent": 3, "angleDeg": 4}},
+                            {"name": "bent", "frames": 1, "width": 128, "height": 128, "deformationMm": 1.5}]})";
 }
 
 std::set<std::string> linesOf(const std::string& text)
@@ -73,7 +74,7 @@ TEST_F(CliSimulateStudy, ThreadsAndShardsMakeTheSameBytes)
     ASSERT_EQ(simulate("parts", {"--shard", "1/2"}).exitCode, 0);
     ASSERT_EQ(simulate("parts", {"--shard", "2/2"}).exitCode, 0);
     const auto sums = linesOf(readText(folder.file("whole/SHA256SUMS")));
-    EXPECT_EQ(sums.size(), 4u * 5u);
+    EXPECT_EQ(sums.size(), 6u * 5u + 2u);   // with the truth of two bent trees
     EXPECT_EQ(
         linesOf(readText(folder.file("parts/SHA256SUMS-1-of-2")) + readText(folder.file("parts/SHA256SUMS-2-of-2"))),
         sums);
@@ -92,7 +93,7 @@ TEST_F(CliSimulateStudy, ItsListIsWhatBatchAndEvaluateOwnTake)
     const auto batch = runCli({"batch", list, "--output", folder.file("batch")});
     EXPECT_TRUE(batch.exitCode == 0 || batch.exitCode == 4) << batch.messages;
     const std::string summary = readText(folder.file("batch/summary.csv"));
-    EXPECT_EQ(std::count(summary.begin(), summary.end(), '\n'), 5);
+    EXPECT_EQ(std::count(summary.begin(), summary.end(), '\n'), 7);
 }
 
 TEST_F(CliSimulateStudy, AWrongHeaderChangesTheHeaderAlone)

@@ -1,6 +1,7 @@
 #include "core/evaluation/own/judge_own.h"
 
 #include "core/evaluation/trial/measure_run.h"
+#include "core/registration/deformable/bent_tree.h"
 #include "core/support/quantile.h"
 
 #include <algorithm>
@@ -69,14 +70,22 @@ void measurePairs(const OwnCase& own, const RigidTransform& pose, RunRecord& rec
 Truth truthOf(const OwnCase& own)
 {
     return {own.tree, own.camera, *own.truth.cameraFromPatient,
-            own.truth.landmarksInPatient.empty() ? targetsOf(own.tree) : own.truth.landmarksInPatient};
+            own.truth.landmarksInPatient.empty() ? targetsOf(own.tree) : own.truth.landmarksInPatient,
+            own.truth.bentTree.get()};
 }
 
-void measureErrors(const OwnCase& own, const RigidTransform& pose, RunRecord& record)
+/// The tree as the result shows it: bent, where it was found to be.
+VesselTree shownTree(const OwnCase& own, const RegistrationResult& result)
+{
+    const bool isShown = result.bent && isBent(*result.bent) && isOf(own.tree, *result.bent);
+    return isShown ? bentTreeAt(own.tree, *result.bent, result.cameraFromPatient) : own.tree;
+}
+
+void measureErrors(const OwnCase& own, const RigidTransform& pose, const VesselTree& shown, RunRecord& record)
 {
     if (own.truth.cameraFromPatient) {
         measureStart(truthOf(own), own.startCameraFromPatient, record);
-        measurePose(truthOf(own), pose, record);
+        measureBent(truthOf(own), pose, shown, record);
     } else {
         record.startMeanPx = meanOf(pixelDistances(own, own.startCameraFromPatient));
         measurePairs(own, pose, record);
@@ -85,10 +94,18 @@ void measureErrors(const OwnCase& own, const RigidTransform& pose, RunRecord& re
 
 }   // namespace
 
+bool isTruthOf(const VesselTree& bent, const VesselTree& tree)
+{
+    return std::ranges::equal(bent.branches, tree.branches, [](const VesselBranch& a, const VesselBranch& b) {
+        return a.id == b.id && a.pointsInPatient.size() == b.pointsInPatient.size();
+    });
+}
+
 RunRecord judgeOwn(const OwnCase& own, const std::optional<RegistrationResult>& result)
 {
     RunRecord record;
-    measureErrors(own, result ? result->cameraFromPatient : own.startCameraFromPatient, record);
+    measureErrors(own, result ? result->cameraFromPatient : own.startCameraFromPatient,
+                  result ? shownTree(own, *result) : own.tree, record);
     if (result) {
         noteResult(*result, record);
         if (own.truth.cameraFromPatient) {
@@ -101,7 +118,7 @@ RunRecord judgeOwn(const OwnCase& own, const std::optional<RegistrationResult>& 
 RunRecord judgeOwn(const OwnCase& own, const RigidTransform& found)
 {
     RunRecord record;
-    measureErrors(own, found, record);
+    measureErrors(own, found, own.tree, record);
     record.hasResult = 1.0;
     record.trustworthy = unknownMeasure;
     return record;

@@ -14,6 +14,9 @@ struct Truth {
     const ProjectionCamera& camera;
     RigidTransform cameraFromPatient;
     std::vector<Eigen::Vector3d> targetsInPatient;   ///< of mTRE and mRPD
+    /// Where vessels that are no rigid body truly lay, point for point those of `tree`, as seen with
+    /// `cameraFromPatient`: then distances are measured to it, and its points are the targets. Null: as `tree`.
+    const VesselTree* bentTree = nullptr;
 };
 
 /// Errors of the start pose.
@@ -21,6 +24,10 @@ void measureStart(const Truth& truth, const RigidTransform& start, RunRecord& re
 
 /// Errors of the pose that was found: projection distances, target errors, and those of the pose itself.
 void measurePose(const Truth& truth, const RigidTransform& found, RunRecord& record);
+
+/// The same of a tree that was bent, as seen with the pose that was found: distances and target errors are those of the
+/// bent tree where it is known how the vessels lay, else of the rigid one.
+void measureBent(const Truth& truth, const RigidTransform& found, const VesselTree& bent, RunRecord& record);
 
 /// The normalised squared error of the pose by its reported covariance.
 void measureCovariance(const Truth& truth, const RegistrationResult& result, RunRecord& record);

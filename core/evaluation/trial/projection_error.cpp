@@ -4,7 +4,9 @@
 #include "core/support/quantile.h"
 #include "core/support/symmetric.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace angiopose::core {
@@ -17,28 +19,57 @@ double distanceToRay(const Eigen::Vector3d& point, const Eigen::Vector3d& onRay)
     return (point - point.dot(direction) * direction).norm();
 }
 
+std::vector<Eigen::Vector3d> moved(const VesselTree& tree, const RigidTransform& pose)
+{
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(tree.pointCount());
+    for (const VesselBranch& branch : tree.branches) {
+        std::ranges::transform(branch.pointsInPatient, std::back_inserter(points),
+                               [&](const Eigen::Vector3d& point) { return pose * point; });
+    }
+    return points;
+}
+
 }   // namespace
+
+PlacedPoints placed(const VesselTree& tree, const PosePair& poses)
+{
+    return placed(tree, tree, poses);
+}
+
+PlacedPoints placed(const VesselTree& found, const VesselTree& truth, const PosePair& poses)
+{
+    return {moved(found, poses.estimate), moved(truth, poses.truth)};
+}
 
 std::vector<double> projectionDistancesPx(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses)
 {
+    return projectionDistancesPx(camera, placed(tree, poses));
+}
+
+std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const PlacedPoints& points)
+{
     std::vector<double> distances;
-    distances.reserve(tree.pointCount());
-    for (const VesselBranch& branch : tree.branches) {
-        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            const auto partner = project(camera, poses.truth * point);
-            if (!partner) {
-                continue;
-            }
-            const auto found = project(camera, poses.estimate * point);
-            distances.push_back(found ? (*found - *partner).norm() : std::numeric_limits<double>::infinity());
+    distances.reserve(points.truth.size());
+    for (std::size_t i = 0; i < points.truth.size(); ++i) {
+        const auto partner = project(camera, points.truth[i]);
+        if (!partner) {
+            continue;
         }
+        const auto found = project(camera, points.found[i]);
+        distances.push_back(found ? (*found - *partner).norm() : std::numeric_limits<double>::infinity());
     }
     return distances;
 }
 
 ProjectionError projectionError(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses)
 {
-    const std::vector<double> distances = projectionDistancesPx(tree, camera, poses);
+    return projectionError(camera, placed(tree, poses), (poses.truth * centroidInPatient(tree)).z());
+}
+
+ProjectionError projectionError(const ProjectionCamera& camera, const PlacedPoints& points, double depthMm)
+{
+    const std::vector<double> distances = projectionDistancesPx(camera, points);
     const auto count = static_cast<double>(distances.size());
     double sum = 0.0;
     double sumOfSquares = 0.0;
@@ -47,7 +78,7 @@ ProjectionError projectionError(const VesselTree& tree, const ProjectionCamera& 
         sumOfSquares += distance * distance;
     }
     const std::vector<double> shares = quantiles(distances, {0.5, 0.75, 0.95});
-    const double mmPerPx = millimetresPerPixel(camera, (poses.truth * centroidInPatient(tree)).z());
+    const double mmPerPx = millimetresPerPixel(camera, depthMm);
 
     ProjectionError error;
     error.meanPx = sum / count;
@@ -88,15 +119,25 @@ std::vector<Eigen::Vector3d> targetsOf(const VesselTree& tree)
 
 TargetError targetError(const std::vector<Eigen::Vector3d>& targetsInPatient, const PosePair& poses)
 {
-    TargetError error;
+    PlacedPoints targets;
     for (const Eigen::Vector3d& target : targetsInPatient) {
-        const Eigen::Vector3d found = poses.estimate * target;
-        const Eigen::Vector3d truth = poses.truth * target;
+        targets.found.push_back(poses.estimate * target);
+        targets.truth.push_back(poses.truth * target);
+    }
+    return targetError(targets);
+}
+
+TargetError targetError(const PlacedPoints& targets)
+{
+    TargetError error;
+    for (std::size_t i = 0; i < targets.truth.size(); ++i) {
+        const Eigen::Vector3d& found = targets.found[i];
+        const Eigen::Vector3d& truth = targets.truth[i];
         error.mtreMm += (found - truth).norm();
         error.mtreInPlaneMm += (found - truth).head<2>().norm();
         error.mrpdMm += distanceToRay(truth, found);
     }
-    const auto count = static_cast<double>(targetsInPatient.size());
+    const auto count = static_cast<double>(targets.truth.size());
     error.mtreMm /= count;
     error.mtreInPlaneMm /= count;
     error.mrpdMm /= count;

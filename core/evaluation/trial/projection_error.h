@@ -14,6 +14,19 @@ struct PosePair {
     RigidTransform truth;
 };
 
+/// Points where a registration puts them and where they truly lie, one for one, camera frame, mm.
+struct PlacedPoints {
+    std::vector<Eigen::Vector3d> found;
+    std::vector<Eigen::Vector3d> truth;
+};
+
+/// The points of a tree in its order: as both poses put them.
+PlacedPoints placed(const VesselTree& tree, const PosePair& poses);
+
+/// A bent tree under the pose that was found, and another of as many points under the true one: of vessels that are no
+/// rigid body.
+PlacedPoints placed(const VesselTree& found, const VesselTree& truth, const PosePair& poses);
+
 /// Projection distances of one registration with known partners, PR_i = ‖π(T p_i) − π(T_gt p_i)‖ (ALGORITHMS §4.5).
 /// mm: at the depth of the projected centroid under the true pose (§2, decision 11).
 struct ProjectionError {
@@ -44,13 +57,18 @@ struct PoseError {
 std::vector<double> projectionDistancesPx(const VesselTree& tree, const ProjectionCamera& camera,
                                           const PosePair& poses);
 
-/// Summary of projectionDistancesPx; all NaN when no point projects under the true pose.
+std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const PlacedPoints& points);
+
+/// Summary of projectionDistancesPx; all NaN when no point projects under the true pose. `depthMm`: where pixels are
+/// turned into mm.
 ProjectionError projectionError(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses);
+ProjectionError projectionError(const ProjectionCamera& camera, const PlacedPoints& points, double depthMm);
 
 /// All centreline points and the eight corners of their box, patient LPS mm.
 std::vector<Eigen::Vector3d> targetsOf(const VesselTree& tree);
 
 TargetError targetError(const std::vector<Eigen::Vector3d>& targetsInPatient, const PosePair& poses);
+TargetError targetError(const PlacedPoints& targets);
 
 PoseError poseError(const Eigen::Vector3d& centroidInPatient, const PosePair& poses);
 

@@ -23,6 +23,11 @@ double toThreeDigits(double value)
 
 }   // namespace
 
+bool isBent(const DeformableResult& result)
+{
+    return result.verdict != BendVerdict::Rigid && result.stopReason != StopReason::StoppedByUser;
+}
+
 const BranchMotion* motionOf(const DeformableResult& result, int branchId)
 {
     const auto found = std::ranges::find(result.branches, branchId, &BranchMotion::branchId);

@@ -10,6 +10,9 @@ namespace angiopose::core {
 /// Whether a result is one of this tree: the same branches with as many points each, in any order.
 bool isOf(const VesselTree& tree, const DeformableResult& result);
 
+/// Whether it found vessels that are no rigid body, and was not stopped before that was known.
+bool isBent(const DeformableResult& result);
+
 const BranchMotion* motionOf(const DeformableResult& result, int branchId);   ///< null: none
 
 /// The tree with the displacements of a result, patient LPS. Nothing where the result is not of this tree.
