@@ -1,9 +1,9 @@
 #include "app/files/dicom_controller.h"
 
-#include "app/files/case_report.h"
 #include "app/files/export_controller.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
+#include "app/report/case_report.h"
 #include "app/words/snapshot_texts.h"
 #include "io/dicom/objects/case_measurements.h"
 #include "ui/words/message_text.h"

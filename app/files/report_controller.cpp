@@ -1,10 +1,10 @@
 #include "app/files/report_controller.h"
 
-#include "app/files/case_report.h"
 #include "app/files/export_controller.h"
-#include "app/files/report_template.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
+#include "app/report/case_report.h"
+#include "app/report/report_template.h"
 #include "app/words/snapshot_texts.h"
 #include "io/support/atomic_file.h"
 

@@ -1,12 +1,12 @@
 #include "app/start/write_report.h"
 
-#include "app/files/case_report.h"
 #include "app/habits/color_controller.h"
 #include "app/messages/says_report.h"
 #include "app/preferences/audit_path.h"
 #include "app/preferences/language_choice.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/theme_choice.h"
+#include "app/report/case_report.h"
 #include "app/start/work_watch.h"
 #include "app/words/corner_words.h"
 #include "app/words/snapshot_texts.h"

@@ -1,5 +1,5 @@
-#include "app/files/report_template.h"
 #include "app/preferences/settings.h"
+#include "app/report/report_template.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
 #include "tests/app/open_window.h"

@@ -1,5 +1,5 @@
 #include "app/document/edit_case.h"
-#include "app/files/report_measures.h"
+#include "app/report/report_measures.h"
 #include "core/measuring/measure_slice.h"
 #include "io/measurement_table.h"
 #include "tests/app/scan_window.h"

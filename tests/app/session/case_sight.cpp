@@ -1,6 +1,6 @@
 #include "tests/app/session/case_sight.h"
 
-#include "app/files/case_report.h"
+#include "app/report/case_report.h"
 #include "io/case/case_file.h"
 #include "io/results/result_file.h"
 #include "tests/app/session/words_of_window.h"

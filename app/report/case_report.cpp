@@ -1,7 +1,7 @@
-#include "app/files/case_report.h"
+#include "app/report/case_report.h"
 
-#include "app/files/report_captions.h"
-#include "app/files/report_page.h"
+#include "app/report/report_captions.h"
+#include "app/report/report_page.h"
 #include "app/texts/word_of_run.h"
 #include "core/case/registration_input.h"
 

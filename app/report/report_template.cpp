@@ -1,4 +1,4 @@
-#include "app/files/report_template.h"
+#include "app/report/report_template.h"
 
 #include "app/messages/says.h"
 

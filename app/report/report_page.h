@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/files/case_report.h"
-#include "app/files/report_template.h"
+#include "app/report/case_report.h"
+#include "app/report/report_template.h"
 
 #include <QImage>
 

@@ -1,19 +1,15 @@
-#include "app/files/report_captions.h"
+#include "app/report/report_captions.h"
 
+#include "app/report/page_words.h"
 #include "ui/theme/theme.h"
 #include "ui/words/number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
-struct CaptionWords {
-    Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
-};
+using report::PageWords;
 
 /// Residuals are coloured unless the vessels show something else, or nothing.
 bool showsResiduals(const ReportedView& view)
@@ -54,12 +50,12 @@ QString captionsOf(const ReportedView& view, int widthPx)
     if (!hasStartBeside(view)) {
         return {};
     }
-    const QString after = view.theCase.shown().result ? CaptionWords::tr("After: registered")
-                                                      : CaptionWords::tr("After: pose set by hand");
+    const QString after =
+        view.theCase.shown().result ? PageWords::tr("After: registered") : PageWords::tr("After: pose set by hand");
     return QStringLiteral(
                "<table width=\"%1\" style=\"margin-top:6px\" cellspacing=\"0\" cellpadding=\"0\"><tr>"
                "<td width=\"50%\"><b>%2</b></td><td width=\"50%\"><b>%3</b></td></tr></table>")
-        .arg(QString::number(widthPx), CaptionWords::tr("Before: start pose").toHtmlEscaped(), after.toHtmlEscaped());
+        .arg(QString::number(widthPx), PageWords::tr("Before: start pose").toHtmlEscaped(), after.toHtmlEscaped());
 }
 
 QString colorLineOf(const ReportedView& view)
@@ -72,8 +68,8 @@ QString colorLineOf(const ReportedView& view)
         return sample(ui::residualColor(fraction), ui::numberText(fraction * endMm, 0) + QStringLiteral(" mm"));
     };
     return QStringLiteral("<p style=\"margin-top:2px; margin-bottom:6px; color:#555555\">%1%2</p>")
-        .arg(CaptionWords::tr("Colours: distance of the vessels from those traced in the image").toHtmlEscaped(),
-             at(0.0) + at(0.5) + at(1.0) + sample(ui::residualColorAboveScale(), CaptionWords::tr("farther")));
+        .arg(PageWords::tr("Colours: distance of the vessels from those traced in the image").toHtmlEscaped(),
+             at(0.0) + at(0.5) + at(1.0) + sample(ui::residualColorAboveScale(), PageWords::tr("farther")));
 }
 
 }   // namespace angiopose::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/files/case_report.h"
+#include "app/report/case_report.h"
 
 namespace angiopose::app {
 

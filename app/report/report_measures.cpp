@@ -1,19 +1,15 @@
-#include "app/files/report_measures.h"
+#include "app/report/report_measures.h"
 
+#include "app/report/page_words.h"
 #include "app/words/mark_words.h"
 #include "app/words/measure_words.h"
 #include "core/measuring/branch_profile.h"
 #include "ui/words/number.h"
 
-#include <QCoreApplication>
-
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
-struct MeasureReportWords {
-    Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
-};
+using report::PageWords;
 
 /// A few per cent are how a lumen is read, not a narrowing of it.
 constexpr double leastNarrowingPercent = 10.0;
@@ -56,7 +52,7 @@ QString widthWords(const core::VesselBranch& branch)
     const core::BranchProfile& along = profile.value();
     const QString mean = QStringLiteral(" · ⌀ %1 mm").arg(ui::numberText(*along.meanDiameterMm, 1));
     const bool isNarrowed = along.narrowing && along.narrowing->percent >= leastNarrowingPercent;
-    return isNarrowed ? mean + MeasureReportWords::tr(", narrowest %1 mm (−%2 %)")
+    return isNarrowed ? mean + PageWords::tr(", narrowest %1 mm (−%2 %)")
                                    .arg(ui::numberText(along.narrowing->diameterMm, 1),
                                         ui::numberText(along.narrowing->percent, 0))
                       : mean;

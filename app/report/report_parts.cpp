@@ -1,0 +1,175 @@
+#include "app/report/report_parts.h"
+
+#include "app/report/page_words.h"
+#include "app/report/report_html.h"
+#include "app/report/report_measures.h"
+#include "app/words/geometry_state.h"
+#include "app/words/view_words.h"
+#include "ui/panels/result_sentences.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
+#include "ui/words/method_words.h"
+#include "ui/words/number.h"
+#include "ui/words/terms.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <span>
+
+namespace angiopose::app::report {
+namespace {
+
+using Rows = ReportRows;
+
+constexpr std::size_t branchesListed = 12;
+
+double mmPerPxOf(const core::Case& theCase)
+{
+    const auto camera = core::cameraOf(theCase.shown());
+    const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
+    return camera ? core::millimetresPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
+}
+
+QString methodWordsOf(const core::RegistrationResult& judged)
+{
+    return ui::methodWords(judged.method) + QStringLiteral(" · ") + ui::termText(core::toText(judged.stopReason));
+}
+
+/// How the pose came about.
+Rows originRows(const ReportedView& view)
+{
+    const auto& result = view.theCase.shown().result;
+    if (!result) {
+        const auto start = core::startPoseOf(view.theCase);
+        const bool isStart = start && start.value().matrix() == view.theCase.shown().cameraFromPatient.matrix();
+        return {{PageWords::tr("Method"),
+                 isStart ? PageWords::tr("none: this is the start pose") : PageWords::tr("pose set by hand")}};
+    }
+    Rows rows{{PageWords::tr("Method"), methodWordsOf(*result)}};
+    const QDateTime found =
+        QDateTime::fromString(QString::fromStdString(result->provenance.time), Qt::ISODate).toLocalTime();
+    if (found.isValid()) {
+        const QString& author = QString::fromStdString(result->provenance.author);
+        rows.emplace_back(PageWords::tr("Found"),
+                          timeWords(found) + (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
+    }
+    if (!core::resultOfShownFrame(view.theCase.shown())) {
+        rows.emplace_back(PageWords::tr("Found in"), PageWords::tr("frame %1; picture and figures are of frame %2")
+                                                         .arg(result->provenance.frame.value_or(0))
+                                                         .arg(view.theCase.shown().frame));
+    }
+    return rows;
+}
+
+}   // namespace
+
+QString timeWords(const QDateTime& time)
+{
+    const int minutes = time.offsetFromUtc() / 60;
+    const QString zone = minutes == 0 ? QString()
+                                      : QStringLiteral("%1%2:%3")
+                                            .arg(minutes < 0 ? QLatin1Char('-') : QLatin1Char('+'))
+                                            .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
+                                            .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+    return time.toString(QStringLiteral("yyyy-MM-dd HH:mm")) + QStringLiteral(" UTC") + zone;
+}
+
+QString resultPart(const ReportedView& view)
+{
+    const core::DistanceMetrics& metrics = view.judgement.metrics;
+    Rows rows{
+        {PageWords::tr("Median distance"),
+         PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
+        {PageWords::tr("95 % nearer than"),
+         PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
+        {PageWords::tr("Traced vessels covered"),
+         QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
+    const Rows origin = originRows(view);
+    rows.insert(rows.end(), origin.begin(), origin.end());
+    return heading(PageWords::tr("Result")) + table(rows);
+}
+
+QString verdictPart(const ReportedView& view)
+{
+    const ui::ResultSentences said =
+        ui::sentencesOf(view.judgement, *view.theCase.vessels.tree, mmPerPxOf(view.theCase));
+    if (!view.judgement.trustworthy) {
+        const QString meaning = PageWords::tr("This pose may be wrong. Do not use it as it is.");
+        return card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround,
+                    PageWords::tr("Not trustworthy"));
+    }
+    const QString meaning = PageWords::tr("No check speaks against this pose. That is no proof: look at the picture.");
+    return card(QStringList{meaning} + said.certain, certainGround, PageWords::tr("Trustworthy")) +
+           card(said.doubtful, doubtfulGround);
+}
+
+QString branchPart(const ReportedView& view)
+{
+    std::vector<core::BranchResidual> worstFirst = view.judgement.branches;
+    std::ranges::stable_sort(worstFirst, std::greater{}, &core::BranchResidual::medianPx);
+    const std::size_t count = std::min(worstFirst.size(), branchesListed);
+    Rows rows;
+    for (const core::BranchResidual& residual : std::span(worstFirst).first(count)) {
+        if (const core::VesselBranch* branch = view.theCase.vessels.tree->find(residual.branchId)) {
+            rows.emplace_back(ui::displayName(*branch),
+                              PageWords::tr("%1 mm median · %2 mm long")
+                                      .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.theCase), 2),
+                                           ui::numberText(branch->lengthMm(), 0)) +
+                                  widthWords(*branch));
+        }
+    }
+    const QString name = worstFirst.size() > count
+                             ? PageWords::tr("The %1 worst of %2 branches").arg(count).arg(worstFirst.size())
+                             : PageWords::tr("Branches, the worst first");
+    return heading(name) + table(rows);
+}
+
+QString measuredPart(const core::Case& theCase)
+{
+    const Rows rows = measuredRows(theCase);
+    return rows.empty() ? QString() : heading(PageWords::tr("Measured in the image")) + table(rows);
+}
+
+QString checkedPart(const core::Case& theCase)
+{
+    const Rows rows = checkedRows(theCase);
+    return rows.empty() ? QString() : heading(PageWords::tr("Check points and rings")) + table(rows);
+}
+
+QString geometryPart(const core::Case& theCase)
+{
+    const ui::GeometryState state = geometryState(theCase);
+    Rows rows;
+    for (std::size_t i = 0; i < ui::geometryValueCount; ++i) {
+        const auto value = static_cast<ui::GeometryValue>(i);
+        const core::Sourced<double> shown = ui::shownValue(state, value);
+        if (!shown.value || shown.origin == core::Origin::Missing) {
+            continue;
+        }
+        const ui::GeometryValueKind& kind = ui::kindOf(value);
+        const bool isAngle = kind.format.unit == QStringLiteral("°");   // written close to its number
+        rows.emplace_back(QCoreApplication::translate("angiopose::ui::GeometryPanel", kind.label),
+                          ui::numberText(*shown.value, kind.format.decimals) +
+                              (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
+                              QStringLiteral(" (%1)").arg(ui::messageText(originWord(shown.origin))));
+    }
+    return heading(PageWords::tr("Geometry")) + table(rows);
+}
+
+QString posePart(const core::Case& theCase)
+{
+    QString text =
+        heading(PageWords::tr("Pose: camera from patient, mm")) + QStringLiteral("<table cellpadding=\"3\">");
+    for (int row = 0; row < 4; ++row) {
+        text += QStringLiteral("<tr>");
+        for (int column = 0; column < 4; ++column) {
+            text += QStringLiteral("<td align=\"right\">%1</td>")
+                        .arg(theCase.shown().cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
+        }
+        text += QStringLiteral("</tr>");
+    }
+    return text + QStringLiteral("</table>");
+}
+
+}   // namespace angiopose::app::report
