@@ -77,6 +77,32 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
     }
 }
 
+/// Each pixel raised to those `step` to its left and right, or the last ones of its row.
+ImageF raisedAlongRows(const ImageF& image, int step)
+{
+    ImageF raised = image;
+    const int inside = std::max(0, image.width - step);
+    for (int y = 0; y < image.height; ++y) {
+        raiseTo(&raised.at(image.width - inside, y), &image.at(0, y), inside);
+        raiseTo(&raised.at(0, y), &image.at(image.width - inside, y), inside);
+        for (int k = 0; k < image.width - inside; ++k) {
+            raised.at(k, y) = std::max(raised.at(k, y), image.at(0, y));
+            raised.at(inside + k, y) = std::max(raised.at(inside + k, y), image.at(image.width - 1, y));
+        }
+    }
+    return raised;
+}
+
+ImageF raisedAlongColumns(const ImageF& image, int step)
+{
+    ImageF raised = image;
+    for (int y = 0; y < image.height; ++y) {
+        raiseTo(&raised.at(0, y), &image.at(0, std::max(0, y - step)), image.width);
+        raiseTo(&raised.at(0, y), &image.at(0, std::min(image.height - 1, y + step)), image.width);
+    }
+    return raised;
+}
+
 /// Calls `work` for all rows, in strips of them on as many threads.
 template <class Work>
 void eachStrip(int rowCount, int threads, const Work& work)
@@ -117,18 +143,11 @@ ImageF blurred(const ImageF& image, double sigmaPx, int threads)
 
 ImageF largestAround(const ImageF& image, int radiusPx)
 {
-    ImageF columns = image;
-    for (int y = 0; y < image.height; ++y) {
-        for (int near = std::max(0, y - radiusPx); near <= std::min(image.height - 1, y + radiusPx); ++near) {
-            raiseTo(&columns.at(0, y), &image.at(0, near), image.width);
-        }
-    }
-    ImageF largest = columns;
-    for (int y = 0; y < image.height; ++y) {
-        for (int shift = 1; shift <= std::min(radiusPx, image.width - 1); ++shift) {
-            raiseTo(&largest.at(shift, y), &columns.at(0, y), image.width - shift);
-            raiseTo(&largest.at(0, y), &columns.at(shift, y), image.width - shift);
-        }
+    ImageF largest = image;
+    for (int reach = 0; reach < radiusPx && !image.isEmpty();) {
+        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
+        largest = raisedAlongColumns(raisedAlongRows(largest, step), step);
+        reach += step;
     }
     return largest;
 }

@@ -102,6 +102,17 @@ Mask2d unitedAlongColumns(const Mask2d& mask, int step)
     return united;
 }
 
+/// Of a mask of 0 and 255.
+Mask2d grown(Mask2d mask, int radiusPx)
+{
+    for (int reach = 0; reach < radiusPx && !mask.isEmpty();) {
+        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
+        mask = unitedAlongColumns(unitedAlongRows(mask, step), step);
+        reach += step;
+    }
+    return mask;
+}
+
 Mask2d inverted(const Mask2d& mask)
 {
     Mask2d result(mask.width, mask.height);
@@ -114,18 +125,12 @@ Mask2d inverted(const Mask2d& mask)
 
 Mask2d eroded(const Mask2d& mask, int radiusPx)
 {
-    return inverted(dilated(inverted(mask), radiusPx));
+    return inverted(grown(inverted(mask), radiusPx));
 }
 
 Mask2d dilated(const Mask2d& mask, int radiusPx)
 {
-    Mask2d grown = inverted(inverted(mask));
-    for (int reach = 0; reach < radiusPx && !mask.isEmpty();) {
-        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
-        grown = unitedAlongColumns(unitedAlongRows(grown, step), step);
-        reach += step;
-    }
-    return grown;
+    return grown(inverted(inverted(mask)), radiusPx);
 }
 
 Mask2d connectedToEdge(const Mask2d& mask)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace angiopose::core {
 namespace {
@@ -15,39 +16,55 @@ constexpr double maxShiftPx = 2.0;
 constexpr double leapPx = 1.0;
 constexpr double widestLeap = 1.4;   // times the usual width around
 
-using Profile = std::vector<double>;
+using Profile = std::span<const double>;
 
-/// Opacity across each point, from −half to +half in profile steps.
-std::vector<Profile> profilesAcross(const std::vector<Eigen::Vector2d>& points,
-                                    const std::vector<Eigen::Vector2d>& normals, const ImageF& opacity, int half)
-{
-    std::vector<Profile> profiles;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        Profile profile;
-        for (int k = -half; k <= half; ++k) {
-            const Eigen::Vector2d at = points[i] + k * profileStepPx * normals[i];
-            profile.push_back(sampled(opacity, at.x(), at.y()));
+/// Opacity across each point of a curve, from −half to +half in profile steps, one row a point.
+class Profiles {
+public:
+    Profiles(const std::vector<Eigen::Vector2d>& points, const std::vector<Eigen::Vector2d>& normals,
+             const ImageF& opacity, int half)
+        : count_(points.size()), length_(static_cast<std::size_t>(2 * half + 1)), values_(count_ * length_)
+    {
+        auto value = values_.begin();
+        for (std::size_t i = 0; i < count_; ++i) {
+            for (int k = -half; k <= half; ++k) {
+                const Eigen::Vector2d at = points[i] + k * profileStepPx * normals[i];
+                *value++ = sampled(opacity, at.x(), at.y());
+            }
         }
-        profiles.push_back(std::move(profile));
-    }
-    return profiles;
-}
-
-Profile meanProfile(const std::vector<Profile>& profiles, std::size_t centre)
-{
-    const std::size_t first = centre >= profilesAveraged ? centre - profilesAveraged : 0;
-    const std::size_t last = std::min(profiles.size() - 1, centre + profilesAveraged);
-    Profile mean(profiles[centre].size(), 0.0);
-    for (std::size_t i = first; i <= last; ++i) {
-        for (std::size_t k = 0; k < mean.size(); ++k) {
-            mean[k] += profiles[i][k] / static_cast<double>(last - first + 1);
+        shares_ = values_;
+        for (double& share : shares_) {
+            share /= fullCount;
         }
     }
-    return mean;
-}
+
+    std::size_t count() const { return count_; }
+
+    /// The mean of a few profiles around one.
+    void meanAround(std::size_t centre, std::vector<double>& mean) const
+    {
+        const std::size_t first = centre >= profilesAveraged ? centre - profilesAveraged : 0;
+        const std::size_t last = std::min(count_ - 1, centre + profilesAveraged);
+        mean.assign(length_, 0.0);
+        const auto averaged = static_cast<double>(last - first + 1);
+        for (std::size_t row = first * length_; row < (last + 1) * length_; row += length_) {
+            for (std::size_t k = 0; k < length_; ++k) {
+                mean[k] += averaged == fullCount ? shares_[row + k] : values_[row + k] / averaged;
+            }
+        }
+    }
+
+private:
+    static constexpr double fullCount = 2 * profilesAveraged + 1;
+
+    std::size_t count_;
+    std::size_t length_;
+    std::vector<double> values_;
+    std::vector<double> shares_;   ///< of each value in the mean of as many profiles as are averaged inside a curve
+};
 
 /// Steps from `peak` in direction ±1 to where the profile falls to `level`, with fraction; nothing if it does not.
-std::optional<double> fallBelow(const Profile& profile, int peak, int direction, double level)
+std::optional<double> fallBelow(Profile profile, int peak, int direction, double level)
 {
     const auto valueAt = [&profile](int k) { return profile[static_cast<std::size_t>(k)]; };
     for (int k = peak; k + direction >= 0 && k + direction < static_cast<int>(profile.size()); k += direction) {
@@ -60,7 +77,7 @@ std::optional<double> fallBelow(const Profile& profile, int peak, int direction,
     return std::nullopt;
 }
 
-std::optional<VesselWalls> wallsOf(const Profile& profile)
+std::optional<VesselWalls> wallsOf(Profile profile)
 {
     const int centre = static_cast<int>(profile.size()) / 2;
     const int search = static_cast<int>(maxShiftPx / profileStepPx);
@@ -80,31 +97,40 @@ std::optional<VesselWalls> wallsOf(const Profile& profile)
                        0.5 * (*before + *after) * profileStepPx};
 }
 
-std::vector<std::optional<VesselWalls>> wallsAlong(const std::vector<Profile>& profiles)
+std::vector<std::optional<VesselWalls>> wallsAlong(const Profiles& profiles)
 {
     std::vector<std::optional<VesselWalls>> walls;
-    for (std::size_t i = 0; i < profiles.size(); ++i) {
-        walls.push_back(wallsOf(meanProfile(profiles, i)));
+    walls.reserve(profiles.count());
+    std::vector<double> mean;
+    for (std::size_t i = 0; i < profiles.count(); ++i) {
+        profiles.meanAround(i, mean);
+        walls.push_back(wallsOf(mean));
     }
     return walls;
+}
+
+/// The median of what is known of the walls around a point.
+double usualAround(const std::vector<std::optional<VesselWalls>>& walls, std::size_t i, double VesselWalls::*part)
+{
+    constexpr std::size_t reach = 15;
+    std::vector<double> known;
+    known.reserve(2 * reach + 1);
+    for (std::size_t k = i >= reach ? i - reach : 0; k < std::min(walls.size(), i + reach + 1); ++k) {
+        if (walls[k]) {
+            known.push_back((*walls[k]).*part);
+        }
+    }
+    return quantile(std::move(known), 0.5);
 }
 
 /// Without walls that leap from those around them: there another vessel crosses or joins.
 std::vector<std::optional<VesselWalls>> plausible(const std::vector<std::optional<VesselWalls>>& walls)
 {
-    constexpr std::size_t reach = 15;
     std::vector<std::optional<VesselWalls>> kept(walls.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        std::vector<double> middles;
-        std::vector<double> widths;
-        for (std::size_t k = i >= reach ? i - reach : 0; k < std::min(walls.size(), i + reach + 1); ++k) {
-            if (walls[k]) {
-                middles.push_back(walls[k]->middlePx);
-                widths.push_back(walls[k]->halfWidthPx);
-            }
-        }
-        if (walls[i] && std::abs(walls[i]->middlePx - quantile(middles, 0.5)) <= leapPx &&
-            std::abs(walls[i]->middlePx) <= maxShiftPx && walls[i]->halfWidthPx <= widestLeap * quantile(widths, 0.5)) {
+        if (walls[i] && std::abs(walls[i]->middlePx) <= maxShiftPx &&
+            std::abs(walls[i]->middlePx - usualAround(walls, i, &VesselWalls::middlePx)) <= leapPx &&
+            walls[i]->halfWidthPx <= widestLeap * usualAround(walls, i, &VesselWalls::halfWidthPx)) {
             kept[i] = walls[i];
         }
     }
@@ -118,7 +144,7 @@ std::vector<std::optional<VesselWalls>> findWalls(const std::vector<Eigen::Vecto
                                                   double reachPx)
 {
     const int half = static_cast<int>(std::ceil(reachPx / profileStepPx));
-    return plausible(wallsAlong(profilesAcross(points, normals, opacity, half)));
+    return plausible(wallsAlong({points, normals, opacity, half}));
 }
 
 }   // namespace angiopose::core
