@@ -32,4 +32,28 @@ TEST(Blurred, KeepsTheSumAwayFromTheEdgeAndPlainImages)
     }
 }
 
+TEST(ImageFilters, TheLargestAroundIsThatOfTheWindow)
+{
+    for (const auto& [width, height] : {std::pair(23, 17), std::pair(3, 9), std::pair(1, 1)}) {
+        core::ImageF image(width, height);
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            image.pixels[i] = static_cast<float>((i * 7919U) % 101U) - 50.0F;
+        }
+        for (const int radius : {0, 1, 3, 5, 12}) {
+            const core::ImageF largest = core::largestAround(image, radius);
+            for (int y = 0; y < height; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    float expected = image.at(x, y);
+                    for (int v = std::max(0, y - radius); v <= std::min(height - 1, y + radius); ++v) {
+                        for (int u = std::max(0, x - radius); u <= std::min(width - 1, x + radius); ++u) {
+                            expected = std::max(expected, image.at(u, v));
+                        }
+                    }
+                    EXPECT_EQ(largest.at(x, y), expected) << radius << " at " << x << ", " << y;
+                }
+            }
+        }
+    }
+}
+
 }   // namespace
