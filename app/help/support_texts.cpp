@@ -22,7 +22,7 @@ namespace {
 constexpr std::array namedSettings{"window/theme", "window/colors", "window/language", "window/mouse"};
 
 /// What is told in passing stands in no catalogue.
-constexpr std::array passingWords{
+constexpr std::array wordsThatMayPass{
     "opened saved saving written writing packed packing ready stopped finished failed traced tracing registered",
     "could not export open save the file files case pack with without identity converged iterations median trustworthy",
     "geöffnet gespeichert geschrieben gepackt bereit gestoppt fertig fehlgeschlagen nicht datei dateien fall"};
@@ -98,7 +98,7 @@ io::KnownWords wordsOfProgram()
             words.add(row.text);
         }
     }
-    for (const char* each : passingWords) {
+    for (const char* each : wordsThatMayPass) {
         words.add(each);
     }
     words.add("name path file uid date");   // what stands in place of what was taken out
