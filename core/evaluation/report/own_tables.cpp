@@ -50,14 +50,15 @@ ResultTable ownTable(const RunGroups& groups, const Condition& condition)
     }
     table.notes = {
         "Median / 95th percentile over the cases; without a result the start pose counts. Against a reference pose PR "
-        "is "
-        "the distance of projected tree points to their true partners, mRPD the distance of the targets to the rays of "
+        "is the distance of projected tree points to their true partners, mRPD the distance of the targets to the rays "
+        "of "
         "the found ones, mTRE that between both; targets are the landmarks, or the tree's points and the corners of "
         "their box. Against pairs of points alone PR is the distance to the pixel, mRPD that to its ray.",
         "< 1 mm, < 2 mm: shares by mRPD; gross: PR above 5 mm; with their 95 % intervals, patients drawn anew with all "
         "their cases. failures flagged: share of those with mRPD of 2 mm and more that the method does not call "
         "trustworthy; false alarms: share of the others. A pose that was found elsewhere says nothing of its trust.",
-        "A pose is judged as a rigid one: what a result bends besides is not."};
+        "Where the list says where bent vessels lay (column bent), PR, mRPD and mTRE are those of the tree as a result "
+        "shows it, bent or not; else those of its rigid pose."};
     return table;
 }
 
