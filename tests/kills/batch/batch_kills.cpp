@@ -229,7 +229,11 @@ void measure(const Settings& settings, const Ending& one)
         const Ending two = runQuietly(settings, "two", 2);
         tell(settings, "two workers", two);
         std::printf("two workers are %.2f times as fast as one\n", one.seconds / two.seconds);
-        tell(settings, "one worker, no pictures", runQuietly(settings, "bare", 1, {"--no-pictures"}));
+        const Ending bare = runQuietly(settings, "bare", 1, {"--no-pictures"});
+        tell(settings, "one worker, no pictures", bare);
+        const Ending twoBare = runQuietly(settings, "two-bare", 2, {"--no-pictures"});
+        tell(settings, "two workers, no pictures", twoBare);
+        std::printf("two workers are %.2f times as fast as one without pictures\n", bare.seconds / twoBare.seconds);
     }
 }
 
