@@ -88,10 +88,10 @@ TEST(CaseViews, AnotherTakesThePlaceOfTheShownOneThatGoes)
 TEST(CaseViews, MovingTheVesselsInOneKeepsTheCamerasWhereTheyAre)
 {
     Case values = twoViews();
+    values.views.push_back(viewNotFound());
     View& other = values.views[1];
     other.cameraFromPatient.rotation = expSo3({0.1, 0.9, -0.2});
     other.result = RegistrationResult{};
-    values.views.push_back(viewNotFound());
     const RigidTransform wanted{expSo3({0.02, 0.0, 0.3}), {4.0, -7.0, 712.0}};
 
     const auto moved = movedAlong(values, wanted);
