@@ -1,0 +1,55 @@
+#include "core/simulation/simulated_case.h"
+#include "io/vessel_tree_file.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+using namespace angiopose;
+
+namespace {
+
+/// Two points, one line, a radius each; any of the lists may be shorter than declared.
+std::string polyData(const std::string& points, const std::string& radii, const std::string& offsets)
+{
+    return R"(<?xml version="1.0"?><VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="3" NumberOfVerts="0" NumberOfLines="1" NumberOfStrips="0" NumberOfPolys="0">
+<PointData><DataArray type="Float64" Name="Radius" format="ascii">)" +
+           radii + R"(</DataArray></PointData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">)" +
+           points + R"(</DataArray></Points>
+<Lines><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">)" +
+           offsets + "</DataArray></Lines></Piece></PolyData></VTKFile>";
+}
+
+TEST(ShortArrays, AreRefusedAndNotReadOnAsTheMemoryWas)
+{
+    const test::TemporaryFolder folder;
+    const auto read = [&](const std::string& content) { return io::readVesselTree(folder.write("tree.vtp", content)); };
+    EXPECT_TRUE(read(polyData("0 0 0 10 0 0 20 0 0", "1 1 1", "3")));
+    EXPECT_FALSE(read(polyData("0 0 0 10 0 0 20 0", "1 1 1", "3")));
+    EXPECT_FALSE(read(polyData("0 0 0", "1 1 1", "3")));
+    EXPECT_FALSE(read(polyData("0 0 0 10 0 0 20 0 0", "1 1", "3")));
+    EXPECT_FALSE(read(polyData("0 0 0 10 0 0 20 0 0", "1 1 1", "")));
+}
+
+TEST(ShortArrays, OfBytesAreRefusedWhereverSomeAreMissing)
+{
+    const test::TemporaryFolder folder;
+    core::TreeOptions options;
+    options.branchCount = 2;
+    const std::string path = folder.file("good.vtp");
+    ASSERT_TRUE(io::writeVesselTree(core::simulateTree(3, options), path));
+    const std::string good = test::readText(path);
+    const std::size_t points = good.find("<Points>");
+    const std::size_t begin = good.find('>', good.find("<DataArray", points)) + 40;
+    const std::size_t end = good.find("</DataArray>", points) - 40;
+    ASSERT_LT(begin + 400, end);
+    for (std::size_t at = begin; at + 80 < end; at += (end - begin) / 7) {
+        std::string cut = good;
+        cut.erase(at, 40);   // whole groups of four: the rest is sound base64
+        EXPECT_FALSE(io::readVesselTree(folder.write("cut.vtp", cut))) << at;
+    }
+}
+
+}   // namespace
