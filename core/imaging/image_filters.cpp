@@ -1,5 +1,6 @@
 #include "core/imaging/image_filters.h"
 
+#include "core/imaging/window_maximum.h"
 #include "core/support/parallel_for.h"
 #include "core/support/wide_vectors.h"
 
@@ -77,32 +78,6 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
     }
 }
 
-/// Each pixel raised to those `step` to its left and right, or the last ones of its row.
-ImageF raisedAlongRows(const ImageF& image, int step)
-{
-    ImageF raised = image;
-    const int inside = std::max(0, image.width - step);
-    for (int y = 0; y < image.height; ++y) {
-        raiseTo(&raised.at(image.width - inside, y), &image.at(0, y), inside);
-        raiseTo(&raised.at(0, y), &image.at(image.width - inside, y), inside);
-        for (int k = 0; k < image.width - inside; ++k) {
-            raised.at(k, y) = std::max(raised.at(k, y), image.at(0, y));
-            raised.at(inside + k, y) = std::max(raised.at(inside + k, y), image.at(image.width - 1, y));
-        }
-    }
-    return raised;
-}
-
-ImageF raisedAlongColumns(const ImageF& image, int step)
-{
-    ImageF raised = image;
-    for (int y = 0; y < image.height; ++y) {
-        raiseTo(&raised.at(0, y), &image.at(0, std::max(0, y - step)), image.width);
-        raiseTo(&raised.at(0, y), &image.at(0, std::min(image.height - 1, y + step)), image.width);
-    }
-    return raised;
-}
-
 /// Calls `work` for all rows, in strips of them on as many threads.
 template <class Work>
 void eachStrip(int rowCount, int threads, const Work& work)
@@ -143,13 +118,7 @@ ImageF blurred(const ImageF& image, double sigmaPx, int threads)
 
 ImageF largestAround(const ImageF& image, int radiusPx)
 {
-    ImageF largest = image;
-    for (int reach = 0; reach < radiusPx && !image.isEmpty();) {
-        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
-        largest = raisedAlongColumns(raisedAlongRows(largest, step), step);
-        reach += step;
-    }
-    return largest;
+    return windowMaximum(image, radiusPx, raiseTo);
 }
 
 ImageF halved(const ImageF& image)

@@ -1,5 +1,7 @@
 #include "core/imaging/mask_morphology.h"
 
+#include "core/imaging/window_maximum.h"
+
 #include <algorithm>
 #include <array>
 
@@ -76,41 +78,10 @@ void unite(std::uint8_t* target, const std::uint8_t* pixels, int count)
     }
 }
 
-/// Each pixel together with those `step` to its left and right, or the last ones of its row.
-Mask2d unitedAlongRows(const Mask2d& mask, int step)
-{
-    Mask2d united = mask;
-    const int inside = std::max(0, mask.width - step);
-    for (int y = 0; y < mask.height; ++y) {
-        unite(&united.at(mask.width - inside, y), &mask.at(0, y), inside);
-        unite(&united.at(0, y), &mask.at(mask.width - inside, y), inside);
-        for (int k = 0; k < mask.width - inside; ++k) {
-            united.at(k, y) |= mask.at(0, y);
-            united.at(inside + k, y) |= mask.at(mask.width - 1, y);
-        }
-    }
-    return united;
-}
-
-Mask2d unitedAlongColumns(const Mask2d& mask, int step)
-{
-    Mask2d united = mask;
-    for (int y = 0; y < mask.height; ++y) {
-        unite(&united.at(0, y), &mask.at(0, std::max(0, y - step)), mask.width);
-        unite(&united.at(0, y), &mask.at(0, std::min(mask.height - 1, y + step)), mask.width);
-    }
-    return united;
-}
-
 /// Of a mask of 0 and 255.
-Mask2d grown(Mask2d mask, int radiusPx)
+Mask2d grown(const Mask2d& mask, int radiusPx)
 {
-    for (int reach = 0; reach < radiusPx && !mask.isEmpty();) {
-        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
-        mask = unitedAlongColumns(unitedAlongRows(mask, step), step);
-        reach += step;
-    }
-    return mask;
+    return windowMaximum(mask, radiusPx, unite);
 }
 
 Mask2d inverted(const Mask2d& mask)

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/imaging/image2d.h"
+
+#include <algorithm>
+
+namespace angiopose::core {
+
+/// Each pixel together with those `step` to its left and right, or the last ones of its row. `raise(target, values,
+/// count)` makes every target the larger of both.
+template <class T, class Raise>
+Image2d<T> raisedAlongRows(const Image2d<T>& image, int step, const Raise& raise)
+{
+    Image2d<T> raised = image;
+    const int inside = std::max(0, image.width - step);
+    const int atEdge = image.width - inside;
+    for (int y = 0; y < image.height; ++y) {
+        if (inside > 0) {
+            raise(&raised.at(atEdge, y), &image.at(0, y), inside);
+            raise(&raised.at(0, y), &image.at(atEdge, y), inside);
+        }
+        for (int k = 0; k < atEdge; ++k) {
+            raise(&raised.at(k, y), &image.at(0, y), 1);
+            raise(&raised.at(inside + k, y), &image.at(image.width - 1, y), 1);
+        }
+    }
+    return raised;
+}
+
+template <class T, class Raise>
+Image2d<T> raisedAlongColumns(const Image2d<T>& image, int step, const Raise& raise)
+{
+    Image2d<T> raised = image;
+    for (int y = 0; y < image.height; ++y) {
+        raise(&raised.at(0, y), &image.at(0, std::max(0, y - step)), image.width);
+        raise(&raised.at(0, y), &image.at(0, std::min(image.height - 1, y + step)), image.width);
+    }
+    return raised;
+}
+
+/// The largest value in the square around each pixel, `radiusPx` to every side within the image.
+template <class T, class Raise>
+Image2d<T> windowMaximum(Image2d<T> image, int radiusPx, const Raise& raise)
+{
+    for (int reach = 0; reach < radiusPx && !image.isEmpty();) {
+        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
+        image = raisedAlongColumns(raisedAlongRows(image, step, raise), step, raise);
+        reach += step;
+    }
+    return image;
+}
+
+}   // namespace angiopose::core
