@@ -6,6 +6,7 @@
 #include "tests/support/patience.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
+#include "ui/theme/without_style_sheet.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 
@@ -20,6 +21,8 @@
 #include <QPushButton>
 #include <QTest>
 
+#include <optional>
+
 namespace angiopose::test {
 
 /// A shown window with everything behind it, driven by real events.
@@ -27,6 +30,7 @@ class OpenWindow {
 public:
     OpenWindow()
     {
+        undressed.reset();
         window.resize(1400, 900);
         window.show();
         window.activateWindow();
@@ -121,6 +125,8 @@ public:
     struct FreshBrightness {
         FreshBrightness() { app::settings::brightness.write({}); }
     } fresh;
+    std::optional<ui::WithoutStyleSheet> undressed{
+        std::in_place};   ///< while the window is put together, as in the program
     ui::MainWindow window;
     app::CaseController controller{window};
 };
