@@ -11,7 +11,7 @@
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/bent_cases.h"
-#include "tests/benchmark/foreign_trees.h"
+#include "tests/benchmark/foreign/trees.h"
 #include "tests/benchmark/known_pose.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/foreign_answer.h"
+#include "tests/benchmark/foreign/answer.h"
 #include "tests/benchmark/grown_trees.h"
 
 #include <algorithm>

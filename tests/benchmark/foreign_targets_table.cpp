@@ -5,7 +5,7 @@
 #include "core/support/quantile.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/foreign_answer.h"
+#include "tests/benchmark/foreign/answer.h"
 
 #include <algorithm>
 #include <cstdio>

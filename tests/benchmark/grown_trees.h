@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/vessel/vessel_tree.h"
-#include "tests/benchmark/foreign_trees.h"
+#include "tests/benchmark/foreign/trees.h"
 
 namespace angiopose::benchmarks {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tests/benchmark/asked_case.h"
-#include "tests/benchmark/foreign_trees.h"
+#include "tests/benchmark/foreign/trees.h"
 
 #include <cstdint>
 
@@ -14,7 +14,7 @@ std::vector<RootedTree> judgingTrees(const std::string& dataFolder);
 /// How many kinds of cases there are: filled in parts, bent, told wrongly, impossible.
 std::size_t judgingKindCount();
 
-/// The same on every call. By generators that no threshold was chosen with here (foreign_targets, bent_cases,
+/// The same on every call. By generators that no threshold was chosen with here (foreign/targets, bent_cases,
 /// wrong_geometry).
 AskedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, std::size_t kind, std::uint64_t trial);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/problem/registration_result.h"
-#include "tests/benchmark/foreign_trees.h"
+#include "tests/benchmark/foreign/trees.h"
 
 #include <cstdint>
 #include <string>

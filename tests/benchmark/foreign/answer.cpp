@@ -1,4 +1,4 @@
-#include "tests/benchmark/foreign_answer.h"
+#include "tests/benchmark/foreign/answer.h"
 
 #include "core/registration/registration.h"
 

@@ -1,4 +1,4 @@
-#include "tests/benchmark/foreign_trees.h"
+#include "tests/benchmark/foreign/trees.h"
 
 #include "tests/benchmark/artery_graph.h"
 

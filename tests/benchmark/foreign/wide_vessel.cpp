@@ -1,4 +1,4 @@
-#include "tests/benchmark/wide_vessel.h"
+#include "tests/benchmark/foreign/wide_vessel.h"
 
 #include <algorithm>
 

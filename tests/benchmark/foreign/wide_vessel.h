@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/benchmark/foreign_trees.h"
+#include "tests/benchmark/foreign/trees.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/benchmark/foreign_targets.h"
+#include "tests/benchmark/foreign/targets.h"
 
 namespace angiopose::benchmarks {
 

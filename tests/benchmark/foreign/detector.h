@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/geometry/projection_camera.h"
+
+#include <Eigen/Core>
+
+namespace angiopose::benchmarks {
+
+inline constexpr double sourceToDetectorMm = 1100.0;
+inline constexpr double sourceToPatientMm = 720.0;
+inline constexpr double pixelMm = 0.31;
+inline constexpr int imagePx = 960;
+
+/// Pinhole by hand, right-handed camera frame in mm to px: the project's projection is what is to be judged.
+Eigen::Vector2d pixelOf(const Eigen::Vector3d& inCamera);
+
+/// The same detector as the project is told it.
+core::ProjectionCamera detectorCamera();
+
+bool isOnDetector(const Eigen::Vector2d& pixel);
+
+}   // namespace angiopose::benchmarks
