@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
+#include "io/raster/tiff_page.h"
 #include "io/support/file_error.h"
 #include "io/support/quiet_libraries.h"
 
@@ -9,14 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace angiopose::io {
 namespace {
 
-constexpr std::uint32_t maxTiffSide = 32'768;
 constexpr std::size_t maxTiffBytes = std::size_t{1} << 31;
 
 /// A file in memory, as libtiff asks for one.
@@ -57,14 +55,9 @@ private:
     std::size_t at_ = 0;
 };
 
-struct CloseMemoryTiff {
-    void operator()(TIFF* file) const { TIFFClose(file); }
-};
-using MemoryTiff = std::unique_ptr<TIFF, CloseMemoryTiff>;
-
-MemoryTiff openTiff(MemoryFile& file, const char* mode)
+TiffFile openTiff(MemoryFile& file, const char* mode)
 {
-    return MemoryTiff(TIFFClientOpen(
+    return TiffFile(TIFFClientOpen(
         "memory", mode, &file,
         [](thandle_t handle, void* into, tmsize_t size) { return static_cast<MemoryFile*>(handle)->read(into, size); },
         [](thandle_t handle, void* from, tmsize_t size) { return static_cast<MemoryFile*>(handle)->write(from, size); },
@@ -75,55 +68,19 @@ MemoryTiff openTiff(MemoryFile& file, const char* mode)
         [](thandle_t, void**, toff_t*) { return 0; }, [](thandle_t, void*, toff_t) {}));
 }
 
-/// What says how pixels are shown; all numbers.
-struct TiffLayout {
-    std::uint32_t width = 0, height = 0;
-    std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
-    std::uint16_t planes = PLANARCONFIG_CONTIG, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
-};
-
-std::optional<TiffLayout> layoutOf(TIFF* file)
+void copyPage(TIFF* from, const TiffPage& page, TIFF* to)
 {
-    TiffLayout layout;
-    TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &layout.width);
-    TIFFGetField(file, TIFFTAG_IMAGELENGTH, &layout.height);
-    TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLESPERPIXEL, &layout.channels);
-    TIFFGetFieldDefaulted(file, TIFFTAG_BITSPERSAMPLE, &layout.bits);
-    TIFFGetFieldDefaulted(file, TIFFTAG_SAMPLEFORMAT, &layout.format);
-    TIFFGetFieldDefaulted(file, TIFFTAG_PLANARCONFIG, &layout.planes);
-    TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &layout.compression);
-    TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &layout.orientation);
-    TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &layout.photometric);
-    const bool isGrey = layout.channels <= 2 &&
-                        (layout.photometric == PHOTOMETRIC_MINISBLACK || layout.photometric == PHOTOMETRIC_MINISWHITE);
-    const bool isColour = (layout.channels == 3 || layout.channels == 4) && layout.photometric == PHOTOMETRIC_RGB;
-    const bool isPalette = layout.channels == 1 && layout.photometric == PHOTOMETRIC_PALETTE && layout.bits == 8;
-    const bool isKnownSample = layout.format == SAMPLEFORMAT_IEEEFP
-                                   ? layout.bits == 32
-                                   : layout.format == SAMPLEFORMAT_UINT && (layout.bits == 8 || layout.bits == 16);
-    const bool isPlausible = layout.channels > 0 && layout.width > 0 && layout.height > 0 &&
-                             layout.width <= maxTiffSide && layout.height <= maxTiffSide;
-    if (!(isGrey || isColour || isPalette) || !isKnownSample || !isPlausible || TIFFIsTiled(file) ||
-        layout.planes != PLANARCONFIG_CONTIG) {
-        return std::nullopt;
-    }
-    const std::uint64_t rowBytes = std::uint64_t{layout.width} * layout.channels * layout.bits / 8;
-    return TIFFScanlineSize64(file) == rowBytes ? std::optional(layout) : std::nullopt;
-}
-
-void copyLayout(TIFF* from, const TiffLayout& layout, TIFF* to)
-{
-    const std::uint16_t compression = layout.compression == COMPRESSION_NONE || !TIFFIsCODECConfigured(COMPRESSION_LZW)
+    const std::uint16_t compression = page.compression == COMPRESSION_NONE || !TIFFIsCODECConfigured(COMPRESSION_LZW)
                                           ? COMPRESSION_NONE
                                           : COMPRESSION_LZW;
-    TIFFSetField(to, TIFFTAG_IMAGEWIDTH, layout.width);
-    TIFFSetField(to, TIFFTAG_IMAGELENGTH, layout.height);
-    TIFFSetField(to, TIFFTAG_SAMPLESPERPIXEL, layout.channels);
-    TIFFSetField(to, TIFFTAG_BITSPERSAMPLE, layout.bits);
-    TIFFSetField(to, TIFFTAG_SAMPLEFORMAT, layout.format);
-    TIFFSetField(to, TIFFTAG_PHOTOMETRIC, layout.photometric);
-    TIFFSetField(to, TIFFTAG_PLANARCONFIG, layout.planes);
-    TIFFSetField(to, TIFFTAG_ORIENTATION, layout.orientation);
+    TIFFSetField(to, TIFFTAG_IMAGEWIDTH, page.width);
+    TIFFSetField(to, TIFFTAG_IMAGELENGTH, page.height);
+    TIFFSetField(to, TIFFTAG_SAMPLESPERPIXEL, page.channels);
+    TIFFSetField(to, TIFFTAG_BITSPERSAMPLE, page.bits);
+    TIFFSetField(to, TIFFTAG_SAMPLEFORMAT, page.format);
+    TIFFSetField(to, TIFFTAG_PHOTOMETRIC, page.photometric);
+    TIFFSetField(to, TIFFTAG_PLANARCONFIG, page.planes);
+    TIFFSetField(to, TIFFTAG_ORIENTATION, page.orientation);
     TIFFSetField(to, TIFFTAG_COMPRESSION, compression);
     TIFFSetField(to, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(to, 0));
     std::uint16_t extraCount = 0;
@@ -132,8 +89,7 @@ void copyLayout(TIFF* from, const TiffLayout& layout, TIFF* to)
         TIFFSetField(to, TIFFTAG_EXTRASAMPLES, extraCount, extras);
     }
     std::array<std::uint16_t*, 3> colours{};
-    if (layout.photometric == PHOTOMETRIC_PALETTE &&
-        TIFFGetField(from, TIFFTAG_COLORMAP, &colours[0], &colours[1], &colours[2]) == 1) {
+    if (page.isPalette() && TIFFGetField(from, TIFFTAG_COLORMAP, &colours[0], &colours[1], &colours[2]) == 1) {
         TIFFSetField(to, TIFFTAG_COLORMAP, colours[0], colours[1], colours[2]);
     }
     float x = 0.0F, y = 0.0F;
@@ -146,10 +102,10 @@ void copyLayout(TIFF* from, const TiffLayout& layout, TIFF* to)
     }
 }
 
-bool copyRows(TIFF* from, const TiffLayout& layout, TIFF* to)
+bool copyRows(TIFF* from, const TiffPage& page, TIFF* to)
 {
-    std::vector<unsigned char> row(static_cast<std::size_t>(TIFFScanlineSize64(from)));
-    for (std::uint32_t y = 0; y < layout.height; ++y) {
+    std::vector<unsigned char> row(page.rowBytes());
+    for (std::uint32_t y = 0; y < page.height; ++y) {
         if (TIFFReadScanline(from, row.data(), y, 0) != 1 || TIFFWriteScanline(to, row.data(), y, 0) != 1) {
             return false;
         }
@@ -178,8 +134,8 @@ core::Result<std::string> strippedTiff(std::string_view tiff, const std::string&
     quietLibraries();
     MemoryFile input(tiff);
     MemoryFile output;
-    const MemoryTiff from = openTiff(input, "rm");
-    MemoryTiff to = openTiff(output, "wm");
+    const TiffFile from = openTiff(input, "rm");
+    TiffFile to = openTiff(output, "wm");
     if (!from || !to) {
         return fileError(path, says::imageDamaged());
     }
@@ -189,13 +145,13 @@ core::Result<std::string> strippedTiff(std::string_view tiff, const std::string&
         if (isThumbnail(from.get())) {
             continue;
         }
-        const auto layout = layoutOf(from.get());
-        bytes += layout ? std::uint64_t{layout->height} * TIFFScanlineSize64(from.get()) : 0;
-        if (!layout || bytes > maxTiffBytes) {
+        const auto page = pageOf(from.get());
+        bytes += page ? std::uint64_t{page->height} * TIFFScanlineSize64(from.get()) : 0;
+        if (!page || bytes > maxTiffBytes) {
             return fileError(path, says::tiffNotStripped());
         }
-        copyLayout(from.get(), *layout, to.get());
-        if (!copyRows(from.get(), *layout, to.get())) {
+        copyPage(from.get(), *page, to.get());
+        if (!copyRows(from.get(), *page, to.get())) {
             return fileError(path, says::imageDamaged());
         }
         ++pages;
