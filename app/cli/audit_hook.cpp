@@ -53,6 +53,12 @@ void record(const std::string& auditPath, AuditEvent event, std::vector<std::str
     }
 }
 
+/// Where a command's doings are told. The program that writes reports tells the environment's file by itself.
+std::string auditPathFor(const CLI::App& app, const CLI::App& command)
+{
+    return command.get_name() == "report" && app.count("--audit") == 0 ? std::string() : auditPathOf(app);
+}
+
 bool isDeidentifying(const CLI::App& command)
 {
     const CLI::Option* option = command.get_option_no_throw("--deidentify");
@@ -105,7 +111,7 @@ void addAudit(CLI::App& app)
         ->option_text("FILE");
     for (CLI::App* command : app.get_subcommands(nullptr)) {
         command->parse_complete_callback([&app, command] {
-            const std::string auditPath = auditPathOf(app);
+            const std::string auditPath = auditPathFor(app, *command);
             if (!auditPath.empty()) {
                 record(auditPath, AuditEvent::Opened, existing(valuesOf(*command, inputNames)));
             }
@@ -115,13 +121,14 @@ void addAudit(CLI::App& app)
 
 void auditOutcome(const CLI::App& app, int exitCode)
 {
-    const std::string auditPath = auditPathOf(app);
-    if (auditPath.empty() || (exitCode != exitDone && exitCode != exitNotTrustworthy)) {
+    if (exitCode != exitDone && exitCode != exitNotTrustworthy) {
         return;
     }
     for (const CLI::App* command : app.get_subcommands()) {
         const auto below = command->get_subcommands();
-        recordOutcome(auditPath, below.empty() ? *command : *below.front());
+        if (const std::string auditPath = auditPathFor(app, *command); !auditPath.empty()) {
+            recordOutcome(auditPath, below.empty() ? *command : *below.front());
+        }
     }
 }
 

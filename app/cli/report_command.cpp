@@ -18,6 +18,7 @@ struct ReportArguments {
     std::string templatePath;
     std::string author;
     bool isIdentityShown = false;
+    std::string language;
 };
 
 /// As the window's program takes them. Values stand behind "=": they may begin with a dash.
@@ -35,6 +36,9 @@ std::vector<std::string> wordsFor(const ReportArguments& arguments)
     }
     if (arguments.isIdentityShown) {
         words.emplace_back("--identity");
+    }
+    if (!arguments.language.empty()) {
+        words.push_back("--language=" + arguments.language);
     }
     words.emplace_back("--");
     words.push_back(arguments.casePath);
@@ -71,6 +75,8 @@ void addReport(CLI::App& app, int& exitCode)
     command->add_option("--template", arguments->templatePath, "Page to fill in, .html (default: the built-in one)");
     command->add_option("--author", arguments->author, "Who makes it (default: the account's name)");
     command->add_flag("--identity", arguments->isIdentityShown, "Name the patient, who is left out else");
+    command->add_option("--language", arguments->language, "Of its words (default: the window's)")
+        ->check(CLI::IsMember({"en", "de", "zh_CN"}));
     command->footer(
         "Written by the window's program angiopose, which lies beside this one; it needs no display.\n"
         "Exit code 4: the report says that its pose is not trustworthy.\n\n"

@@ -1,5 +1,7 @@
 #include "app/start/report_words.h"
 
+#include "ui/words/language.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
@@ -9,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::array besideReport{"register", "template", "author", "identity"};
+constexpr std::array besideReport{"register", "template", "author", "identity", "language"};
 
 QString option(const char* name)
 {
@@ -32,7 +34,10 @@ void describeReport(QCommandLineParser& parser)
           QCoreApplication::translate("main", "Beside --report: who makes it, in place of the account's name."),
           QStringLiteral("NAME")},
          {option("identity"),
-          QCoreApplication::translate("main", "Beside --report: name the patient, which is left out else.")}});
+          QCoreApplication::translate("main", "Beside --report: name the patient, which is left out else.")},
+         {option("language"),
+          QCoreApplication::translate("main", "Beside --report: its language, in place of the window's."),
+          ui::languages().join('|')}});
 }
 
 std::optional<QString> faultOfReport(const QCommandLineParser& parser)
@@ -41,7 +46,8 @@ std::optional<QString> faultOfReport(const QCommandLineParser& parser)
         const auto isSet = [&parser](const char* name) { return parser.isSet(option(name)); };
         return std::ranges::any_of(besideReport, isSet)
                    ? std::optional(QCoreApplication::translate(
-                         "main", "--register, --template, --author and --identity go beside --report FILE alone."))
+                         "main",
+                         "--register, --template, --author, --identity and --language go beside --report FILE alone."))
                    : std::nullopt;
     }
     const QString path = parser.value(option("report"));
@@ -51,6 +57,11 @@ std::optional<QString> faultOfReport(const QCommandLineParser& parser)
     }
     if (parser.positionalArguments().size() != 1) {
         return QCoreApplication::translate("main", "A report is of one case: angiopose --report FILE CASE");
+    }
+    const QString language = parser.value(option("language"));
+    if (parser.isSet(option("language")) && !ui::languages().contains(language)) {
+        return QCoreApplication::translate("main", "A report is written in %1, not in “%2”.")
+            .arg(ui::languages().join(QStringLiteral(", ")), language);
     }
     return std::nullopt;
 }
@@ -68,6 +79,7 @@ std::optional<ReportWords> reportIn(const QCommandLineParser& parser)
     if (parser.isSet(option("author"))) {
         words.author = parser.value(option("author"));
     }
+    words.language = parser.value(option("language"));
     words.identity = parser.isSet(option("identity")) ? Identity::Shown : Identity::Hidden;
     return words;
 }

@@ -17,6 +17,7 @@ struct ReportWords {
     QString templatePath;   ///< empty: the built-in one
     std::optional<QString> author;   ///< not set: who is logged in
     Identity identity = Identity::Hidden;
+    QString language;   ///< a code of `ui::languages`; empty: the window's
 };
 
 /// Adds `--report FILE` and what goes beside it.

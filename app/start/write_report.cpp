@@ -16,8 +16,10 @@
 #include "io/opening/open_case_with.h"
 #include "io/sharing/audit_file.h"
 #include "io/support/atomic_file.h"
+#include "ui/words/language.h"
 
 #include <QApplication>
+#include <QFont>
 
 #include <cstdio>
 #include <utility>
@@ -183,7 +185,11 @@ int writeReport(int argc, char** argv, const ReportWords& words)
     keepQtQuiet();
     qputenv("QT_QPA_PLATFORM", "offscreen");   // also where there is a display: nothing is shown
     QApplication application(argc, argv);
-    applyChosenLanguage();
+    if (words.language.isEmpty()) {
+        applyChosenLanguage();
+    } else {
+        ui::applyLanguage(words.language);
+    }
     applyChosenTheme(application);   // the typeface is the window's
     applyChosenColors();
     return writeReportOf(words);

@@ -7609,8 +7609,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Neben --report: den Patienten nennen, der sonst wegbleibt.</translation>
     </message>
     <message>
-        <source>--register, --template, --author and --identity go beside --report FILE alone.</source>
-        <translation>--register, --template, --author und --identity gibt es nur neben --report FILE.</translation>
+        <source>Beside --report: its language, in place of the window&apos;s.</source>
+        <translation>Neben --report: seine Sprache anstelle der des Fensters.</translation>
+    </message>
+    <message>
+        <source>A report is written in %1, not in “%2”.</source>
+        <translation>Ein Bericht wird in %1 geschrieben, nicht in „%2“.</translation>
+    </message>
+    <message>
+        <source>--register, --template, --author, --identity and --language go beside --report FILE alone.</source>
+        <translation>--register, --template, --author, --identity und --language gibt es nur neben --report FILE.</translation>
     </message>
     <message>
         <source>A report is written as .pdf or .html, not as “%1”.</source>

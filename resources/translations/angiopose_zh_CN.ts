@@ -7609,8 +7609,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>与 --report 一起：写出患者姓名，否则不写。</translation>
     </message>
     <message>
-        <source>--register, --template, --author and --identity go beside --report FILE alone.</source>
-        <translation>--register、--template、--author 和 --identity 只能与 --report FILE 一起使用。</translation>
+        <source>Beside --report: its language, in place of the window&apos;s.</source>
+        <translation>与 --report 一起：报告的语言，代替窗口的语言。</translation>
+    </message>
+    <message>
+        <source>A report is written in %1, not in “%2”.</source>
+        <translation>报告的语言可以是 %1，不能是“%2”。</translation>
+    </message>
+    <message>
+        <source>--register, --template, --author, --identity and --language go beside --report FILE alone.</source>
+        <translation>--register、--template、--author、--identity 和 --language 只能与 --report FILE 一起使用。</translation>
     </message>
     <message>
         <source>A report is written as .pdf or .html, not as “%1”.</source>

@@ -129,6 +129,31 @@ TEST_F(CliReport, NamesThePatientAndFollowsATemplateWhereThatIsWanted)
     EXPECT_FALSE(fs::exists(in("lacking.html")));
 }
 
+TEST_F(CliReport, SpeaksTheLanguageThatIsAskedFor)
+{
+    ASSERT_EQ(reported("bericht.html", {"--language", "de"}).exitCode, 4);
+    const std::string page = readText(in("bericht.html"));
+    EXPECT_NE(page.find(">Nicht vertrauenswürdig<"), std::string::npos);
+    EXPECT_EQ(page.find(">Not trustworthy<"), std::string::npos);
+    const auto unknown = reported("rapport.html", {"--language", "fr"});
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.messages.find("zh_CN"), std::string::npos) << unknown.messages;
+    EXPECT_FALSE(fs::exists(in("rapport.html")));
+}
+
+/// Two programs work at a report; what is opened and written is told once.
+TEST_F(CliReport, IsOnceInTheAuditFile)
+{
+    setenv("ANGIOPOSE_AUDIT_FILE", in("audit.jsonl").c_str(), 1);
+    const auto outcome = reported("report.html");
+    unsetenv("ANGIOPOSE_AUDIT_FILE");
+    ASSERT_EQ(outcome.exitCode, 4) << outcome.messages;
+    const std::string lines = readText(in("audit.jsonl"));
+    EXPECT_EQ(countOf(lines, "\n"), 2U) << lines;
+    EXPECT_EQ(countOf(lines, in("demo/case.angiopose")), 1U) << lines;
+    EXPECT_EQ(countOf(lines, in("report.html")), 1U) << lines;
+}
+
 TEST_F(CliReport, NamesWhatIsMissingAndWritesNothing)
 {
     const auto missing = runCli({"report", in("nowhere.angiopose"), "--output", in("report.pdf")});

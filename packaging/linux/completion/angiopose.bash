@@ -9,9 +9,11 @@ _angiopose()
     fi
     if [[ $previous == --renderer ]]; then
         mapfile -t COMPREPLY < <(compgen -W 'auto vtk painter' -- "$current")
+    elif [[ $previous == --language ]]; then
+        mapfile -t COMPREPLY < <(compgen -W 'en de zh_CN' -- "$current")
     elif [[ $current == -* ]]; then
         mapfile -t COMPREPLY < <(compgen -W '-h --help --help-all -v --version --renderer --report --register --template --author
-            --identity' -- "$current")
+            --identity --language' -- "$current")
     else
         compopt -o filenames 2>/dev/null
         mapfile -t COMPREPLY < <(compgen -f -- "$current")
