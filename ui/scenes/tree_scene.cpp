@@ -4,6 +4,7 @@
 #include "ui/scenes/beam.h"
 #include "ui/scenes/frame_quad.h"
 #include "ui/scenes/orbit.h"
+#include "ui/scenes/orientation_sign.h"
 #include "ui/scenes/scan_quad.h"
 #include "ui/scenes/stroke_actor.h"
 #include "ui/scenes/tree_tubes.h"
@@ -25,19 +26,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double signArmPx = 19.0;   // orientation sign, at pixel scale 1
-constexpr double signMarginPx = 40.0;
-constexpr double letterRoomPx = 11.0;   // nearer letters would cover each other
 constexpr double treePickTolerancePx = 7.0;
-
-struct PatientAxis {
-    char letter;
-    Eigen::Vector3d direction;
-};
-
-// Patient LPS: x to the left, y to the back, z to the head.
-const std::array<PatientAxis, 6> patientAxes{
-    {{'L', {1, 0, 0}}, {'R', {-1, 0, 0}}, {'P', {0, 1, 0}}, {'A', {0, -1, 0}}, {'H', {0, 0, 1}}, {'F', {0, 0, -1}}}};
 
 Eigen::AlignedBox3d boxOf(const core::VesselTree& tree)
 {
@@ -107,7 +96,7 @@ struct TreeScene::Parts {
     void showDetector();
     void update();
     StrokeMesh groundStrokes(const ScreenFromPatient& toScreen) const;
-    Eigen::Vector2d signCentre() const;
+    OrientationSign sign(const ScreenFromPatient& toScreen) const;
     double detectorScale() const;
 };
 
@@ -117,9 +106,9 @@ ScreenFromPatient TreeScene::Parts::screen() const
     return screenFromPatient(*ground->GetActiveCamera(), size[0], size[1]);
 }
 
-Eigen::Vector2d TreeScene::Parts::signCentre() const
+OrientationSign TreeScene::Parts::sign(const ScreenFromPatient& toScreen) const
 {
-    return {ground->GetSize()[0] - signMarginPx * pixelScale, signMarginPx * pixelScale};
+    return {toScreen, ground->GetSize()[0], pixelScale};
 }
 
 double TreeScene::Parts::detectorScale() const
@@ -134,15 +123,7 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
         return mesh;   // where a beam goes is seen by its vessels
     }
     addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centrePx, pixelScale});
-    for (const PatientAxis& axis : patientAxes) {
-        const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
-        const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
-        const Eigen::Vector2d tip = signCentre() + signArmPx * pixelScale * onScreen.head<2>();
-        const Color tone = mixed(tones.field, tones.label, onScreen.z() > -0.05 ? 0.9 : 0.45);
-        if (isPositive) {
-            addLine(mesh, {{signCentre(), tone}, {tip, tone}}, {1.4 * pixelScale});
-        }
-    }
+    addOrientationSign(mesh, sign(toScreen), tones);
     return mesh;
 }
 
@@ -389,26 +370,7 @@ std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom
 
 std::vector<OrientationLetter> TreeScene::orientationLetters() const
 {
-    std::vector<OrientationLetter> letters;
-    if (parts_->isEmpty()) {
-        return letters;
-    }
-    const ScreenFromPatient toScreen = parts_->screen();
-    for (const PatientAxis& axis : patientAxes) {
-        const Eigen::Vector3d onScreen = toScreen.turned(axis.direction);
-        const bool isPositive = axis.letter == 'L' || axis.letter == 'P' || axis.letter == 'H';
-        if (isPositive && onScreen.head<2>().norm() > 0.42) {
-            const Eigen::Vector2d outward = onScreen.head<2>() * signArmPx + onScreen.head<2>().normalized() * 9.0;
-            const Eigen::Vector2d at = parts_->signCentre() + parts_->pixelScale * outward;
-            const bool isFree = std::ranges::all_of(letters, [&](const OrientationLetter& other) {
-                return (other.at - at).norm() > letterRoomPx * parts_->pixelScale;
-            });
-            if (isFree) {
-                letters.push_back({axis.letter, at, onScreen.z() > -0.05});
-            }
-        }
-    }
-    return letters;
+    return parts_->isEmpty() ? std::vector<OrientationLetter>() : lettersOf(parts_->sign(parts_->screen()));
 }
 
 }   // namespace angiopose::ui

@@ -4,6 +4,7 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/image2d.h"
 #include "core/vessel/vessel_tree.h"
+#include "ui/scenes/orientation_sign.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/scan_picture.h"
 #include "ui/theme/theme.h"
@@ -16,13 +17,6 @@
 class vtkRenderWindow;
 
 namespace angiopose::ui {
-
-/// A letter of the orientation sign (L, R, A, P, H, F) and where its centre goes, device px from the bottom left.
-struct OrientationLetter {
-    char letter = ' ';
-    Eigen::Vector2d at;
-    bool pointsToViewer = false;
-};
 
 /// A place on the tree that was pointed at.
 struct TreePick {

@@ -1,0 +1,64 @@
+#include "ui/scenes/orientation_sign.h"
+
+#include <algorithm>
+#include <array>
+
+namespace angiopose::ui {
+namespace {
+
+// At pixel scale 1.
+constexpr double armPx = 19.0;
+constexpr double marginPx = 40.0;
+constexpr double letterRoomPx = 11.0;   // nearer letters would cover each other
+
+struct PatientAxis {
+    char letter;
+    Eigen::Vector3d direction;
+};
+
+// Patient LPS: x to the left, y to the back, z to the head.
+const std::array<PatientAxis, 3> patientAxes{{{'L', {1, 0, 0}}, {'P', {0, 1, 0}}, {'H', {0, 0, 1}}}};
+
+bool isTowardsViewer(const Eigen::Vector3d& onScreen)
+{
+    return onScreen.z() > -0.05;
+}
+
+}   // namespace
+
+Eigen::Vector2d OrientationSign::centre() const
+{
+    return {widthPx - marginPx * pixelScale, marginPx * pixelScale};
+}
+
+void addOrientationSign(StrokeMesh& mesh, const OrientationSign& sign, const Palette& tones)
+{
+    for (const PatientAxis& axis : patientAxes) {
+        const Eigen::Vector3d onScreen = sign.toScreen.turned(axis.direction);
+        const Eigen::Vector2d tip = sign.centre() + armPx * sign.pixelScale * onScreen.head<2>();
+        const Color tone = mixed(tones.field, tones.label, isTowardsViewer(onScreen) ? 0.9 : 0.45);
+        addLine(mesh, {{sign.centre(), tone}, {tip, tone}}, {1.4 * sign.pixelScale});
+    }
+}
+
+std::vector<OrientationLetter> lettersOf(const OrientationSign& sign)
+{
+    std::vector<OrientationLetter> letters;
+    for (const PatientAxis& axis : patientAxes) {
+        const Eigen::Vector3d onScreen = sign.toScreen.turned(axis.direction);
+        if (onScreen.head<2>().norm() <= 0.42) {
+            continue;
+        }
+        const Eigen::Vector2d outward = onScreen.head<2>() * armPx + onScreen.head<2>().normalized() * 9.0;
+        const Eigen::Vector2d at = sign.centre() + sign.pixelScale * outward;
+        const bool isFree = std::ranges::all_of(letters, [&](const OrientationLetter& other) {
+            return (other.at - at).norm() > letterRoomPx * sign.pixelScale;
+        });
+        if (isFree) {
+            letters.push_back({axis.letter, at, isTowardsViewer(onScreen)});
+        }
+    }
+    return letters;
+}
+
+}   // namespace angiopose::ui
