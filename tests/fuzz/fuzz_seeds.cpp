@@ -1,3 +1,5 @@
+#include "io/archive/dimse/command.h"
+#include "io/archive/dimse/identifier.h"
 #include "tests/mutants/mutate.h"
 #include "tests/mutants/small_files.h"
 
@@ -58,6 +60,26 @@ void keep(const fs::path& root, const std::string& harness, const std::string& n
     }
 }
 
+/// What a peer answers when all is well.
+void keepAnswers(const fs::path& root)
+{
+    io::DimseCommand request(io::DimseKind::FindRequest, 1, "1.2.840.10008.5.1.4.1.2.2.1");
+    request.setHasData();
+    keep(root, "peer", "request", std::string(1, '\0') + request.encoded());
+    keep(root, "peer", "response", std::string(1, '\0') + request.response(io::dimse::pending).encoded());
+    keep(root, "peer", "identifier",
+         std::string(1, '\1') +
+             io::encodedIdentifier({{0x00080052, "STUDY"}, {0x00100010, "A^B"}, {0x0020000d, "1.2.3"}}));
+    keep(root, "peer", "matches.json",
+         std::string(1, '\2') + R"([{"0020000D": {"vr": "UI", "Value": ["1.2.3"]}, "00100010": {"vr": "PN",
+"Value": [{"Alphabetic": "A^B"}]}, "00201208": {"vr": "IS", "Value": [12]}}])");
+    keep(root, "peer", "stored.json",
+         std::string(1, '\2') + R"({"00081198": {"vr": "SQ", "Value": [{"00081197": {"vr": "US", "Value": [272]}}]}})");
+    keep(root, "peer", "parts",
+         "\3multipart/related; type=\"application/dicom\"; boundary=abc\n--abc\r\nContent-Type: "
+         "application/dicom\r\n\r\none\r\n--abc\r\n\r\ntwo\r\n--abc--\r\n");
+}
+
 }   // namespace
 
 int main(int count, char** values)
@@ -79,6 +101,7 @@ int main(int count, char** values)
     keep(root, "table", "cases.csv", std::string(1, '\1') + "case,method\na.angiopose,angiopose\nb.angiopose,\n");
     keep(root, "table", "pose.json",
          std::string(1, '\3') + R"({"cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,740],[0,0,0,1]]})");
+    keepAnswers(root);
     if (!data.empty() && fs::exists(data)) {
         int number = 0;
         for (const auto& entry : fs::recursive_directory_iterator(data)) {
