@@ -29,7 +29,7 @@ core::Result<VtkLines> parse(std::string_view content, const std::string& path, 
         return readLegacyVtk(content, path, observe);
     }
     if (content.substr(0, 4096).find("<VTKFile") != std::string_view::npos) {
-        return parseXmlVtk(content, path);
+        return readXmlVtk(content, path, observe);
     }
     if (content.starts_with("ply")) {
         return readPly(path, observe);

@@ -19,8 +19,8 @@ namespace {
 core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const std::string& path,
                                const ReadObserver& observe)
 {
-    auto lines =
-        content.starts_with("# vtk DataFile") ? readLegacyVtk(content, path, observe) : parseXmlVtk(content, path);
+    auto lines = content.starts_with("# vtk DataFile") ? readLegacyVtk(content, path, observe)
+                                                       : readXmlVtk(content, path, observe);
     if (!lines) {
         return lines.error();
     }

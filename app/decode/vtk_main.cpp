@@ -3,8 +3,21 @@
 
 #include <filesystem>
 
-// angiopose-decode-vtk FORMAT FILE: polydata, unstructured_grid (legacy VTK) or ply. What VTK reads comes as
-// io::VtkLines.
+// angiopose-decode-vtk FORMAT FILE: polydata, unstructured_grid (legacy VTK), xml_polydata, xml_unstructured_grid or
+// ply. What VTK reads comes as io::VtkLines.
+
+namespace {
+
+angiopose::io::DecoderReply decoded(const std::string& path, const std::string& format)
+{
+    if (format == "ply") {
+        return angiopose::decode::readPly(path);
+    }
+    return format.starts_with("xml_") ? angiopose::decode::readXmlVtk(path, format)
+                                      : angiopose::decode::readLegacyVtk(path, format);
+}
+
+}   // namespace
 
 int main(int count, char** arguments)
 {
@@ -14,7 +27,5 @@ int main(int count, char** arguments)
     const std::string format = arguments[1], path = arguments[2];
     std::error_code ignored;
     angiopose::decode::limitProcess(std::filesystem::file_size(path, ignored));
-    return angiopose::decode::sayReply([&] {
-        return format == "ply" ? angiopose::decode::readPly(path) : angiopose::decode::readLegacyVtk(path, format);
-    });
+    return angiopose::decode::sayReply([&] { return decoded(path, format); });
 }

@@ -5,7 +5,14 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
+#include "io/support/quiet_libraries.h"
 #include "io/support/text_cursor.h"
+#include "io/vessel/parse_xml_vtk.h"
+
+#include <algorithm>
+#include <array>
+#include <new>
+#include <optional>
 
 namespace angiopose::io {
 namespace {
@@ -25,6 +32,73 @@ core::Result<VtkLines> readByVtk(const std::string& format, const std::string& p
     }
     auto lines = linesFromReply(reply.content);
     return lines ? core::Result<VtkLines>(std::move(*lines)) : fileError(path, says::decoderDied());
+}
+
+constexpr int maxDeclared = 20'000'000;
+
+/// The reader reserves what the header declares before it looks at the data: refuse what no centreline can need.
+std::optional<core::Message> findImpossibleCount(std::string_view content)
+{
+    constexpr std::array attributes = {"NumberOfPoints=\"", "NumberOfLines=\"",     "NumberOfVerts=\"",
+                                       "NumberOfStrips=\"", "NumberOfPolys=\"",     "NumberOfCells=\"",
+                                       "NumberOfTuples=\"", "NumberOfComponents=\""};
+    for (const std::string_view attribute : attributes) {
+        for (std::size_t at = content.find(attribute); at != std::string_view::npos;) {
+            at += attribute.size();
+            const std::string_view text = content.substr(at, content.substr(at, 64).find('"'));
+            const auto value = parseInteger(text);
+            const int limit = attribute.starts_with("NumberOfComponents") ? 1000 : maxDeclared;
+            if (!value || *value < 0 || *value > limit) {
+                return says::vtkXmlImpossibleCount(std::string(attribute) + std::string(text.substr(0, 40)) + "\"");
+            }
+            at = content.find(attribute, at);
+        }
+    }
+    return {};
+}
+
+/// The value of the attribute `type` of a tag, in either kind of quotes; empty where it has none.
+std::string_view typeOf(std::string_view tag)
+{
+    constexpr std::string_view name = "type=";
+    const std::size_t at = tag.find(name);
+    if (at == std::string_view::npos || at + name.size() >= tag.size()) {
+        return {};
+    }
+    const std::string_view value = tag.substr(at + name.size());
+    return value.substr(1, value.find(value.front(), 1) - 1);
+}
+
+/// Whether every array says a type that there is: without one VTK reads through a null pointer.
+bool areArraysTyped(std::string_view content)
+{
+    static constexpr std::array<std::string_view, 13> types{"Int8",   "UInt8", "Int16",    "UInt16",  "Int32",
+                                                            "UInt32", "Int64", "UInt64",   "Float32", "Float64",
+                                                            "String", "Bit",   "vtkIdType"};
+    for (const std::string_view element : {std::string_view("<DataArray"), std::string_view("<Array")}) {
+        for (std::size_t at = content.find(element); at != std::string_view::npos;
+             at = content.find(element, at + element.size())) {
+            const std::string_view tag = content.substr(at, content.substr(at).find('>'));
+            if (std::ranges::find(types, typeOf(tag)) == types.end()) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Anywhere: what looks like the end of the header may stand in a comment.
+bool isCompressed(std::string_view content)
+{
+    return content.find("compressor") != std::string_view::npos;
+}
+
+core::Result<VtkLines> readApart(bool isGrid, const std::string& path, const ReadObserver& observe)
+{
+    auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
+                           [](const std::string&) { return says::vtkXmlDamaged(); });
+    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // of damage, then
+    return isDead ? fileError(path, says::vtkXmlDamaged()) : std::move(lines);
 }
 
 }   // namespace
@@ -54,6 +128,31 @@ core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string
     VtkLines turned = std::move(lines).value();
     turned.set.isRas |= title.find("space=ras") != std::string::npos;   // Slicer notes it in the title
     return turned;
+}
+
+core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& path, const ReadObserver& observe)
+{
+    if (const auto impossible = findImpossibleCount(content)) {
+        return fileError(path, *impossible);
+    }
+    const std::string_view head = content.substr(0, 4096);
+    const bool isGrid = head.find("type=\"UnstructuredGrid\"") != std::string_view::npos;
+    if (!isGrid && head.find("type=\"PolyData\"") == std::string_view::npos) {
+        return fileError(path, says::vtkXmlOther());
+    }
+    if (!areArraysTyped(content)) {
+        return fileError(path, says::vtkXmlDamaged());
+    }
+    if (isCompressed(content)) {
+        return readApart(isGrid, path, observe);
+    }
+    quietLibraries();
+    try {
+        auto lines = parseXmlVtk(content, isGrid ? XmlVtkKind::UnstructuredGrid : XmlVtkKind::PolyData);
+        return lines ? core::Result<VtkLines>(std::move(*lines)) : fileError(path, says::vtkXmlDamaged());
+    } catch (const std::bad_alloc&) {
+        return fileError(path, says::fileLargerThanMemory());
+    }
 }
 
 core::Result<VtkLines> readPly(const std::string& path, const ReadObserver& observe)

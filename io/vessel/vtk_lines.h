@@ -27,9 +27,6 @@ struct VtkLines {
     std::vector<Triangle> triangles;   ///< of triangles, quads, polygons and strips: a surface
 };
 
-/// VTK XML: PolyData (.vtp) or UnstructuredGrid (.vtu).
-core::Result<VtkLines> parseXmlVtk(std::string_view content, const std::string& path);
-
 /// Picks radius and ids: `Radius`, `MaximumInscribedSphereRadius`; `GroupIds`, `CenterlineIds`, `branch`.
 LineSet lineSetOf(VtkLines lines);
 

@@ -52,4 +52,19 @@ TEST(ShortArrays, OfBytesAreRefusedWhereverSomeAreMissing)
     }
 }
 
+/// VTK makes room for every block that the header of a compressed array declares, here ten gigabytes.
+TEST(ShortArrays, CompressedInMoreBlocksThanAnyMemoryHoldsAreRefused)
+{
+    const test::TemporaryFolder folder;
+    std::string content = polyData("AAAAkACAAAAAAAAA", "1 1 1", "3");
+    const std::string plain = "byte_order=\"LittleEndian\"";
+    content.replace(content.find(plain), plain.size(), plain + " compressor=\"vtkZLibDataCompressor\"");
+    const std::string ascii = "NumberOfComponents=\"3\" format=\"ascii\"";
+    content.replace(content.find(ascii), ascii.size(), "NumberOfComponents=\"3\" format=\"binary\"");
+    const std::string path = folder.write("tree.vtp", content);
+    const auto read = io::readVesselTree(path);
+    ASSERT_FALSE(read);
+    EXPECT_NE(read.error().message.text().find(path), std::string::npos) << read.error().message.text();
+}
+
 }   // namespace

@@ -123,7 +123,7 @@ void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::
     const int toBand = cellAt(along(query.placePx) + reach, bands);
     for (int band = fromBand; band <= toBand; ++band) {
         const double begin = aside(query.placePx) + slope * (crossingCellPx * band - along(query.placePx));
-        const auto [low, high] = std::minmax(begin, begin + slope * crossingCellPx);
+        const auto [low, high] = std::minmax({begin, begin + slope * crossingCellPx});
         const int fromLane = cellAt(low - 2.0, lanes);
         const int toLane = cellAt(high + 2.0, lanes);
         for (int lane = fromLane; lane <= toLane; ++lane) {
