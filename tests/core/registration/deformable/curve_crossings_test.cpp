@@ -1,8 +1,11 @@
 #include "core/registration/deformable/curve_crossings.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace angiopose::core {
 namespace {
@@ -62,6 +65,46 @@ TEST(CurveCrossings, SmoothsTheStepsOfWholePixels)
         ASSERT_EQ(crossings.size(), 1u);
         EXPECT_LT(std::abs(crossings[0].offsetPx), 0.45);
     }
+}
+
+/// Straight curves in all directions, looked along in all directions: what the cells yield is what a look at every
+/// curve yields.
+TEST(CurveCrossings, AreAllFoundAlongLinesOfAnySlope)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(60.0, 450.0), heading(0.0, 2.0 * std::numbers::pi);
+    const auto unit = [&] {
+        const double angle = heading(random);
+        return Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    };
+    std::vector<std::vector<Eigen::Vector2d>> lines;
+    for (int k = 0; k < 60; ++k) {
+        const Eigen::Vector2d from(place(random), place(random));
+        lines.push_back({from, from + 50.0 * unit()});
+    }
+    const CurveCrossings curves(sampled(lines), camera);
+    std::vector<CurveCrossing> found;
+    std::size_t count = 0;
+    for (int k = 0; k < 500; ++k) {
+        const CrossingQuery query{{place(random), place(random)}, unit(), 60.0};
+        curves.find(query, 0.5 * std::numbers::pi, 1000, found);
+        std::vector<double> wanted;
+        for (const auto& line : lines) {
+            Eigen::Matrix2d system;
+            system << query.normal, line[0] - line[1];
+            const Eigen::Vector2d at = system.inverse() * (line[0] - query.placePx);   // along the query, of the line
+            if (std::abs(at[0]) < query.reachPx && at[1] > 0.0 && at[1] < 1.0) {
+                wanted.push_back(at[0]);
+            }
+        }
+        std::ranges::sort(wanted, {}, [](double offset) { return std::abs(offset); });
+        ASSERT_EQ(found.size(), wanted.size()) << k;
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            EXPECT_NEAR(found[i].offsetPx, wanted[i], 1e-6);
+        }
+        count += wanted.size();
+    }
+    EXPECT_GT(count, 500u);
 }
 
 TEST(CurveCrossings, SinglePointsAreNoCurves)
