@@ -50,7 +50,7 @@ TEST(BendingDoubt, ARigidTreeIsNotAsked)
     EXPECT_EQ(asUsual.uncertainty.covariance, without.uncertainty.covariance);
 }
 
-TEST(BendingDoubt, AHalfThatMovedIsSaidAndShakesTrust)
+TEST(BendingDoubt, AHalfThatMovedShakesTrust)
 {
     const test::CleanCase clean(3);
     const RegistrationInput input = halfMoved(clean, 8.0);
@@ -69,7 +69,6 @@ TEST(BendingDoubt, AHalfThatMovedIsSaidAndShakesTrust)
     ASSERT_NE(said, nullptr);
     EXPECT_EQ(said->severity(), Severity::Warning);
     EXPECT_GT(std::get<Quantity>(said->arguments()[1]).value, 3.0) << said->text();
-    EXPECT_NE(find(result.warnings, says::bendPartMoved), nullptr);
     EXPECT_GT(result.uncertainty.inPlaneMm, 2.0 * without.uncertainty.inPlaneMm);
     EXPECT_GT(result.bent->rigid.meanMm, 1.0);
 }
