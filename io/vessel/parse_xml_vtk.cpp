@@ -46,6 +46,10 @@ protected:
         const auto read = [&] {
             return Reader::ReadArrayValues(element, arrayIndex, array, startIndex, valueCount, type);
         };
+        if (array->GetSize() < arrayIndex + valueCount) {   // VTK would write beyond it
+            isShort_ = true;
+            return 0;
+        }
         if (vtkDataArray::FastDownCast(array) == nullptr || array->GetDataType() == VTK_BIT || valueCount <= 0) {
             return read();
         }

@@ -33,6 +33,16 @@ TEST(ShortArrays, AreRefusedAndNotReadOnAsTheMemoryWas)
     EXPECT_FALSE(read(polyData("0 0 0 10 0 0 20 0 0", "1 1 1", "")));
 }
 
+/// Points of one component each: VTK made room for those and wrote three.
+TEST(ShortArrays, OfFewerComponentsThanAreReadAreRefused)
+{
+    const test::TemporaryFolder folder;
+    std::string content = polyData("0 0 0 10 0 0 20 0 0", "1 1 1", "3");
+    const std::string components = "NumberOfComponents=\"3\"";
+    content.replace(content.find(components), components.size(), "Components=\"3\"");
+    EXPECT_FALSE(io::readVesselTree(folder.write("tree.vtp", content)));
+}
+
 TEST(ShortArrays, OfBytesAreRefusedWhereverSomeAreMissing)
 {
     const test::TemporaryFolder folder;
