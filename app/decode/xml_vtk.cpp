@@ -1,18 +1,103 @@
 #include "app/decode/vtk_formats.h"
 #include "app/decode/vtk_reading.h"
 #include "io/decode/vtk_lines_reply.h"
-#include "io/vessel/parse_xml_vtk.h"
+#include "io/vessel/vtk_point_set.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
 
 namespace angiopose::decode {
+namespace {
 
 using io::DecoderReply;
 using io::ReplyKind;
 
+/// Remembers that a reader complained; without an observer VTK only prints.
+class ErrorFlag : public vtkCommand {
+public:
+    static ErrorFlag* New() { return new ErrorFlag; }
+    void Execute(vtkObject*, unsigned long, void*) override { raised = true; }
+    bool raised = false;
+};
+
+/// A reader that notices where the file holds less of an array than it declares: VTK then leaves the rest as the memory
+/// was, and says nothing.
+template <class Reader>
+class WholeArrays : public Reader {
+public:
+    static WholeArrays* New()
+    {
+        auto* reader = new WholeArrays;
+        reader->InitializeObjectBase();
+        return reader;
+    }
+
+    bool isShort() const { return isShort_; }
+
+protected:
+    int ReadArrayValues(vtkXMLDataElement* element, vtkIdType arrayIndex, vtkAbstractArray* array, vtkIdType startIndex,
+                        vtkIdType valueCount, vtkXMLReader::FieldType type) override
+    {
+        const auto read = [&] {
+            return Reader::ReadArrayValues(element, arrayIndex, array, startIndex, valueCount, type);
+        };
+        if (array->GetSize() < arrayIndex + valueCount) {   // VTK would write beyond it
+            isShort_ = true;
+            return 0;
+        }
+        if (vtkDataArray::FastDownCast(array) == nullptr || array->GetDataType() == VTK_BIT || valueCount <= 0) {
+            return read();
+        }
+        auto* last = static_cast<std::uint8_t*>(array->GetVoidPointer(arrayIndex + valueCount - 1));
+        for (const std::uint8_t mark :
+             {std::uint8_t{0xa5}, std::uint8_t{0x5a}}) {   // a value that is one mark by chance is not the other
+            const std::span bytes(last, static_cast<std::size_t>(array->GetDataTypeSize()));
+            std::ranges::fill(bytes, mark);
+            const int result = read();
+            if (result == 0 || std::ranges::any_of(bytes, [mark](std::uint8_t byte) { return byte != mark; })) {
+                return result;
+            }
+        }
+        isShort_ = true;
+        return 0;
+    }
+
+private:
+    bool isShort_ = false;
+};
+
+template <class Reader>
+DecoderReply readWith(const std::string& path)
+{
+    const vtkNew<WholeArrays<Reader>> reader;
+    const vtkNew<ErrorFlag> flag;
+    reader->AddObserver(vtkCommand::ErrorEvent, flag);
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(contentOf(path));
+    reader->Update();
+    if (flag->raised || reader->isShort() || reader->GetErrorCode() != 0) {
+        return {};
+    }
+    const auto lines = io::linesOf(reader->GetOutput());
+    return lines ? DecoderReply{ReplyKind::Result, io::toReply(*lines)} : DecoderReply();
+}
+
+}   // namespace
+
 DecoderReply readXmlVtk(const std::string& path, const std::string& dataSet)
 {
-    const auto kind = dataSet == "xml_polydata" ? io::XmlVtkKind::PolyData : io::XmlVtkKind::UnstructuredGrid;
-    const auto lines = io::parseXmlVtk(contentOf(path), kind);
-    return lines ? DecoderReply{ReplyKind::Result, io::toReply(*lines)} : DecoderReply{ReplyKind::Refusal, {}};
+    return dataSet == "xml_polydata" ? readWith<vtkXMLPolyDataReader>(path)
+                                     : readWith<vtkXMLUnstructuredGridReader>(path);
 }
 
 }   // namespace angiopose::decode

@@ -5,13 +5,10 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/support/quiet_libraries.h"
 #include "io/support/text_cursor.h"
-#include "io/vessel/parse_xml_vtk.h"
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <optional>
 
 namespace angiopose::io {
@@ -36,7 +33,7 @@ core::Result<VtkLines> readByVtk(const std::string& format, const std::string& p
 
 constexpr int maxDeclared = 20'000'000;
 
-/// The reader reserves what the header declares before it looks at the data: refuse what no centreline can need.
+/// VTK reserves what the header declares before it looks at the data: what no centreline can need is refused by name.
 std::optional<core::Message> findImpossibleCount(std::string_view content)
 {
     constexpr std::array attributes = {"NumberOfPoints=\"", "NumberOfLines=\"",     "NumberOfVerts=\"",
@@ -69,7 +66,7 @@ std::string_view typeOf(std::string_view tag)
     return value.substr(1, value.find(value.front(), 1) - 1);
 }
 
-/// Whether every array says a type that there is: without one VTK reads through a null pointer.
+/// Whether every array says a type that there is: without one VTK dies.
 bool areArraysTyped(std::string_view content)
 {
     static constexpr std::array<std::string_view, 13> types{"Int8",   "UInt8", "Int16",    "UInt16",  "Int32",
@@ -85,20 +82,6 @@ bool areArraysTyped(std::string_view content)
         }
     }
     return true;
-}
-
-/// Anywhere: what looks like the end of the header may stand in a comment.
-bool isCompressed(std::string_view content)
-{
-    return content.find("compressor") != std::string_view::npos;
-}
-
-core::Result<VtkLines> readApart(bool isGrid, const std::string& path, const ReadObserver& observe)
-{
-    auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
-                           [](const std::string&) { return says::vtkXmlDamaged(); });
-    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // of damage, then
-    return isDead ? fileError(path, says::vtkXmlDamaged()) : std::move(lines);
 }
 
 }   // namespace
@@ -143,16 +126,10 @@ core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& p
     if (!areArraysTyped(content)) {
         return fileError(path, says::vtkXmlDamaged());
     }
-    if (isCompressed(content)) {
-        return readApart(isGrid, path, observe);
-    }
-    quietLibraries();
-    try {
-        auto lines = parseXmlVtk(content, isGrid ? XmlVtkKind::UnstructuredGrid : XmlVtkKind::PolyData);
-        return lines ? core::Result<VtkLines>(std::move(*lines)) : fileError(path, says::vtkXmlDamaged());
-    } catch (const std::bad_alloc&) {
-        return fileError(path, says::fileLargerThanMemory());
-    }
+    auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
+                           [](const std::string&) { return says::vtkXmlDamaged(); });
+    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // of damage, then
+    return isDead ? fileError(path, says::vtkXmlDamaged()) : std::move(lines);
 }
 
 core::Result<VtkLines> readPly(const std::string& path, const ReadObserver& observe)

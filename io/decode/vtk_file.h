@@ -14,11 +14,10 @@ namespace angiopose::io {
 core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string& path,
                                      const ReadObserver& observe = {});
 
-/// VTK XML, PolyData (.vtp) or UnstructuredGrid (.vtu). What is compressed is read likewise: how much memory it takes
-/// is seen only as it is unpacked. `content` is the file's.
+/// VTK XML, PolyData (.vtp) or UnstructuredGrid (.vtu), likewise.
 core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& path, const ReadObserver& observe = {});
 
-/// A surface in PLY, in a process of its own; points come in single precision.
+/// A surface in PLY, likewise; points come in single precision.
 core::Result<VtkLines> readPly(const std::string& path, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io
