@@ -77,7 +77,7 @@ std::vector<std::string> outputsOf(const CLI::App& command)
 
 void recordOutcome(const std::string& auditPath, const CLI::App& command)
 {
-    const std::string name = command.get_name();
+    const std::string& name = command.get_name();
     if (name == "pack") {
         record(auditPath, AuditEvent::Packed, existing(valuesOf(command, std::array{"ARCHIVE"})));
     } else if (name == "send") {
