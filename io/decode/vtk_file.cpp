@@ -7,7 +7,6 @@
 #include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -54,36 +53,6 @@ std::optional<core::Message> findImpossibleCount(std::string_view content)
     return {};
 }
 
-/// The value of the attribute `type` of a tag, in either kind of quotes; empty where it has none.
-std::string_view typeOf(std::string_view tag)
-{
-    constexpr std::string_view name = "type=";
-    const std::size_t at = tag.find(name);
-    if (at == std::string_view::npos || at + name.size() >= tag.size()) {
-        return {};
-    }
-    const std::string_view value = tag.substr(at + name.size());
-    return value.substr(1, value.find(value.front(), 1) - 1);
-}
-
-/// Whether every array says a type that there is: without one VTK dies.
-bool areArraysTyped(std::string_view content)
-{
-    static constexpr std::array<std::string_view, 13> types{"Int8",   "UInt8", "Int16",    "UInt16",  "Int32",
-                                                            "UInt32", "Int64", "UInt64",   "Float32", "Float64",
-                                                            "String", "Bit",   "vtkIdType"};
-    for (const std::string_view element : {std::string_view("<DataArray"), std::string_view("<Array")}) {
-        for (std::size_t at = content.find(element); at != std::string_view::npos;
-             at = content.find(element, at + element.size())) {
-            const std::string_view tag = content.substr(at, content.substr(at).find('>'));
-            if (std::ranges::find(types, typeOf(tag)) == types.end()) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 }   // namespace
 
 core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string& path, const ReadObserver& observe)
@@ -122,9 +91,6 @@ core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& p
     const bool isGrid = head.find("type=\"UnstructuredGrid\"") != std::string_view::npos;
     if (!isGrid && head.find("type=\"PolyData\"") == std::string_view::npos) {
         return fileError(path, says::vtkXmlOther());
-    }
-    if (!areArraysTyped(content)) {
-        return fileError(path, says::vtkXmlDamaged());
     }
     auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
                            [](const std::string&) { return says::vtkXmlDamaged(); });
