@@ -37,6 +37,13 @@ bool isPixelTag(DicomTag tag)
     return tag == pixelDataTag || tag == floatPixelsTag || tag == doublePixelsTag;
 }
 
+/// Records of a directory are asked for elsewhere, one by one; DCMTK 3.6.7 puts their types right while it reads them,
+/// and throws at two values that are too long.
+bool isDirectory(const ElementHead& head)
+{
+    return head.tag == 0x00041220;
+}
+
 /// DCMTK reads the element as it is meant.
 bool isReadable(const ElementHead& head, DicomEncoding encoding)
 {
@@ -109,7 +116,8 @@ ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
         if (isItem && (isOpen || !level.isOpaque)) {
             inside = OpenLevel{isOpen ? untilDelimiter : at + head->length, level.encoding, false, false};
         }
-        walk.isClean = walk.isClean && (isItem || isReadable(*head, level.encoding)) && !(inside && inside->isOpaque);
+        walk.isClean = walk.isClean && (isItem || isReadable(*head, level.encoding)) && !(inside && inside->isOpaque) &&
+                       !isDirectory(*head);
         if (inside) {
             levels.push_back(*inside);
         } else {
@@ -128,10 +136,10 @@ ValueWalk walkValue(const ElementHead& head, std::string_view rest, DicomEncodin
     }
     const auto level = levelOf(head, rest, 0, encoding);
     if (!level) {
-        return {head.length, isReadable(head, encoding) || head.vr.empty()};
+        return {head.length, (isReadable(head, encoding) || head.vr.empty()) && !isDirectory(head)};
     }
     ValueWalk walk = walkThrough(*level, rest);
-    walk.isClean = walk.isClean && walk.size && !level->isOpaque;
+    walk.isClean = walk.isClean && walk.size && !level->isOpaque && !isDirectory(head);
     walk.size = isOpen ? walk.size : head.length;
     return walk;
 }

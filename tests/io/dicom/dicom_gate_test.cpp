@@ -95,6 +95,19 @@ TEST(DicomGate, LeavesOutWhatIsNestedTooDeeply)
     EXPECT_EQ(file.dataset.integer(0x00280010), 512);
 }
 
+TEST(DicomGate, KeepsTheRecordsOfADirectoryFromDcmtk)
+{
+    const std::string types = std::string(100, 'A') + '\\' + std::string(100, 'B');
+    const std::string records = gateItem(shortElement(0x00041430, "CS", types));
+    for (const char* vr : {"SQ", "UN"}) {
+        const std::string directory = longElement(0x00041220, vr, records);
+        EXPECT_FALSE(parsed(directory + rowsElement).dataset.has(0x00041220));
+        const io::DicomFile nested = parsed(longElement(0x00081140, "SQ", gateItem(directory)) + rowsElement);
+        EXPECT_FALSE(nested.dataset.has(0x00081140));
+        EXPECT_EQ(nested.dataset.integer(0x00280010), 512);
+    }
+}
+
 TEST(DicomGate, NamesTheElementThatIsCutShort)
 {
     const io::DicomFile file = parsed(rowsElement + longElement(0x7fe00010, "OW", std::string(100, 'p')).substr(0, 60));
