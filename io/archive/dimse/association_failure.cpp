@@ -88,6 +88,11 @@ core::Error associationFailure(const OFCondition& condition, const ArchiveNode& 
     }
 }
 
+core::Error stoppedAssociation(const ArchiveNode& node)
+{
+    return core::Error(core::Stopped{says::archiveStopped()}).about(node.name);
+}
+
 bool isConnectionGone(const OFCondition& condition)
 {
     return condition.code() == DULC_PEERABORTEDASSOCIATION || condition.code() == DULC_NETWORKCLOSED ||

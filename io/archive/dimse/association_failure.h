@@ -14,6 +14,9 @@ core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* param
 /// Why one ended in the middle.
 core::Error associationFailure(const OFCondition& condition, const ArchiveNode& node);
 
+/// That the user wished its end.
+core::Error stoppedAssociation(const ArchiveNode& node);
+
 /// Whether there is nobody any more to whom an abort could be told.
 bool isConnectionGone(const OFCondition& condition);
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/support/result.h"
+#include "io/archive/dimse/association.h"
 #include "io/archive/dimse/command.h"
-#include "io/archive/model/node.h"
 
 #include <cstdint>
 #include <functional>
@@ -11,40 +11,15 @@
 #include <string_view>
 #include <vector>
 
-struct T_ASC_Association;
-
 namespace angiopose::io {
 
-/// A service or kind of object that is wanted on an association, in any of these encodings.
-struct ProposedContext {
-    std::string abstractSyntax;
-    std::vector<std::string> transferSyntaxes;
-    bool isForReceiving = false;   ///< the archive sends them to us on this association (C-GET)
-};
-
-struct AcceptedContext {
-    std::uint8_t id = 0;
-    std::string abstractSyntax;
-    std::string transferSyntax;
-};
-
-/// Asked about once a second while nothing comes, and for every piece that goes or comes: true to end it.
-using StopQuestion = std::function<bool()>;
-
-/// Whether there was a sign of life elsewhere since last asked, which allows more time.
-using LifeQuestion = std::function<bool()>;
-
-/// An association: messages to and fro. Every wait is bounded. Aborted when it goes, unless it was released.
+/// Messages to and fro over an association, which is aborted when this goes, unless it was released.
 class DimseLink {
 public:
     static core::Result<DimseLink> open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
                                         StopQuestion isStopWished);
     /// One that a peer asked for and that is acknowledged already.
     static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopWished);
-
-    DimseLink(DimseLink&& other) noexcept;
-    DimseLink& operator=(DimseLink&&) = delete;
-    ~DimseLink();
 
     /// The context of a service, or for objects of that encoding; nothing where the archive did not take it.
     std::optional<AcceptedContext> contextFor(const std::string& abstractSyntax,
@@ -77,16 +52,9 @@ public:
     void release();
 
 private:
-    struct Parts;
-    explicit DimseLink(std::unique_ptr<Parts> parts);
+    explicit DimseLink(std::unique_ptr<Association> association);
 
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<Association> association_;
 };
-
-/// How long until a connection must be there.
-inline constexpr int connectSeconds = 5;
-
-/// Sets what DCMTK keeps for the whole process: silence, and bounds of its waits. `answerSeconds` at least.
-void prepareNetwork(int answerSeconds);
 
 }   // namespace angiopose::io
