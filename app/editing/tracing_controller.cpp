@@ -150,7 +150,7 @@ void TracingController::followDocument()
         shownVolume_ = traced;
         level_.drop();
         panel.showFound(std::nullopt);
-        panel.showRange(traced ? thresholdRange(ui_.slices) : std::nullopt, {});
+        panel.showRange(traced ? thresholdRange(ui_.slices) : std::nullopt, ui_.slices.isHounsfield());
         if (ui_.actions[ui::Command::SlicesLarge]->isChecked()) {
             findThreshold();
         }

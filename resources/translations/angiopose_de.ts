@@ -11228,38 +11228,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
 </context>
 <context>
-    <name>angiopose::ui::TracingPanel</name>
-    <message>
-        <source>Thin vessels only, from the seeds</source>
-        <translation>Nur dünne Gefäße ab Startpunkt</translation>
-    </message>
-    <message>
-        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
-        <translation>Für Kranzgefäße neben gefüllten Herzkammern, Leberarterien neben der Pfortader: was breiter als ein Zentimeter ist, beendet die Gefäße. Braucht Startpunkte.</translation>
-    </message>
-    <message>
-        <source>One vessel by two clicks</source>
-        <translation>Ein Gefäß mit zwei Klicks</translation>
-    </message>
+    <name>angiopose::ui::SeedList</name>
     <message>
         <source>%1  %2  %3  %4</source>
         <translation>%1  %2  %3  %4</translation>
-    </message>
-    <message>
-        <source>Trace vessels</source>
-        <translation>Gefäße erfassen</translation>
-    </message>
-    <message>
-        <source>Automatic threshold</source>
-        <translation>Automatische Schwelle</translation>
-    </message>
-    <message>
-        <source>HU</source>
-        <translation>HE</translation>
-    </message>
-    <message>
-        <source>Show in the slices what is above</source>
-        <translation>In den Schichten zeigen, was darüber liegt</translation>
     </message>
     <message>
         <source>Seeds</source>
@@ -11282,12 +11254,31 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Trace</source>
-        <translation>Erfassen</translation>
+        <source>Seeds and places to avoid</source>
+        <translation>Startpunkte und zu meidende Stellen</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
+        <source>+ seed %1</source>
+        <translation>+ Startpunkt %1</translation>
+    </message>
+    <message>
+        <source>× avoid %1</source>
+        <translation>× meiden %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ThresholdField</name>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>Automatische Schwelle</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HE</translation>
+    </message>
+    <message>
+        <source>Show in the slices what is above</source>
+        <translation>In den Schichten zeigen, was darüber liegt</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -11297,9 +11288,32 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>The vessels begin at this value of the scan.</source>
         <translation>Ab diesem Wert des CT beginnen die Gefäße.</translation>
     </message>
+</context>
+<context>
+    <name>angiopose::ui::TracingPanel</name>
     <message>
-        <source>Seeds and places to avoid</source>
-        <translation>Startpunkte und zu meidende Stellen</translation>
+        <source>Thin vessels only, from the seeds</source>
+        <translation>Nur dünne Gefäße ab Startpunkt</translation>
+    </message>
+    <message>
+        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
+        <translation>Für Kranzgefäße neben gefüllten Herzkammern, Leberarterien neben der Pfortader: was breiter als ein Zentimeter ist, beendet die Gefäße. Braucht Startpunkte.</translation>
+    </message>
+    <message>
+        <source>One vessel by two clicks</source>
+        <translation>Ein Gefäß mit zwei Klicks</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>Gefäße erfassen</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Erfassen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Shortest branch</source>
@@ -11348,14 +11362,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Ends the tracing; the vessels stay as they were.</source>
         <translation>Beendet das Erfassen; die Gefäße bleiben, wie sie waren.</translation>
-    </message>
-    <message>
-        <source>+ seed %1</source>
-        <translation>+ Startpunkt %1</translation>
-    </message>
-    <message>
-        <source>× avoid %1</source>
-        <translation>× meiden %1</translation>
     </message>
     <message>
         <source>Tracing …</source>

@@ -11227,38 +11227,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     </message>
 </context>
 <context>
-    <name>angiopose::ui::TracingPanel</name>
-    <message>
-        <source>Thin vessels only, from the seeds</source>
-        <translation>仅细血管，从种子点开始</translation>
-    </message>
-    <message>
-        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
-        <translation>用于充盈心腔旁的冠状动脉、门静脉旁的肝动脉：宽于一厘米的结构会终止血管。需要种子点。</translation>
-    </message>
-    <message>
-        <source>One vessel by two clicks</source>
-        <translation>两次单击提取一条血管</translation>
-    </message>
+    <name>angiopose::ui::SeedList</name>
     <message>
         <source>%1  %2  %3  %4</source>
         <translation>%1  %2  %3  %4</translation>
-    </message>
-    <message>
-        <source>Trace vessels</source>
-        <translation>提取血管</translation>
-    </message>
-    <message>
-        <source>Automatic threshold</source>
-        <translation>自动阈值</translation>
-    </message>
-    <message>
-        <source>HU</source>
-        <translation>HU</translation>
-    </message>
-    <message>
-        <source>Show in the slices what is above</source>
-        <translation>在断层中显示高于阈值的部分</translation>
     </message>
     <message>
         <source>Seeds</source>
@@ -11281,12 +11253,31 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>移除</translation>
     </message>
     <message>
-        <source>Trace</source>
-        <translation>提取</translation>
+        <source>Seeds and places to avoid</source>
+        <translation>种子点和避开点</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>停止</translation>
+        <source>+ seed %1</source>
+        <translation>+ 种子点 %1</translation>
+    </message>
+    <message>
+        <source>× avoid %1</source>
+        <translation>× 避开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>angiopose::ui::ThresholdField</name>
+    <message>
+        <source>Automatic threshold</source>
+        <translation>自动阈值</translation>
+    </message>
+    <message>
+        <source>HU</source>
+        <translation>HU</translation>
+    </message>
+    <message>
+        <source>Show in the slices what is above</source>
+        <translation>在断层中显示高于阈值的部分</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -11296,9 +11287,32 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>The vessels begin at this value of the scan.</source>
         <translation>血管从此扫描值开始。</translation>
     </message>
+</context>
+<context>
+    <name>angiopose::ui::TracingPanel</name>
     <message>
-        <source>Seeds and places to avoid</source>
-        <translation>种子点和避开点</translation>
+        <source>Thin vessels only, from the seeds</source>
+        <translation>仅细血管，从种子点开始</translation>
+    </message>
+    <message>
+        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
+        <translation>用于充盈心腔旁的冠状动脉、门静脉旁的肝动脉：宽于一厘米的结构会终止血管。需要种子点。</translation>
+    </message>
+    <message>
+        <source>One vessel by two clicks</source>
+        <translation>两次单击提取一条血管</translation>
+    </message>
+    <message>
+        <source>Trace vessels</source>
+        <translation>提取血管</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>提取</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Shortest branch</source>
@@ -11347,14 +11361,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Ends the tracing; the vessels stay as they were.</source>
         <translation>结束提取；血管保持原样。</translation>
-    </message>
-    <message>
-        <source>+ seed %1</source>
-        <translation>+ 种子点 %1</translation>
-    </message>
-    <message>
-        <source>× avoid %1</source>
-        <translation>× 避开 %1</translation>
     </message>
     <message>
         <source>Tracing …</source>

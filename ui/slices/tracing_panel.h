@@ -2,24 +2,21 @@
 
 #include "core/tracing/volume/vessel_input.h"
 #include "ui/controls/section.h"
+#include "ui/slices/seed_list.h"
 
 #include <optional>
 
 class QAction;
 class QCheckBox;
 class QComboBox;
-class QListWidget;
 class QPushButton;
-class QSlider;
 
 namespace angiopose::ui {
 
 class LabelChoice;
 class MaskPanel;
 class NumberField;
-
-/// What a click in a slice does.
-enum class TracingPick { Nothing, Seed, Avoid };
+class ThresholdField;
 
 /// How the vessels of a scan are traced: threshold, seeds, places to avoid, limits. Shows what it is told, reports what
 /// the user wants.
@@ -30,7 +27,7 @@ public:
 
     void showOptions(const core::VesselTracingOptions& options);   ///< silent
     /// Values that a threshold can have; nothing: what is traced has no values (labels, surface).
-    void showRange(std::optional<std::pair<double, double>> range, const QString& unit);
+    void showRange(std::optional<std::pair<double, double>> range, bool isHounsfield = true);
     LabelChoice& labels() { return *labels_; }
     MaskPanel& mask() { return *mask_; }
     void bindPath(QAction& action);   ///< one vessel by two clicks
@@ -49,39 +46,24 @@ signals:
     void traceRequested();
     void stopRequested();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
-    QLayout* thresholdRows();
-    QLayout* pointRows();
+    QLayout* seedRows();
     QLayout* limitRows();
     QLayout* shapeRows();
     QLayout* buttonRow();
-    void setThreshold(std::optional<double> threshold);
-    void showThreshold();
-    void fillPoints();
-    void removePoint();
+    void reportThreshold();
     void updateButtons();
 
     core::VesselTracingOptions options_;
-    std::optional<double> found_;
     QString whyNot_;
     bool running_ = false;
     bool hasValues_ = false;
     LabelChoice* labels_;
     MaskPanel* mask_;
-    QWidget* thresholdBox_;
-    QCheckBox* automatic_;
-    NumberField* threshold_;
-    QSlider* slider_;
-    QCheckBox* preview_;
-    QPushButton* seed_;
-    QPushButton* avoid_;
+    ThresholdField* threshold_;
+    SeedList* seeds_;
     QCheckBox* tubes_;
     QPushButton* path_;
-    QListWidget* points_;
-    QPushButton* remove_;
     NumberField* minLength_;
     NumberField* minRadius_;
     QComboBox* pieces_;

@@ -1,0 +1,169 @@
+#include "ui/slices/seed_list.h"
+
+#include "ui/words/number.h"
+#include "ui/words/spoken.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <algorithm>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int mostRows = 4;   // seen at once
+
+QPushButton* switchButton(const Words& text, const Words& tip)
+{
+    auto* button = withTip(withText(new QPushButton, text), tip);
+    button->setCheckable(true);
+    return button;
+}
+
+QString pointText(const QString& kind, const Eigen::Vector3d& point)
+{
+    return SeedList::tr("%1  %2  %3  %4")
+        .arg(kind)
+        .arg(numberText(point.x(), 1))
+        .arg(numberText(point.y(), 1))
+        .arg(numberText(point.z(), 1));
+}
+
+}   // namespace
+
+SeedList::SeedList(QWidget* parent)
+    : QWidget(parent),
+      pickSeed_(switchButton(
+          [] { return tr("Seeds"); },
+          [] { return tr("Then click vessels in a slice: only what is connected to a seed is traced."); })),
+      pickAvoid_(switchButton([] { return tr("Avoid"); },
+                              [] {
+                                  return tr(
+                                      "Then click heart, veins or bone in a slice: what is reached from there on "
+                                      "wider ways is left out.");
+                              })),
+      remove_(withText(new QPushButton, [] { return tr("Remove"); })),
+      points_(new QListWidget)
+{
+    auto* rows = new QVBoxLayout(this);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(6);
+    rows->addLayout(buttonRow());
+    withName(points_, [] { return tr("Seeds and places to avoid"); });
+    points_->setFrameShape(QFrame::NoFrame);
+    points_->installEventFilter(this);
+    rows->addWidget(points_);
+    connect(points_, &QListWidget::currentRowChanged, this, &SeedList::choose);
+    speak(this, [this] { fill(); });
+}
+
+QLayout* SeedList::buttonRow()
+{
+    auto* row = new QHBoxLayout;
+    row->addWidget(pickSeed_);
+    row->addWidget(pickAvoid_);
+    row->addWidget(remove_);
+    connect(pickSeed_, &QPushButton::toggled, this,
+            [this](bool on) { emit pickWanted(on ? TracingPick::Seed : TracingPick::Nothing); });
+    connect(pickAvoid_, &QPushButton::toggled, this,
+            [this](bool on) { emit pickWanted(on ? TracingPick::Avoid : TracingPick::Nothing); });
+    connect(remove_, &QPushButton::clicked, this, &SeedList::removeChosen);
+    return row;
+}
+
+void SeedList::showPoints(const Points& seedsInPatient, const Points& avoidInPatient)
+{
+    if (seedsInPatient == seeds_ && avoidInPatient == avoid_) {
+        return;
+    }
+    seeds_ = seedsInPatient;
+    avoid_ = avoidInPatient;
+    fill();
+}
+
+void SeedList::showPick(TracingPick pick)
+{
+    const QSignalBlocker quietSeed(pickSeed_);
+    const QSignalBlocker quietAvoid(pickAvoid_);
+    pickSeed_->setChecked(pick == TracingPick::Seed);
+    pickAvoid_->setChecked(pick == TracingPick::Avoid);
+}
+
+void SeedList::setRunning(bool running)
+{
+    running_ = running;
+    pickSeed_->setEnabled(!running);
+    pickAvoid_->setEnabled(!running);
+    remove_->setEnabled(!running && points_->currentRow() >= 0);
+}
+
+bool SeedList::isPicking() const
+{
+    return pickSeed_->isChecked() || pickAvoid_->isChecked();
+}
+
+void SeedList::fill()
+{
+    const QSignalBlocker quiet(points_);
+    points_->clear();
+    int number = 0;
+    for (const Eigen::Vector3d& seed : seeds_) {
+        points_->addItem(pointText(tr("+ seed %1").arg(++number), seed));
+    }
+    number = 0;
+    for (const Eigen::Vector3d& point : avoid_) {
+        points_->addItem(pointText(tr("× avoid %1").arg(++number), point));
+    }
+    points_->setVisible(points_->count() > 0);
+    points_->setFixedHeight(std::min(points_->count(), mostRows) * std::max(points_->sizeHintForRow(0), 1));
+    remove_->setEnabled(false);
+}
+
+SeedList::Points& SeedList::holderOf(int& row)
+{
+    const auto seeds = static_cast<int>(seeds_.size());
+    if (row < seeds) {
+        return seeds_;
+    }
+    row -= seeds;
+    return avoid_;
+}
+
+void SeedList::choose(int row)
+{
+    remove_->setEnabled(row >= 0 && !running_);
+    if (row >= 0) {
+        const Points& points = holderOf(row);
+        emit placeChosen(points[static_cast<std::size_t>(row)]);
+    }
+}
+
+void SeedList::removeChosen()
+{
+    int row = points_->currentRow();
+    if (row < 0 || running_) {
+        return;
+    }
+    Points& points = holderOf(row);
+    points.erase(points.begin() + row);
+    fill();
+    emit edited(seeds_, avoid_);
+}
+
+bool SeedList::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (watched == points_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
+        event->accept();   // not the branches' Delete
+        if (event->type() == QEvent::KeyPress) {
+            removeChosen();
+        }
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+}   // namespace angiopose::ui
