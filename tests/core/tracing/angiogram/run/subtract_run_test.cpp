@@ -34,12 +34,17 @@ ImageF ribFrame(bool isFilled, double driftPx, std::uint64_t seed)
     return frame;
 }
 
-const std::vector<ImageF> ribRun{ribFrame(false, 0.0, 1), ribFrame(false, 0.2, 2), ribFrame(true, 1.5, 3),
-                                 ribFrame(true, 2.1, 4)};
+/// Drawn when first asked for: every test of this program is a process of its own.
+const std::vector<ImageF>& ribRun()
+{
+    static const std::vector<ImageF> run{ribFrame(false, 0.0, 1), ribFrame(false, 0.2, 2), ribFrame(true, 1.5, 3),
+                                         ribFrame(true, 2.1, 4)};
+    return run;
+}
 
 TEST(SubtractRun, LeavesTheVesselAlone)
 {
-    const auto subtracted = core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {0, 1}});
+    const auto subtracted = core::subtractRun(ribRun(), Polarity::VesselsDark, {.maskFrames = {0, 1}});
     ASSERT_TRUE(subtracted) << subtracted.error().message;
     ASSERT_EQ(subtracted.value().frames.size(), 4U);
     EXPECT_NEAR(subtracted.value().maskShiftsPx[2].x(), 1.4, 0.15);
@@ -103,8 +108,8 @@ TEST(SubtractRun, AReversedIntervalWalksBackwards)
 TEST(SubtractRun, OneFrameIsAsInTheRun)
 {
     const core::SubtractionPlan plan{.maskFrames = {0, 1}};
-    const auto whole = core::subtractRun(ribRun, Polarity::VesselsDark, plan);
-    const auto one = core::subtractFrame(ribRun, Polarity::VesselsDark, plan, 2);
+    const auto whole = core::subtractRun(ribRun(), Polarity::VesselsDark, plan);
+    const auto one = core::subtractFrame(ribRun(), Polarity::VesselsDark, plan, 2);
     ASSERT_TRUE(whole && one);
     EXPECT_EQ(one.value().frame.pixels, whole.value().frames[2].pixels);
     EXPECT_EQ(one.value().maskShiftPx, whole.value().maskShiftsPx[2]);
@@ -113,13 +118,13 @@ TEST(SubtractRun, OneFrameIsAsInTheRun)
 TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
 {
     core::Angiogram stored;
-    stored.frames = ribRun;
+    stored.frames = ribRun();
     core::RunTreatment treatment{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
     const auto treated = core::treatedRun(stored, treatment);
     ASSERT_TRUE(treated) << treated.error().message;
     ASSERT_EQ(treated.value().frameCount(), stored.frameCount());
     EXPECT_EQ(treated.value().frames[0].pixels, treated.value().frames[3].pixels);
-    const auto subtracted = core::subtractRun(ribRun, Polarity::VesselsDark, treatment.plan);
+    const auto subtracted = core::subtractRun(ribRun(), Polarity::VesselsDark, treatment.plan);
     for (std::size_t i = 0; i < 200; ++i) {
         EXPECT_LE(treated.value().frames[0].pixels[i], subtracted.value().frames[2].pixels[i]);
     }
@@ -127,32 +132,32 @@ TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
 
 TEST(SubtractRun, StopsWhenAsked)
 {
-    EXPECT_FALSE(core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {0}}, [] { return true; }));
+    EXPECT_FALSE(core::subtractRun(ribRun(), Polarity::VesselsDark, {.maskFrames = {0}}, [] { return true; }));
 }
 
 TEST(SubtractRun, AShiftByHandIsTaken)
 {
     const Eigen::Vector2d byHand(0.5, -1.0);
     const auto subtracted =
-        core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {0}, .maskShiftPx = byHand});
+        core::subtractRun(ribRun(), Polarity::VesselsDark, {.maskFrames = {0}, .maskShiftPx = byHand});
     ASSERT_TRUE(subtracted);
     EXPECT_EQ(subtracted.value().maskShiftsPx, std::vector<Eigen::Vector2d>(4, byHand));
 }
 
 TEST(SubtractRun, RefusesInPlainWords)
 {
-    const auto missing = core::subtractRun(ribRun, Polarity::VesselsDark, {.maskFrames = {9}});
+    const auto missing = core::subtractRun(ribRun(), Polarity::VesselsDark, {.maskFrames = {9}});
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().message.text().find("frames 0 to 3"), std::string::npos);
-    EXPECT_FALSE(core::subtractRun({ribRun[0]}, Polarity::VesselsDark, {.maskFrames = {0}}));
-    EXPECT_FALSE(core::subtractRun({ribRun[0], ImageF(3, 3)}, Polarity::VesselsDark, {.maskFrames = {0}}));
+    EXPECT_FALSE(core::subtractRun({ribRun()[0]}, Polarity::VesselsDark, {.maskFrames = {0}}));
+    EXPECT_FALSE(core::subtractRun({ribRun()[0], ImageF(3, 3)}, Polarity::VesselsDark, {.maskFrames = {0}}));
     const std::vector<ImageF> filled{ribFrame(true, 0.0, 5), ribFrame(true, 0.0, 6)};
     EXPECT_FALSE(core::subtractRun(filled, Polarity::VesselsDark, {})) << "contrast from the first frame on";
 }
 
 TEST(SubtractRun, AFrameThatShowsNothingIsNeitherMaskNorSubtractedFrom)
 {
-    std::vector<ImageF> frames = ribRun;
+    std::vector<ImageF> frames = ribRun();
     std::ranges::fill(frames[0].pixels, 1200.0F);
     std::ranges::fill(frames[3].pixels, 1200.0F);
     const auto subtracted = core::subtractRun(frames, Polarity::VesselsDark, {.maskFrames = {0, 1}});
