@@ -1,5 +1,6 @@
 #include "io/support/crash_dumps.h"
 
+#include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +21,11 @@ protected:
     CrashDumps() { ::setenv("XDG_STATE_HOME", folder_.file("state").c_str(), 1); }
     void SetUp() override
     {
-#ifdef __SANITIZE_ADDRESS__
-        GTEST_SKIP() << "the sanitizer takes the signals";
-#endif
+        if (test::isSanitized) {
+            GTEST_SKIP() << "the sanitizer takes the signals";
+        }
     }
-    ~CrashDumps() override
-    {
-        ::unsetenv("XDG_STATE_HOME");
-    }
+    ~CrashDumps() override { ::unsetenv("XDG_STATE_HOME"); }
 
     /// The signal that ended it.
     static int crash(const std::string& way)
