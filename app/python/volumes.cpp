@@ -125,12 +125,13 @@ void bindOptionsOfTracing(py::module_& module)
              py::arg("minBranchLengthMm") = 4.0, py::arg("minBranchRadiusMm") = 0.0, py::arg("pointSpacingMm") = 1.0,
              py::arg("tubesOnly") = false, py::arg("threads") = 0, py::arg("pieces") = TracedPieces::Usual,
              py::arg("loops") = VesselLoops::Opened,
-             "threshold: HU where the lumen begins; None: found from the blood. seedsInPatient: (n, 3), only vessels\n"
+             "threshold: value where the lumen begins; None: found by the blood. seedsInPatient: (n, 3), only vessels\n"
              "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
              "vessel. rootInPatient: (3,); None: the thickest end. tubesOnly: thin vessels alone, from the seeds.\n"
              "threads: 0: all; the result is the same for any.\n"
              "pieces: which are traced without seeds; Usual: all of a mask, of a scan that of the great vessel.")
-        .def_readwrite("threshold", &Options::threshold, "HU where the lumen begins; None: found from the blood")
+        .def_readwrite("threshold", &Options::threshold,
+                       "value of the scan (of CT: HU) where the lumen begins; None: found from the blood")
         .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
                       assignPlaces<&Options::seedsInPatient>("seedsInPatient"),
                       "(n, 3): only vessels connected to one; none: the great vessel that is found")
