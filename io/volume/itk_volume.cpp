@@ -56,9 +56,10 @@ bool isYes(const std::string& text)
     return !text.empty() && (text.front() == 'T' || text.front() == 't' || text.front() == '1');
 }
 
-/// A line of a MetaImage's header that overruns what MetaIO (ITK 5.2) has room for, which ends the program: a name, or
-/// the value of one of three keys.
-std::optional<core::Message> findOverlongLine(std::string_view content)
+/// A line of a MetaImage's header that ends the program in MetaIO (ITK 5.2): a name, or the value of one of three keys,
+/// for which it has no room; or no "key = value", after which it takes the next line for the value and, where that was
+/// the last one, voxels for lines.
+std::optional<core::Message> findBadLine(std::string_view content)
 {
     constexpr std::size_t longest = 254;
     constexpr std::array<std::string_view, 3> heldKeys{"Comment", "Name", "ObjectSubType"};
@@ -72,7 +73,11 @@ std::optional<core::Message> findOverlongLine(std::string_view content)
         if (name.size() > longest || (isHeld && text.size() - sign > longest)) {
             return says::readerLineTooLong(line, static_cast<int>(longest));
         }
-        rest.remove_prefix(std::min(text.size() + 1, rest.size()));
+        if (sign == text.size() && !name.empty()) {
+            return says::readerLineWithoutSign(line);
+        }
+        const bool isDosEnd = rest.substr(text.size()).starts_with("\r\n");
+        rest.remove_prefix(std::min(text.size() + (isDosEnd ? 2 : 1), rest.size()));
     }
     return {};
 }
@@ -80,8 +85,8 @@ std::optional<core::Message> findOverlongLine(std::string_view content)
 /// What ITK would pass over or refuse without saying why.
 std::optional<core::Message> findMetaProblem(std::string_view content)
 {
-    if (const auto overlong = findOverlongLine(content)) {
-        return overlong;
+    if (const auto bad = findBadLine(content)) {
+        return bad;
     }
     const std::string object = metaValue(content, "ObjectType");
     if (!object.empty() && object != "Image") {

@@ -3571,6 +3571,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 seines Kopfes ist länger, als ITK fassen kann (%2 Zeichen). Kürzen Sie sie, oder nehmen Sie sie heraus.</translation>
     </message>
     <message>
+        <source>line %1 of its header has no &quot;=&quot;. The file is damaged, or not what its name says; export it again.</source>
+        <comment>reader.line-without-sign</comment>
+        <translation>Zeile %1 seines Kopfes hat kein „=“. Die Datei ist beschädigt oder nicht, was ihr Name sagt; exportieren Sie sie neu.</translation>
+    </message>
+    <message>
         <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
         <comment>result.not-one</comment>
         <translation>das ist kein Ergebnis einer Registrierung. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>

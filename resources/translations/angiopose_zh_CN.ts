@@ -3571,6 +3571,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其文件头的第 %1 行超过 ITK 所能容纳的长度（%2 个字符）。请缩短或删除该行。</translation>
     </message>
     <message>
+        <source>line %1 of its header has no &quot;=&quot;. The file is damaged, or not what its name says; export it again.</source>
+        <comment>reader.line-without-sign</comment>
+        <translation>其文件头的第 %1 行没有“=”。文件已损坏，或与其名称不符；请重新导出。</translation>
+    </message>
+    <message>
         <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
         <comment>result.not-one</comment>
         <translation>这不是配准结果。请给出由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>

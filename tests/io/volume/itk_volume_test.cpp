@@ -91,6 +91,9 @@ TEST(MetaImage, LinesThatItkCannotHoldAreRefused)
     }
     test::expectRefused(with(std::string(255, 'k') + " = 1"), "line 5 of its header");
     test::expectRefused(with("\r" + std::string(300, 'k')), "line 6 of its header");
+    test::expectRefused(with("Modality MR"), "line 5 of its header has no \"=\"");
+    test::expectRefused(with("Modality = MR\r\nSeries"), "line 6 of its header has no");
+    EXPECT_TRUE(io::readVolume(with("  \r\n\t")));
     EXPECT_TRUE(io::readVolume(with("0008|103e = " + std::string(3000, 'a'))));   // as SimpleITK keeps DICOM's
 }
 
