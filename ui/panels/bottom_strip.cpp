@@ -43,6 +43,7 @@ BottomStrip::BottomStrip(QWidget* parent)
     layout->addLayout(placedFrames(), 12);
     layout->addLayout(placedTask(), 4);
     setFixedHeight(stripHeight);
+    showFrameNote({});
     speak(this, [this] {
         if (progress_->isHidden() || task_.isEmpty()) {
             showIdle(tr("Ready"));
@@ -120,6 +121,8 @@ void BottomStrip::showLoop(const core::FrameRange& range)
 void BottomStrip::showFrameNote(const QString& note)
 {
     frameNote_->showText(note);
+    frameNote_->setVisible(!note.isEmpty());   // without an angiogram what is told has their room
+    frames_->setVisible(!note.isEmpty());
 }
 
 void BottomStrip::showSaveState(const QString& text)
