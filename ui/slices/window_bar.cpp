@@ -63,14 +63,23 @@ void WindowBar::fillPresets()
         button->setProperty("role", "quiet");
         connect(button, &QPushButton::clicked, this, choose);
         row_->addWidget(button);
-        connect(withTip(withText(menu_->addAction(QString()), name), tip), &QAction::triggered, this, choose);
+        QAction* action = withTip(withText(menu_->addAction(QString()), name), tip);
+        connect(action, &QAction::triggered, this, choose);
+        return std::pair(button, action);
     };
     for (const WindowPreset& preset : windowPresets()) {
-        add([name = preset.name] { return QCoreApplication::translate("angiopose::ui::WindowPreset", name); },
-            [window = preset.window] {
-                return tr("W %1 L %2 HU").arg(numberText(window.width, 0)).arg(numberText(window.level, 0));
-            },
-            [this, window = preset.window] { model_.setWindow(window); });
+        const auto [button, action] =
+            add([name = preset.name] { return QCoreApplication::translate("angiopose::ui::WindowPreset", name); },
+                [window = preset.window] {
+                    return tr("W %1 L %2 HU").arg(numberText(window.width, 0)).arg(numberText(window.level, 0));
+                },
+                [this, window = preset.window] { model_.setWindow(window); });
+        const auto followScan = [this, button = button, action = action] {   // in HU, which other scans have none of
+            button->setVisible(model_.isHounsfield());
+            action->setVisible(model_.isHounsfield());
+        };
+        followScan();
+        connect(&model_, &SliceModel::scanChanged, this, followScan);
     }
     add([] { return tr("Automatic"); },
         [] { return tr("From the values of this scan; right drag in a slice changes it by hand."); },

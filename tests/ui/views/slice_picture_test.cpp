@@ -1,8 +1,11 @@
 #include "ui/slices/slice_picture.h"
 #include "ui/slices/slice_model.h"
+#include "ui/slices/window_bar.h"
 
 #include <gtest/gtest.h>
+#include <QPushButton>
 
+#include <algorithm>
 #include <limits>
 
 namespace angiopose::ui {
@@ -105,24 +108,51 @@ TEST(SlicePicture, IsTheSameOnAFineScreen)
     }
 }
 
-TEST(SliceModel, ChoosesTheWindowByTheKindOfScan)
+std::shared_ptr<core::Volume> airyVolume()
 {
     core::VolumeGeometry geometry;
     geometry.size = {20, 20, 20};
-    auto ct = std::make_shared<core::Volume>(geometry, std::int16_t{-1000});
+    return std::make_shared<core::Volume>(geometry, std::int16_t{-1000});
+}
+
+std::shared_ptr<core::Volume> countedVolume()
+{
+    core::VolumeGeometry geometry;
+    geometry.size = {20, 20, 20};
+    auto volume = std::make_shared<core::Volume>(geometry);
+    for (std::size_t i = 0; i < volume->voxels.size(); ++i) {
+        volume->voxels[i] = static_cast<std::int16_t>(i % 1000);
+    }
+    return volume;
+}
+
+TEST(SliceModel, ChoosesTheWindowByTheKindOfScan)
+{
     SliceModel model;
-    model.setScan(ct, nullptr);
+    model.setScan(airyVolume(), nullptr);
     EXPECT_TRUE(model.isHounsfield());
     EXPECT_EQ(model.window(), windowPresets().front().window);
 
-    auto other = std::make_shared<core::Volume>(geometry);
-    for (std::size_t i = 0; i < other->voxels.size(); ++i) {
-        other->voxels[i] = static_cast<std::int16_t>(i % 1000);
-    }
-    model.setScan(other, nullptr);
+    model.setScan(countedVolume(), nullptr);
     EXPECT_FALSE(model.isHounsfield());
     EXPECT_NEAR(model.window().level, 500.0, 60.0);
     EXPECT_NEAR(model.window().width, 980.0, 60.0);
+}
+
+TEST(WindowBar, OffersTheWindowsOfCtForCtAlone)
+{
+    SliceModel model;
+    WindowBar bar(model);
+    const auto offered = [&bar] {
+        return std::ranges::count_if(bar.findChildren<QPushButton*>(), [&bar](const QPushButton* button) {
+            return button->property("role") == "quiet" && button->isVisibleTo(&bar);
+        });
+    };
+    bar.resize(1200, 40);
+    model.setScan(airyVolume(), nullptr);
+    EXPECT_EQ(offered(), static_cast<std::ptrdiff_t>(windowPresets().size()) + 1);
+    model.setScan(countedVolume(), nullptr);
+    EXPECT_EQ(offered(), 1);   // "Automatic"
 }
 
 TEST(SliceModel, KeepsTheCrosshairWithinTheScan)
