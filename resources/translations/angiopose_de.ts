@@ -11384,6 +11384,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::TreeView</name>
     <message>
+        <source>No vessels yet: drop some here, open them (%1), or trace a scan in its slices (%2).</source>
+        <translation>Noch keine Gefäße: hier ablegen, öffnen (%1) oder in den Schichten eines Scans erfassen (%2).</translation>
+    </message>
+    <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
         <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
     </message>

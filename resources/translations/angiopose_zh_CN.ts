@@ -11383,6 +11383,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
 <context>
     <name>angiopose::ui::TreeView</name>
     <message>
+        <source>No vessels yet: drop some here, open them (%1), or trace a scan in its slices (%2).</source>
+        <translation>尚无血管：拖放到此处，打开（%1），或在切片中追踪扫描（%2）。</translation>
+    </message>
+    <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
         <translation>血管树、X 射线源和探测器的三维视图</translation>
     </message>

@@ -368,6 +368,11 @@ std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom
     return nearest;
 }
 
+bool TreeScene::isEmpty() const
+{
+    return parts_->isEmpty();
+}
+
 std::vector<OrientationLetter> TreeScene::orientationLetters() const
 {
     return parts_->isEmpty() ? std::vector<OrientationLetter>() : lettersOf(parts_->sign(parts_->screen()));

@@ -56,6 +56,7 @@ public:
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);
 
+    bool isEmpty() const;   ///< neither vessels nor a scan: nothing is drawn
     std::optional<TreePick> pickAt(int xDevicePx, int yDevicePxFromBottom) const;
     Eigen::Vector2d deviceFromPatient(const Eigen::Vector3d& pointInPatient) const;   ///< px from the bottom left
     std::vector<OrientationLetter> orientationLetters() const;

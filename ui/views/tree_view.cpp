@@ -1,5 +1,6 @@
 #include "ui/views/tree_view.h"
 
+#include "ui/actions/key_hint.h"
 #include "ui/views/crosshair_mark.h"
 #include "ui/views/paint_marks.h"
 #include "ui/views/pivot_mark.h"
@@ -155,9 +156,22 @@ void TreeView::tellSight()
     }
 }
 
+void TreeView::paintAbsence(QPainter& painter) const
+{
+    const int margin = std::min(24, width() / 12);
+    painter.setPen(colorOf(ui::palette(theme_).label));
+    painter.drawText(rect().adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("No vessels yet: drop some here, open them (%1), or trace a scan in its slices (%2).")
+                         .arg(keyOf(Command::Open), keyOf(Command::SlicesLarge)));
+}
+
 void TreeView::paintAnnotations(QPainter& painter)
 {
     tellSight();
+    if (scene_.isEmpty()) {
+        paintAbsence(painter);
+        return;
+    }
     const Palette& tones = ui::palette(theme_);
     const double ratio = devicePixelRatio();
     for (const auto& place : {crosshair_, pointed_}) {

@@ -65,6 +65,7 @@ private:
     std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
     void paintPlaces(QPainter& painter) const;
+    void paintAbsence(QPainter& painter) const;
     void tellSight();
 
     TreeScene scene_;

@@ -63,6 +63,17 @@ protected:
     std::unique_ptr<ui::TreeView> view_ = std::make_unique<ui::TreeView>();
 };
 
+TEST_F(TreeViewTest, SaysSoWhereThereIsNothing)
+{
+    settle();
+    view_->scene().setTree({});
+    view_->requestRender();
+    settle();
+    const QImage words = view_->grab().toImage();
+    EXPECT_GT(brightPixels(words), 200);   // in the middle, and nothing else
+    EXPECT_EQ(brightPixels(words.copy(0, 0, words.width(), words.height() / 4)), 0);
+}
+
 TEST_F(TreeViewTest, ShowsTheTreeAndFindsItsBranchUnderTheMouse)
 {
     settle();
