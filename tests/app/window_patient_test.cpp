@@ -109,9 +109,10 @@ private:
         view.geometry.cArm = simulated_.angiogram.cArm;
         view.cameraFromPatient = simulated_.initialCameraFromPatient;
         if (!second.imageFile.path.empty()) {
-            theCase.views.push_back(second);
-            theCase.views.back().geometry = view.geometry;
-            theCase.views.back().cameraFromPatient = view.cameraFromPatient;
+            core::View beside = second;
+            beside.geometry = view.geometry;
+            beside.cameraFromPatient = view.cameraFromPatient;
+            theCase.views.push_back(std::move(beside));
         }
         EXPECT_TRUE(io::saveCase(theCase, file(name).toStdString()));
     }
