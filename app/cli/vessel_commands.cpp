@@ -103,8 +103,7 @@ void addTraceVessel(CLI::App& app, int& exitCode)
     command->add_option("--output", arguments->outputPath, "Tree to write: .vtp, .csv, .swc or .mrk.json")->required();
     command->add_option("--mask", arguments->maskPath, "Lumen to write as a label image, e.g. .nii.gz");
     command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
-    command->add_option("--threshold", arguments->tracing.threshold,
-                        "The lumen begins at this value of the scan (default: found)");
+    command->add_option("--threshold", arguments->tracing.threshold, "Least value of the lumen (default: found)");
     addPoints(command, "--seed", arguments->tracing.seedsInPatient,
               "x,y,z (LPS mm) anywhere in a vessel: trace what is connected to it; may be repeated (default: the great "
               "vessel, aorta or main artery, of a scan is found, all pieces of a mask are taken)");
