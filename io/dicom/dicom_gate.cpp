@@ -54,16 +54,17 @@ bool isReadable(const ElementHead& head, DicomEncoding encoding)
 
 /// A sequence or an item whose end is not reached yet.
 struct OpenLevel {
-    std::size_t end;   ///< `untilDelimiter` when its length is undefined
+    std::size_t end;   ///< no further than that of the level around it
+    bool isDelimited;   ///< its length is undefined: a delimiter closes it before its end
     DicomEncoding encoding;
     bool holdsItems;
     bool isOpaque;   ///< its items are fragments of pixels
 };
 
-constexpr std::size_t untilDelimiter = std::string_view::npos;
-
-/// What the value of an element holds besides plain bytes; nothing when it is those.
-std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest, std::size_t at, DicomEncoding encoding)
+/// What the value of an element, at the start of `rest`, holds besides plain bytes; nothing when it is those. `rest`
+/// ends with the level around it, at `end`.
+std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest, std::size_t end,
+                                 DicomEncoding encoding)
 {
     const bool isOpen = head.length == undefinedLength;
     const bool isUnknown = head.vr.empty() || head.vr == "UN";   // then the content tells
@@ -73,7 +74,7 @@ std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest,
         return std::nullopt;
     }
     // A sequence whose VR was lost is implicit inside (PS3.5 §6.2.2).
-    return OpenLevel{isOpen ? untilDelimiter : at + head.length,
+    return OpenLevel{isOpen ? end : end - rest.size() + head.length, isOpen,
                      isUnknown ? DicomEncoding{false, encoding.order} : encoding, true,
                      !isSequence || isPixelTag(head.tag)};
 }
@@ -91,7 +92,7 @@ ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
     std::size_t at = 0;
     for (std::vector<OpenLevel> levels{sequence}; !levels.empty();) {
         const OpenLevel level = levels.back();
-        if (at == level.end) {
+        if (at == level.end && !level.isDelimited) {
             levels.pop_back();
             continue;
         }
@@ -101,7 +102,7 @@ ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
         }
         at += head->size;
         if (head->tag == itemEndTag || head->tag == sequenceEndTag) {
-            if (level.end != untilDelimiter || level.holdsItems != (head->tag == sequenceEndTag)) {
+            if (!level.isDelimited || level.holdsItems != (head->tag == sequenceEndTag)) {
                 return {};
             }
             levels.pop_back();
@@ -109,12 +110,13 @@ ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
         }
         const bool isOpen = head->length == undefinedLength;
         const bool isItem = head->tag == itemTag;
-        if (isItem != level.holdsItems || (!isOpen && head->length > std::min(bytes.size(), level.end) - at)) {
+        if (isItem != level.holdsItems || (!isOpen && head->length > level.end - at)) {
             return {};
         }
-        auto inside = isItem ? std::nullopt : levelOf(*head, bytes.substr(at), at, level.encoding);
+        const std::string_view rest = bytes.substr(at, level.end - at);
+        auto inside = isItem ? std::nullopt : levelOf(*head, rest, level.end, level.encoding);
         if (isItem && (isOpen || !level.isOpaque)) {
-            inside = OpenLevel{isOpen ? untilDelimiter : at + head->length, level.encoding, false, false};
+            inside = OpenLevel{isOpen ? level.end : at + head->length, isOpen, level.encoding, false, false};
         }
         walk.isClean = walk.isClean && (isItem || isReadable(*head, level.encoding)) && !(inside && inside->isOpaque) &&
                        !isDirectory(*head);
@@ -134,7 +136,7 @@ ValueWalk walkValue(const ElementHead& head, std::string_view rest, DicomEncodin
     if (!isOpen && head.length > rest.size()) {
         return {};
     }
-    const auto level = levelOf(head, rest, 0, encoding);
+    const auto level = levelOf(head, rest, rest.size(), encoding);
     if (!level) {
         return {head.length, (isReadable(head, encoding) || head.vr.empty()) && !isDirectory(head)};
     }

@@ -108,6 +108,22 @@ TEST(DicomGate, KeepsTheRecordsOfADirectoryFromDcmtk)
     }
 }
 
+/// Found by fuzzing: the walk went on behind the file.
+TEST(DicomGate, ASequenceUntilADelimiterEndsWithTheItemAroundIt)
+{
+    const std::string open = tagBytes(0x00081115) + "SQ" + std::string(2, '\0') + number(0xffffffff, 4);
+    const std::string inner = open + gateItem(shortElement(0x00181510, "DS", "30"));
+    const std::string end = tagBytes(0xfffee0dd) + number(0, 4);
+    const std::string behind = tagBytes(0x00081199) + "UN" + std::string(2, '\0') + number(60'000, 4);
+    const std::string outer = longElement(0x00081140, "SQ", gateItem(inner)) + end + behind;
+    const io::DicomFile late = parsed(outer);
+    EXPECT_FALSE(late.dataset.has(0x00081140));
+    const io::DicomFile sound = parsed(longElement(0x00081140, "SQ", gateItem(inner + end)) + rowsElement);
+    ASSERT_EQ(sound.dataset.items(0x00081140).size(), 1U);
+    EXPECT_EQ(sound.dataset.items(0x00081140)[0].items(0x00081115).at(0).number(0x00181510), 30.0);
+    EXPECT_EQ(sound.dataset.integer(0x00280010), 512);
+}
+
 TEST(DicomGate, NamesTheElementThatIsCutShort)
 {
     const io::DicomFile file = parsed(rowsElement + longElement(0x7fe00010, "OW", std::string(100, 'p')).substr(0, 60));
