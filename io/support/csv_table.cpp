@@ -55,7 +55,7 @@ bool areNumbers(const std::vector<std::string_view>& cells)
 
 bool isText(std::string_view text)
 {
-    return text.substr(0, 4096).find('\0') == std::string_view::npos;
+    return text.find('\0') == std::string_view::npos;
 }
 
 }   // namespace

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 
 namespace angiopose::io {
 namespace {
 
 using Segment = std::pair<std::size_t, std::size_t>;
 
-/// Segments of one id as a graph over point indices.
+/// Segments of one id and name as a graph over point indices.
 class SegmentGraph {
 public:
     SegmentGraph(const std::set<Segment>& segments, const std::set<std::size_t>& meetings)
@@ -64,32 +65,38 @@ private:
 
 }   // namespace
 
-LineSet chainSegments(LineSet set)
+LineSet chainSegments(const LineSet& set)
 {
     const bool onlySegments = set.lines.size() > 1 && std::all_of(set.lines.begin(), set.lines.end(),
                                                                   [](const auto& line) { return line.size() == 2; });
     if (!onlySegments) {
         return set;
     }
-    std::map<int, std::set<Segment>> segmentsOfId;
+    std::map<std::pair<int, std::size_t>, std::set<Segment>> segmentsOf;   // by id and first line of that name
+    std::map<std::string_view, std::size_t> firstOfName;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
+        const std::string_view name = set.names.empty() ? std::string_view() : set.names[i];
+        const std::size_t first = firstOfName.try_emplace(name, i).first->second;
         if (set.lines[i][0] != set.lines[i][1]) {
-            segmentsOfId[set.ids.empty() ? 0 : set.ids[i]].insert(std::minmax(set.lines[i][0], set.lines[i][1]));
+            segmentsOf[{set.ids.empty() ? 0 : set.ids[i], first}].insert(std::minmax(set.lines[i][0], set.lines[i][1]));
         }
     }
-    std::vector<int> ids;
-    set.lines.clear();
-    set.names.clear();
-    for (const auto& [id, segments] : segmentsOfId) {
+    LineSet chained = set;
+    chained.lines.clear();
+    chained.ids.clear();
+    chained.names.clear();
+    for (const auto& [key, segments] : segmentsOf) {
         for (std::vector<std::size_t>& chain : SegmentGraph(segments, set.meetings).chains()) {
-            set.lines.push_back(std::move(chain));
-            ids.push_back(id);
+            chained.lines.push_back(std::move(chain));
+            if (!set.ids.empty()) {
+                chained.ids.push_back(key.first);
+            }
+            if (!set.names.empty()) {
+                chained.names.push_back(set.names[key.second]);
+            }
         }
     }
-    if (!set.ids.empty()) {
-        set.ids = std::move(ids);
-    }
-    return set;
+    return chained;
 }
 
 }   // namespace angiopose::io

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace angiopose::io {
@@ -31,7 +32,10 @@ inline constexpr std::size_t maxCenterlineBranches = 5'000;
 core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path);
 
 /// Joins segments of two points into the longest runs without a bifurcation or meeting; longer lines stay as they are.
-/// Lines of different ids are never joined.
-LineSet chainSegments(LineSet set);
+/// Lines of different ids or names are never joined.
+LineSet chainSegments(const LineSet& set);
+
+/// A name as every format can hold it: one line, its control characters blanks, none at its ends.
+std::string branchName(std::string_view text);
 
 }   // namespace angiopose::io

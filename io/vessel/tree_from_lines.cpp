@@ -1,5 +1,6 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
+#include "io/support/numbers.h"
 #include "io/vessel/line_set.h"
 #include "io/vessel/shared_trunk.h"
 
@@ -37,7 +38,7 @@ std::optional<core::Message> findDamage(const LineSet& set)
 VesselBranch branchOf(const LineSet& set, std::size_t line)
 {
     VesselBranch branch;
-    branch.name = set.names.empty() ? std::string() : set.names[line];
+    branch.name = set.names.empty() ? std::string() : branchName(set.names[line]);
     for (const std::size_t index : set.lines[line]) {
         Eigen::Vector3d point = set.points[index];
         if (set.isRas) {
@@ -70,12 +71,20 @@ void numberBranches(std::vector<VesselBranch>& branches, bool hasIds)
 
 }   // namespace
 
+std::string branchName(std::string_view text)
+{
+    std::string name(text);
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+    return std::string(trimmed(name));
+}
+
 core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path)
 {
     if (const auto damage = findDamage(set)) {
         return fileError(path, *damage);
     }
-    set = chainSegments(std::move(set));
+    set = chainSegments(set);
     core::VesselTree tree;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
         VesselBranch branch = branchOf(set, i);

@@ -112,8 +112,8 @@ void joinRows(LineSet& set, const std::vector<int>& ids, const std::vector<std::
 std::string withoutSeparators(std::string name)
 {
     std::replace_if(
-        name.begin(), name.end(), [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; }, ' ');
-    return name;
+        name.begin(), name.end(), [](char c) { return c == ',' || c == '"'; }, ' ');
+    return branchName(name);
 }
 
 }   // namespace

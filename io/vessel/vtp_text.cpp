@@ -1,6 +1,7 @@
 #include "io/vessel/vtp_text.h"
 
 #include "io/support/quiet_libraries.h"
+#include "io/vessel/line_set.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -51,7 +52,7 @@ void addLabels(const core::VesselTree& tree, vtkPolyData* data)
     names->SetName("Name");
     for (const core::VesselBranch& branch : tree.branches) {
         ids->InsertNextValue(branch.id);
-        names->InsertNextValue(branch.name);
+        names->InsertNextValue(branchName(branch.name));
     }
     data->GetCellData()->AddArray(ids);
     data->GetCellData()->AddArray(names);
