@@ -14,7 +14,7 @@ cmake --build build/fuzz
 mkdir -p "$corpus/found"
 [ -d "$data" ] || data=
 build/fuzz/tests/fuzz/fuzz_seeds "$corpus/seeds" ${data:+"$data"}
-harnesses=(build/fuzz/tests/fuzz/fuzz_{volume,dicom,picture,tree,surface,table,case,peer})
+harnesses=(build/fuzz/tests/fuzz/fuzz_{volume,dicom,picture,tree,surface,table,case,peer,exchange,object})
 each=$(((seconds + ${#harnesses[@]} - 1) / ${#harnesses[@]}))
 memory=/dev/shm
 [ -w "$memory" ] || memory=${TMPDIR:-/tmp}

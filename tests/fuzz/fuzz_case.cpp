@@ -1,17 +1,12 @@
-#include "core/imaging/image2d.h"
 #include "io/case/case_file.h"
-#include "io/image_file.h"
-#include "tests/fuzz/input_file.h"
+#include "tests/fuzz/small_inputs.h"
 
 using namespace angiopose;
 
-// Case files beside a small tree and image, which they may name: in/tree.csv, in/image.png.
+// Case files beside a small tree and image, which they may name.
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
-    std::filesystem::create_directories(fuzz::folder() / "in");
-    fuzz::inputFile("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,0,1\n20,1,0,1\n10,0,0,2\n10,8,0,2\n");
-    const core::ColorImage picture{16, 12, std::vector<std::uint8_t>(16 * 12 * 3, 90)};
-    (void)io::writePng(picture, (fuzz::folder() / "in/image.png").string());
+    fuzz::writeSmallInputs();
     return 0;
 }
 

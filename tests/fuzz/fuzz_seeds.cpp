@@ -1,5 +1,9 @@
 #include "io/archive/dimse/command.h"
 #include "io/archive/dimse/identifier.h"
+#include "io/fiducial_file.h"
+#include "io/observer_log.h"
+#include "io/pose_camera_file.h"
+#include "io/pose_convention_file.h"
 #include "tests/mutants/mutate.h"
 #include "tests/mutants/small_files.h"
 
@@ -26,6 +30,20 @@ constexpr const char* carmCaseText = R"({"format": "angiopose-case", "version": 
 "angiogram": {"image": {"path": "in/image.png"}, "frame": 0, "polarity": "dark"},
 "geometry": {"sourceToDetectorMm": 1000, "sourceToIsocentreMm": 750, "primaryAngleDeg": -30, "secondaryAngleDeg": 20,
 "pixelSpacingMm": [0.2, 0.2]}, "method": {"id": "angiopose", "options": {}}})";
+
+constexpr const char* studyText = R"({"format": "angiopose-study", "version": 1, "name": "n", "seed": 2,
+"casesPerSetting": 2, "trees": [{"grown": 1, "branches": 9, "extentMm": 120, "rootRadiusMm": 2.2}],
+"settings": [{"name": "noisy", "frames": 1, "deformationMm": 1, "photons": 400, "maskMotionPx": 3, "catheter": 1,
+"header": {"distancePercent": 2, "spacingPercent": 1, "angleDeg": 3}}]})";
+
+/// With the case that it began with.
+std::string resultText()
+{
+    return R"({"format": "angiopose-result", "version": 2, "view": 1, "method": "angiopose", "trustworthy": true,
+"pose": {"cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,740],[0,0,0,1]]}, "metrics": {"coverage": 0.9},
+"inputs": {"frame": 0}, "geometry": {}, "case": )" +
+           std::string(caseText) + "}";
+}
 
 /// Which harness reads a file, and the byte by which it tells the format; "" for what none reads.
 std::pair<std::string, std::string> placeOf(const std::string& name)
@@ -58,6 +76,33 @@ void keep(const fs::path& root, const std::string& harness, const std::string& n
         fs::create_directories(root / harness);
         test::writeText(root / harness / name, content);
     }
+}
+
+/// Poses, points and lists as the program writes them.
+void keepExchanged(const fs::path& root, const test::TemporaryFolder& scratch)
+{
+    const auto keepFile = [&root](char kind, const fs::path& path) {
+        keep(root, "exchange", path.filename().string(), std::string(1, kind) + test::readText(path));
+    };
+    const core::Sight sight{{-2000, 2000, 7.5, 5.5, 16, 12}, {}};
+    char kind = 0;
+    for (const char* name : {"sight.json", "sight.yml", "sight.xml", "sight.txt"}) {
+        (void)io::writeSight(sight, scratch.file(name));
+        keepFile(kind++, scratch.file(name));
+    }
+    for (const char* name : {"points.fcsv", "points.mrk.json"}) {
+        (void)io::writeFiducials({{{1, 2, 3}, "ostium", "left"}, {{4, 5, 6}, "a, \"b\"", ""}}, scratch.file(name));
+        keepFile(kind++, scratch.file(name));
+    }
+    keep(root, "exchange", "pairs.csv", "\6x,y,z,u,v\n1,2,3,4,5\n2,3,4,5,6\n0,1,7,8,9\n");
+    (void)io::appendTrial({"2026-01-02T03:04:05Z", "A", "case, 1", "ab", 3, 7, 5.0, 6.0, 60.0, 4},
+                          scratch.file("log.csv"));
+    keepFile('\7', scratch.file("log.csv"));
+    keep(root, "exchange", "cases.csv", "\10case,reference,patient,pose.other\na.angiopose,a.json,1,b.tfm\n");
+    keep(root, "exchange", "study.json", std::string(1, '\11') + studyText);
+    (void)io::writeDiffDrr(core::diffDrrView(sight, 1000.0, {1, 2, 3}), scratch.file("view.json"));
+    keepFile('\12', scratch.file("view.json"));
+    keep(root, "exchange", "result.json", std::string(1, '\13') + resultText());
 }
 
 /// What a peer answers when all is well.
@@ -93,7 +138,9 @@ int main(int count, char** values)
     const test::TemporaryFolder scratch;
     for (const test::SmallFile& file : test::smallFiles(data, scratch)) {
         const auto [harness, kind] = placeOf(file.name);
-        keep(root, harness, file.name, kind + (file.isGzip ? test::gzipped(file.content) : file.content));
+        const std::string content = kind + (file.isGzip ? test::gzipped(file.content) : file.content);
+        keep(root, harness, file.name, content);
+        keep(root, harness == "dicom" ? "object" : "", file.name, content);
     }
     keep(root, "case", "camera.angiopose", caseText);
     keep(root, "case", "carm.angiopose", carmCaseText);
@@ -102,13 +149,17 @@ int main(int count, char** values)
     keep(root, "table", "pose.json",
          std::string(1, '\3') + R"({"cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,740],[0,0,0,1]]})");
     keepAnswers(root);
+    keepExchanged(root, scratch);
     if (!data.empty() && fs::exists(data)) {
         int number = 0;
         for (const auto& entry : fs::recursive_directory_iterator(data)) {
             if (entry.is_regular_file() && entry.file_size() <= largestSeed) {
                 const std::string name = entry.path().filename().string();
                 const auto [harness, kind] = placeOf(name);
-                keep(root, harness, std::to_string(++number) + "-" + name, kind + test::readText(entry.path()));
+                const std::string seed = std::to_string(++number) + "-" + name;
+                const std::string content = kind + test::readText(entry.path());
+                keep(root, harness, seed, content);
+                keep(root, harness == "dicom" ? "object" : "", seed, content);
             }
         }
     }
