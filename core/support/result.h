@@ -16,8 +16,8 @@ struct Stopped {
 /// remedy), or that the user stopped it.
 class Error {
 public:
-    Error(Message problem) : message(problem.as(Severity::Error)) {}
-    Error(Stopped stopped) : message(stopped.message.as(Severity::Note)), isStop_(true) {}
+    Error(const Message& problem) : message(problem.as(Severity::Error)) {}
+    Error(const Stopped& stopped) : message(stopped.message.as(Severity::Note)), isStop_(true) {}
 
     bool isStop() const { return isStop_; }
 
@@ -41,7 +41,7 @@ class [[nodiscard]] Result {
 public:
     Result(T value) : content_(std::move(value)) {}
     Result(Error error) : content_(std::move(error)) {}
-    Result(Stopped stopped) : content_(Error(std::move(stopped))) {}
+    Result(const Stopped& stopped) : content_(Error(stopped)) {}
 
     explicit operator bool() const { return std::holds_alternative<T>(content_); }
     bool isStopped() const { return !*this && error().isStop(); }
