@@ -6,7 +6,8 @@
 
 using namespace angiopose;
 
-// Centrelines; the first byte chooses the format. What is read is written in every format and read again.
+// Centrelines; the first byte chooses the format. What is read is written as table, SWC and curves, and read again (VTP
+// is decoded by a process of its own).
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     constexpr std::array names = {"tree.vtp", "tree.csv", "tree.swc", "tree.mrk.json"};
