@@ -58,14 +58,15 @@ void printMatch(const io::ArchiveMatch& match, io::ArchiveLevel level)
 {
     const std::string count = match.objects > 0 ? "  " + std::to_string(match.objects) + " objects" : "";
     if (level == io::ArchiveLevel::Study) {
-        std::printf("%s  %s  %s  %s  %s%s\n  study %s\n", match.studyDate.c_str(), match.patientName.c_str(),
-                    match.patientId.c_str(), match.modalities.c_str(), match.studyDescription.c_str(), count.c_str(),
-                    match.studyUid.c_str());
+        printText(match.studyDate + "  " + match.patientName + "  " + match.patientId + "  " + match.modalities + "  " +
+                  match.studyDescription + count);
+        printText("  study " + match.studyUid);
         return;
     }
-    std::printf("%s  %s  %s  %d  %s%s\n  study %s\n  series %s\n", match.studyDate.c_str(), match.patientName.c_str(),
-                match.modalities.c_str(), match.seriesNumber, match.seriesDescription.c_str(), count.c_str(),
-                match.studyUid.c_str(), match.seriesUid.c_str());
+    printText(match.studyDate + "  " + match.patientName + "  " + match.modalities + "  " +
+              std::to_string(match.seriesNumber) + "  " + match.seriesDescription + count);
+    printText("  study " + match.studyUid);
+    printText("  series " + match.seriesUid);
 }
 
 ArchiveJson reportJson(const io::TransferReport& report)

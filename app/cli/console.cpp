@@ -23,11 +23,42 @@ extern "C" void onInterrupt(int signal)
     std::signal(signal, SIG_DFL);
 }
 
+bool isCommand(unsigned char byte)
+{
+    return (byte < ' ' && byte != '\n' && byte != '\t') || byte == 0x7f;
+}
+
+/// U+0080 … U+009F as UTF-8, of which some terminals take the ninth for the beginning of a command.
+bool isLongCommand(unsigned char byte, unsigned char next)
+{
+    return byte == 0xc2 && next >= 0x80 && next < 0xa0;
+}
+
 }   // namespace
+
+std::string printable(std::string_view text)
+{
+    std::string shown;
+    shown.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (i + 1 < text.size() && isLongCommand(text[i], text[i + 1])) {
+            shown += '?';
+            ++i;
+        } else {
+            shown += isCommand(text[i]) ? '?' : text[i];
+        }
+    }
+    return shown;
+}
+
+void printText(std::string_view line)
+{
+    std::printf("%s\n", printable(line).c_str());
+}
 
 void printMessage(std::string_view message)
 {
-    std::fprintf(stderr, "angiopose-cli: %.*s\n", static_cast<int>(message.size()), message.data());
+    std::fprintf(stderr, "angiopose-cli: %s\n", printable(message).c_str());
 }
 
 void printWarnings(const core::Messages& warnings)
@@ -73,8 +104,7 @@ void ProgressLine::show(double fraction, std::string_view detail)
         return;
     }
     lastPercent_ = percent;
-    std::fprintf(stderr, "\r\x1b[K%s %3d %%  %.*s", label_.c_str(), percent, static_cast<int>(detail.size()),
-                 detail.data());
+    std::fprintf(stderr, "\r\x1b[K%s %3d %%  %s", label_.c_str(), percent, printable(detail).c_str());
     std::fflush(stderr);
 }
 

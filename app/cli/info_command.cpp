@@ -235,6 +235,12 @@ core::Result<Json> describe(const std::string& path)
     return unknownFile(path);
 }
 
+void printField(std::string label, const std::string& text)
+{
+    label.resize(std::max<std::size_t>(label.size(), 24), ' ');
+    printText(label + " " + text);
+}
+
 /// The JSON as indented "key: value" lines for people.
 void printReadable(const Json& json, int indent)
 {
@@ -251,17 +257,17 @@ void printReadable(const Json& json, int indent)
             const std::string basis = value.contains("basis") ? ", " + value["basis"].get<std::string>() : "";
             const std::string origin =
                 value["value"].is_null() ? "" : " (" + value["origin"].get<std::string>() + basis + ")";
-            std::printf("%-24s %s%s\n", label.c_str(), number.c_str(), origin.c_str());
+            printField(label, number + origin);
         } else if (value.is_structured()) {
             if (!value.empty()) {
-                std::printf("%s\n", label.c_str());
+                printText(label);
                 printReadable(value, indent + 2);
             }
         } else {
             const std::string text = value.is_string()         ? value.get<std::string>()
                                      : value.is_number_float() ? fixedText(value.get<double>(), 3)
                                                                : value.dump();
-            std::printf("%-24s %s\n", label.c_str(), text.c_str());
+            printField(label, text);
         }
     }
 }

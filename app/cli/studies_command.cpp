@@ -130,8 +130,8 @@ void printSeries(const io::StudySeries& each)
     const std::string line =
         joinedParts({std::to_string(series.number), series.identity.modality, series.description,
                      series.part ? series.part->text() : "", each.bodyPart, count, size, spacing, missing});
-    std::printf("    %-7s  %s\n", textOf(each.use), line.c_str());
-    std::printf("             %s\n", each.reason ? each.reason->text().c_str() : ("series " + series.id).c_str());
+    std::printf("    %-7s  %s\n", textOf(each.use), printable(line).c_str());
+    printText("             " + (each.reason ? each.reason->text() : "series " + series.id));
 }
 
 void printTree(const io::StudyTree& tree)
@@ -139,11 +139,10 @@ void printTree(const io::StudyTree& tree)
     for (const io::StudyPatient& patient : tree.patients) {
         const core::StudyIdentity& who = patient.identity;
         const std::string name = who.patientName.empty() ? "(without name)" : who.patientName;
-        std::printf("%s\n", joinedParts({name, who.patientId, who.birthDate}).c_str());
+        printText(joinedParts({name, who.patientId, who.birthDate}));
         for (const io::Study& study : patient.studies) {
-            std::printf(
-                "  %s\n",
-                joinedParts({study.identity.studyDate, study.description, study.identity.accessionNumber}).c_str());
+            printText("  " +
+                      joinedParts({study.identity.studyDate, study.description, study.identity.accessionNumber}));
             for (const io::StudySeries& series : study.series) {
                 printSeries(series);
             }
@@ -152,11 +151,10 @@ void printTree(const io::StudyTree& tree)
     std::printf("%zu files read, %zu of them no DICOM, %zu damaged\n", tree.readFiles, tree.otherFiles,
                 tree.damaged.size());
     for (const io::DamagedFile& file : tree.damaged) {
-        std::printf("  damaged: %s: %s\n", file.path.c_str(), file.reason.text().c_str());
+        printText("  damaged: " + file.path + ": " + file.reason.text());
     }
     if (tree.directory && tree.directory->damage) {
-        std::printf("The DICOMDIR is damaged: %s; the files themselves were read.\n",
-                    tree.directory->damage->text().c_str());
+        printText("The DICOMDIR is damaged: " + tree.directory->damage->text() + "; the files themselves were read.");
     } else if (tree.directory) {
         std::printf(
             "The DICOMDIR lists %zu series in %zu files, of which %zu are missing; %zu more files lie beside "

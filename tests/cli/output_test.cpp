@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace angiopose;
 
@@ -22,6 +23,24 @@ TEST(Output, ThatDoesNotArriveIsAFailureWithASentence)
         EXPECT_EQ(WEXITSTATUS(status), 3) << arguments;
         EXPECT_NE(test::readText(messages).find("did not all arrive"), std::string::npos) << arguments;
     }
+}
+
+/// A title that would clear the screen and one that would rename the terminal.
+TEST(Output, ShowsCommandsToTheTerminalAndDoesNotPassThemOn)
+{
+    const test::TemporaryFolder folder;
+    const auto demo = test::runCli({"simulate", "--seed", "3", "--output", folder.file("demo")});
+    ASSERT_EQ(demo.exitCode, 0) << demo.messages;
+    const std::string path = folder.file("demo/case.angiopose");
+    auto json = nlohmann::ordered_json::parse(test::readText(path));
+    json["title"] = "A\x1b[2JB\u009b2JC\x7f Ä";
+    folder.write("demo/case.angiopose", json.dump());
+    const auto info = test::runCli({"info", path});
+    EXPECT_EQ(info.exitCode, 0) << info.messages;
+    EXPECT_NE(info.output.find("A?[2JB?2JC? Ä"), std::string::npos) << info.output;
+    const auto missing = test::runCli({"info", folder.file("no\x1b]0;x\x07.swc")});
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_NE(missing.messages.find("no?]0;x?.swc"), std::string::npos) << missing.messages;
 }
 
 TEST(Simulate, LeavesACaseAloneThatIsOpenElsewhere)
