@@ -138,7 +138,7 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
                                             const Deidentification& wished, const Pseudonyms& pseudonyms)
 {
     const DicomDataset& data = file.dataset;
-    const auto freed = freedClassOf(data, path);
+    const auto freed = freedClassOf(file, path);
     if (!freed) {
         return freed.error();
     }

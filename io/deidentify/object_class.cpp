@@ -19,9 +19,7 @@ constexpr std::string_view documents = "104.";
 /// Presentation states and spatial objects of other kinds, waveforms, raw data, treatment plans.
 constexpr std::array<std::string_view, 8> uncleared{"9.", "11.", "66", "67", "68.", "78.", "79.", "481."};
 
-}   // namespace
-
-core::Result<FreedClass> freedClassOf(const DicomDataset& data, const std::string& path)
+core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& path)
 {
     const std::string_view classUid = data.text(0x00080016);
     if (!classUid.starts_with(storage)) {
@@ -49,6 +47,22 @@ core::Result<FreedClass> freedClassOf(const DicomDataset& data, const std::strin
         }
     }
     return FreedClass::Image;
+}
+
+bool hasPixels(FreedClass freed)
+{
+    return freed == FreedClass::Image || freed == FreedClass::Segmentation;
+}
+
+}   // namespace
+
+core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& path)
+{
+    const auto freed = classOf(file.dataset, path);
+    if (freed && !hasPixels(freed.value()) && !file.pixels.empty()) {
+        return fileError(path, says::objectWithPixels(std::string(file.dataset.text(0x00080016))));
+    }
+    return freed;
 }
 
 }   // namespace angiopose::io

@@ -3416,6 +3416,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Objekte dieser Art (Klasse %1) enthalten, was sich nicht sicher tilgen lässt. Es weglassen.</translation>
     </message>
     <message>
+        <source>it says that it is no image (class %1) but holds one, which would be lost. Export it again, or leave it out.</source>
+        <comment>deidentify.object-with-pixels</comment>
+        <translation>es gibt an, kein Bild zu sein (Klasse %1), enthält aber eines, das verloren ginge. Es erneut exportieren oder weglassen.</translation>
+    </message>
+    <message>
         <source>Words in a report, segmentation or presentation state were taken out, codes and numbers stayed: %1.</source>
         <comment>deidentify.words-cleared</comment>
         <translation>Worte eines Befunds, einer Segmentierung oder eines Darstellungszustands wurden entfernt, Kodes und Zahlen blieben: %1.</translation>

@@ -3416,6 +3416,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此类对象（类别 %1）含有无法确保清除的内容。请将其略去。</translation>
     </message>
     <message>
+        <source>it says that it is no image (class %1) but holds one, which would be lost. Export it again, or leave it out.</source>
+        <comment>deidentify.object-with-pixels</comment>
+        <translation>它自称不是图像（类别 %1），却含有图像，该图像会丢失。请重新导出，或将其略去。</translation>
+    </message>
+    <message>
         <source>Words in a report, segmentation or presentation state were taken out, codes and numbers stayed: %1.</source>
         <comment>deidentify.words-cleared</comment>
         <translation>报告、分割或显示状态中的文字已去除，编码和数值保留：%1。</translation>

@@ -289,6 +289,22 @@ TEST_F(DeidentifyObjects, PagesAndUnknownKindsAreRefusedWithASentence)
     EXPECT_EQ(raw.error().message.id(), "deidentify.object");
 }
 
+TEST_F(DeidentifyObjects, ThatHoldPixelsTheirClassDoesNotHaveAreRefused)
+{
+    const std::string pixels(16, 7);
+    for (const char* classUid : {"11.1", "66.1", "88.33"}) {
+        io::DicomObject object;
+        object.root().text(0x00080016, "UI", std::string("1.2.840.10008.5.1.4.1.1.") + classUid);
+        object.root().text(0x00080018, "UI", "1.2.3");
+        object.root().bytes(0x7fe00010, pixels);
+        folder.write("odd.dcm", object.content().value());
+        const auto done = io::deidentifyFile(folder.file("odd.dcm"), folder.file("odd-freed.dcm"), {}, pseudonyms);
+        ASSERT_FALSE(done) << classUid;
+        EXPECT_EQ(done.error().message.id(), "deidentify.object-with-pixels");
+        EXPECT_FALSE(fs::exists(folder.file("odd-freed.dcm")));
+    }
+}
+
 TEST_F(DeidentifyObjects, OtherToolsFindNoErrorInThem)
 {
     if (std::system("command -v dciodvfy > /dev/null 2>&1") != 0) {
