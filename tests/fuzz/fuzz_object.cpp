@@ -27,15 +27,15 @@ bool areSameImages(const core::Angiogram& a, const core::Angiogram& b)
            std::equal(a.frames.begin(), a.frames.end(), b.frames.begin(), isSameImage);
 }
 
-/// What was freed of identity shows what it showed before.
-void checkFreed(const std::string& path, const std::string& nameless)
+/// What was freed of identity shows what it showed before, but for what is told: colours, damaged frames.
+void checkFreed(const std::string& path, const std::string& nameless, const core::Messages& told)
 {
     const auto before = io::readAngiogram(path);
     if (!before) {
         return;
     }
     const auto after = io::readAngiogram(nameless);
-    if (!after || !areSameImages(before.value(), after.value())) {
+    if (!after || (told.empty() && !areSameImages(before.value(), after.value()))) {
         std::abort();
     }
 }
@@ -55,8 +55,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const io::Pseudonyms pseudonyms("key");
     const std::string nameless = (fuzz::folder() / "nameless.dcm").string();
     std::filesystem::remove(nameless);
-    if (io::deidentifyFile(path, nameless, {}, pseudonyms)) {
-        checkFreed(path, nameless);
+    if (const auto freed = io::deidentifyFile(path, nameless, {}, pseudonyms)) {
+        checkFreed(path, nameless, freed.value());
     }
     return 0;
 }
