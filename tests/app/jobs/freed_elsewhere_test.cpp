@@ -4,32 +4,34 @@
 #include <QThread>
 #include <QThreadPool>
 
+#include <atomic>
+
 namespace angiopose::app {
 namespace {
 
 /// Notes on which thread it goes.
 struct Witness {
-    explicit Witness(QThread*& goneOn) : goneOn_(goneOn) {}
+    explicit Witness(std::atomic<QThread*>& goneOn) : goneOn_(goneOn) {}
     ~Witness() { goneOn_ = QThread::currentThread(); }
     Witness(const Witness&) = delete;
     Witness& operator=(const Witness&) = delete;
 
 private:
-    QThread*& goneOn_;
+    std::atomic<QThread*>& goneOn_;
 };
 
 TEST(FreedElsewhere, GoesOnAWorkerWhenTheLastHolderLetsGo)
 {
-    QThread* goneOn = nullptr;
+    std::atomic<QThread*> goneOn = nullptr;
     auto held = freedElsewhere(std::make_shared<const Witness>(goneOn));
     auto also = held;
     held.reset();
     QThreadPool::globalInstance()->waitForDone();
-    EXPECT_EQ(goneOn, nullptr) << "somebody still holds it";
+    EXPECT_EQ(goneOn.load(), nullptr) << "somebody still holds it";
     also.reset();
     QThreadPool::globalInstance()->waitForDone();
-    EXPECT_NE(goneOn, nullptr);
-    EXPECT_NE(goneOn, QThread::currentThread());
+    EXPECT_NE(goneOn.load(), nullptr);
+    EXPECT_NE(goneOn.load(), QThread::currentThread());
 }
 
 TEST(FreedElsewhere, NothingStaysNothing)
