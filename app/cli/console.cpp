@@ -2,6 +2,7 @@
 
 #include "app/messages/says_keeping.h"
 #include "app/texts/number_text.h"
+#include "app/texts/printable_text.h"
 #include "io/support/message_json.h"
 #include "io/support/system/own_process.h"
 
@@ -23,42 +24,16 @@ extern "C" void onInterrupt(int signal)
     std::signal(signal, SIG_DFL);
 }
 
-bool isCommand(unsigned char byte)
-{
-    return (byte < ' ' && byte != '\n' && byte != '\t') || byte == 0x7f;
-}
-
-/// U+0080 … U+009F as UTF-8, of which some terminals take the ninth for the beginning of a command.
-bool isLongCommand(unsigned char byte, unsigned char next)
-{
-    return byte == 0xc2 && next >= 0x80 && next < 0xa0;
-}
-
 }   // namespace
-
-std::string printable(std::string_view text)
-{
-    std::string shown;
-    shown.reserve(text.size());
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (i + 1 < text.size() && isLongCommand(text[i], text[i + 1])) {
-            shown += '?';
-            ++i;
-        } else {
-            shown += isCommand(text[i]) ? '?' : text[i];
-        }
-    }
-    return shown;
-}
 
 void printText(std::string_view line)
 {
-    std::printf("%s\n", printable(line).c_str());
+    std::printf("%s\n", printableText(line).c_str());
 }
 
 void printMessage(std::string_view message)
 {
-    std::fprintf(stderr, "angiopose-cli: %s\n", printable(message).c_str());
+    std::fprintf(stderr, "angiopose-cli: %s\n", printableText(message).c_str());
 }
 
 void printWarnings(const core::Messages& warnings)
@@ -104,7 +79,7 @@ void ProgressLine::show(double fraction, std::string_view detail)
         return;
     }
     lastPercent_ = percent;
-    std::fprintf(stderr, "\r\x1b[K%s %3d %%  %s", label_.c_str(), percent, printable(detail).c_str());
+    std::fprintf(stderr, "\r\x1b[K%s %3d %%  %s", label_.c_str(), percent, printableText(detail).c_str());
     std::fflush(stderr);
 }
 

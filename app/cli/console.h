@@ -19,14 +19,10 @@ enum ExitCode : int {
 
 enum class OutputFormat { Text, Json };
 
-/// What a terminal shows and does not obey: every control character but line ends and tabs becomes "?". Names in files
-/// and answers of archives may hold such commands.
-std::string printable(std::string_view text);
-
-/// A line for people to stdout, printable.
+/// A line for people to stdout, as `printableText`.
 void printText(std::string_view line);
 
-/// One message to stderr, printable, as "angiopose-cli: message".
+/// One message to stderr, as `printableText`: "angiopose-cli: message".
 void printMessage(std::string_view message);
 void printWarnings(const core::Messages& warnings);
 

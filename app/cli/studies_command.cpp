@@ -1,5 +1,6 @@
 #include "app/cli/add_warnings.h"
 #include "app/cli/commands.h"
+#include "app/texts/printable_text.h"
 #include "io/study/read_studies.h"
 
 #include <algorithm>
@@ -130,7 +131,7 @@ void printSeries(const io::StudySeries& each)
     const std::string line =
         joinedParts({std::to_string(series.number), series.identity.modality, series.description,
                      series.part ? series.part->text() : "", each.bodyPart, count, size, spacing, missing});
-    std::printf("    %-7s  %s\n", textOf(each.use), printable(line).c_str());
+    std::printf("    %-7s  %s\n", textOf(each.use), printableText(line).c_str());
     printText("             " + (each.reason ? each.reason->text() : "series " + series.id));
 }
 

@@ -8,6 +8,7 @@
 #include "app/preferences/theme_choice.h"
 #include "app/report/case_report.h"
 #include "app/start/work_watch.h"
+#include "app/texts/printable_text.h"
 #include "app/words/corner_words.h"
 #include "app/words/snapshot_texts.h"
 #include "core/case/registration_input.h"
@@ -35,7 +36,7 @@ constexpr int exitAtStop = 130;
 
 void tell(const core::Message& message, const char* kind = "")
 {
-    std::fprintf(stderr, "angiopose: %s%s\n", kind, message.text().c_str());
+    std::fprintf(stderr, "angiopose: %s%s\n", kind, printableText(message.text()).c_str());
 }
 
 int failWith(const core::Error& error)

@@ -41,6 +41,9 @@ TEST(Output, ShowsCommandsToTheTerminalAndDoesNotPassThemOn)
     const auto missing = test::runCli({"info", folder.file("no\x1b]0;x\x07.swc")});
     EXPECT_EQ(missing.exitCode, 3);
     EXPECT_NE(missing.messages.find("no?]0;x?.swc"), std::string::npos) << missing.messages;
+    const auto report = test::runCli({"report", folder.file("no\x1b[2J.angiopose"), "--output", folder.file("a.pdf")});
+    EXPECT_EQ(report.exitCode, 3);
+    EXPECT_NE(report.messages.find("no?[2J.angiopose"), std::string::npos) << report.messages;
 }
 
 TEST(Simulate, LeavesACaseAloneThatIsOpenElsewhere)
