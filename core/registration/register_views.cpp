@@ -129,7 +129,8 @@ Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationI
                                 const RegistrationOptions& options, const MultiViewOptions& multiView,
                                 JointProgress& progress)
 {
-    JointPose best;
+    JointPose best{solve.inFirst(inputs.front().initialCameraFromPatient, 0),
+                   std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
     double bestScore = -1.0;
     std::vector<RigidTransform> aloneBest;
     RegistrationOptions ofOneView = options;

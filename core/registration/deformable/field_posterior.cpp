@@ -128,9 +128,11 @@ Eigen::VectorXd FieldPosterior::variances() const
 
 FieldPosterior::RowBasis FieldPosterior::basisOf(const std::vector<MotionRow>& rows) const
 {
-    std::size_t lastView = 0;
-    for (const MotionRow& row : rows_) {
-        lastView = std::max(lastView, row.view);
+    std::size_t lastView = 0;   // of these rows and of the given ones: either may lack the views of the other
+    for (const auto* each : {&rows, &rows_}) {
+        for (const MotionRow& row : *each) {
+            lastView = std::max(lastView, row.view);
+        }
     }
     const Matrix6d poseRoot = prior_.pose.isZero() ? Matrix6d::Zero() : Matrix6d(prior_.pose.llt().matrixL());
     const Vector6d geometryRoot = prior_.geometry.diagonal().cwiseSqrt();
@@ -154,7 +156,8 @@ Eigen::VectorXf FieldPosterior::covariances(const MotionRow& row, const Eigen::V
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         alike[rowAt(r)] *= combined_(rowAt(rows_[r].knot), rowAt(row.knot));
     }
-    alike.noalias() += basis_.steps.transpose() * steps;
+    // The geometry of a view without a given row is independent of all of them.
+    alike.noalias() += basis_.steps.transpose() * steps.head(basis_.steps.rows());
     return alike;
 }
 

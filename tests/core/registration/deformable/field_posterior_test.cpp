@@ -84,6 +84,25 @@ TEST(FieldPosterior, IsTheConditionalGaussian)
     EXPECT_NEAR(posterior.determined(), (signal * inverse).trace(), 0.05);
 }
 
+// Where nothing of the later views was matched, rows of theirs are asked about all the same.
+TEST(FieldPosterior, TheGeometryOfViewsWithoutRowsKeepsItsPrior)
+{
+    RandomRows given;
+    given.prior.geometry.diagonal() << 1e-4, 2e-4, 3e-4, 1.0, 2.0, 3.0;
+    const FieldKernel kernel(given.knots);
+    const FieldPosterior posterior(kernel, given.prior, given.rows);
+    std::vector<MotionRow> others(3, given.rows[1]);
+    others[1].view = 1;
+    others[1].byGeometry << 30.0, -20.0, 10.0, 0.6, -0.4, 0.7;
+    others[2].view = 40;
+    others[2].byGeometry = others[1].byGeometry;
+    const double ofGeometry = others[1].byGeometry.cwiseAbs2().dot(given.prior.geometry.diagonal());
+    const Eigen::VectorXd variances = posterior.variancesOf(others);
+    EXPECT_NEAR(variances[1], variances[0] + ofGeometry, 1e-3);
+    EXPECT_NEAR(variances[2], variances[0] + ofGeometry, 1e-3);
+    EXPECT_TRUE(posterior.geometry(40).isZero());
+}
+
 TEST(FieldPosterior, BeliefsWithAPoseAreConditionalGaussians)
 {
     RandomRows given;
