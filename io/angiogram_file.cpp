@@ -31,6 +31,9 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
     if (raster.value().hadAlpha) {
         angiogram.warnings.push_back(says::transparencyIgnored());
     }
+    if (raster.value().orientation != 1) {
+        angiogram.warnings.push_back(says::imageTurned(raster.value().orientation));
+    }
     if (raster.value().isFlawed) {
         angiogram.warnings.push_back(says::imageFlawed());
     }

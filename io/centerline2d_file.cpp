@@ -109,6 +109,9 @@ core::Result<Centerline2d> centerlineFromMask(std::string_view content, const st
     if (!raster) {
         return raster.error();
     }
+    if (raster.value().frames.size() > 1) {
+        return fileError(path, says::centrelineMaskPages(raster.value().frames.size()));
+    }
     const core::ImageF& image = raster.value().frames.front();
     const auto [low, high] = std::minmax_element(image.pixels.begin(), image.pixels.end());
     if (*low == *high || !isMask(image, *low, *high)) {

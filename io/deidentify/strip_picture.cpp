@@ -3,9 +3,11 @@
 #include "io/deidentify/strip_tiff.h"
 #include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
+#include "io/raster/picture_orientation.h"
 #include "io/support/byte_order.h"
 #include "io/support/file_error.h"
 
+#include <zlib.h>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -16,9 +18,24 @@ namespace {
 constexpr std::string_view pngStart = "\x89PNG\r\n\x1a\n";
 constexpr std::array<std::string_view, 7> keptChunks{"IHDR", "PLTE", "tRNS", "gAMA", "pHYs", "IDAT", "IEND"};
 
+std::string bigEndian(std::size_t value)
+{
+    return {static_cast<char>(value >> 24U), static_cast<char>(value >> 16U), static_cast<char>(value >> 8U),
+            static_cast<char>(value)};
+}
+
+/// Without it a picture that was mirrored for its tag would not be any more.
+std::string orientationChunk(int orientation)
+{
+    const std::string chunk = "eXIf" + exifOf(orientation);
+    const uLong sum = crc32_z(0, reinterpret_cast<const Bytef*>(chunk.data()), chunk.size());
+    return bigEndian(chunk.size() - 4) + chunk + bigEndian(sum);
+}
+
 /// Chunks of length, name, content and check sum (ISO/IEC 15948, 5.3).
 std::optional<std::string> strippedPng(std::string_view rest)
 {
+    const int orientation = exifOrientation(rest);
     std::string kept(pngStart);
     rest.remove_prefix(pngStart.size());
     while (rest.size() >= 12) {
@@ -29,6 +46,9 @@ std::optional<std::string> strippedPng(std::string_view rest)
         const std::string_view name = rest.substr(4, 4);
         if (std::ranges::find(keptChunks, name) != keptChunks.end()) {
             kept += rest.substr(0, length + 12);
+        }
+        if (name == "IHDR" && orientation > 1) {
+            kept += orientationChunk(orientation);
         }
         if (name == "IEND") {
             return kept;
@@ -77,6 +97,10 @@ std::string withoutThumbnail(std::string_view segment)
 std::optional<std::string> strippedJpeg(std::string_view rest)
 {
     std::string kept("\xff\xd8");
+    if (const int orientation = exifOrientation(rest); orientation > 1) {
+        const std::string exif = std::string("Exif\0\0", 6) + exifOf(orientation);
+        kept += std::string("\xff\xe1\0", 3) + static_cast<char>(exif.size() + 2) + exif;
+    }
     rest.remove_prefix(2);
     while (rest.size() >= 4 && static_cast<unsigned char>(rest[0]) == 0xff) {
         const auto marker = static_cast<unsigned char>(rest[1]);

@@ -113,14 +113,6 @@ bool copyRows(TIFF* from, const TiffPage& page, TIFF* to)
     return TIFFWriteDirectory(to) == 1;
 }
 
-/// A smaller version of another page.
-bool isThumbnail(TIFF* file)
-{
-    std::uint32_t kind = 0;
-    TIFFGetFieldDefaulted(file, TIFFTAG_SUBFILETYPE, &kind);
-    return (kind & FILETYPE_REDUCEDIMAGE) != 0;
-}
-
 }   // namespace
 
 bool looksLikeTiff(std::string_view content)
@@ -142,7 +134,7 @@ core::Result<std::string> strippedTiff(std::string_view tiff, const std::string&
     std::size_t pages = 0;
     std::uint64_t bytes = 0;
     for (bool hasPage = true; hasPage; hasPage = TIFFReadDirectory(from.get()) == 1) {
-        if (isThumbnail(from.get())) {
+        if (isAside(from.get())) {
             continue;
         }
         const auto page = pageOf(from.get());

@@ -1,6 +1,7 @@
 #include "io/raster/read_raster.h"
 
 #include "io/messages/says.h"
+#include "io/raster/picture_orientation.h"
 #include "io/raster/read_jpeg.h"
 #include "io/raster/read_png.h"
 #include "io/raster/read_tiff.h"
@@ -22,6 +23,21 @@ bool isCutShort(std::string_view jpeg)
 {
     const std::size_t end = jpeg.rfind("\xff\xd9");
     return end == std::string_view::npos || end + maxJpegTrailer < jpeg.size();
+}
+
+core::Result<Raster> decode(std::string_view content, const std::string& path)
+{
+    if (content.starts_with(pngStart)) {
+        return readPng(content, path);
+    }
+    if (!content.starts_with(jpegStart)) {
+        return readTiff(path);
+    }
+    if (isCutShort(content)) {
+        return fileError(path, says::imageDamaged());
+    }
+    auto raster = readJpeg(content);
+    return raster ? core::Result<Raster>(std::move(*raster)) : fileError(path, says::imageUnusual());
 }
 
 bool isFinite(const Raster& raster)
@@ -51,16 +67,16 @@ bool looksLikeRaster(std::string_view content)
 core::Result<Raster> readRaster(std::string_view content, const std::string& path)
 {
     quietLibraries();
-    if (content.starts_with(pngStart)) {
-        return readPng(content, path);
+    auto decoded = decode(content, path);
+    if (!decoded) {
+        return decoded;
     }
-    const bool isJpeg = content.starts_with(jpegStart);
-    if (isJpeg && isCutShort(content)) {
-        return fileError(path, says::imageDamaged());
+    Raster raster = std::move(decoded).value();
+    if (const int orientation = exifOrientation(content); orientation > 1) {
+        raster.orientation = orientation;
+        raster.frames.front() = oriented(raster.frames.front(), orientation);
     }
-    auto raster = isJpeg ? readJpeg(content) : readTiff(path);
-    return raster && isFinite(*raster) ? core::Result<Raster>(std::move(*raster))
-                                       : fileError(path, says::imageUnusual());
+    return isFinite(raster) ? core::Result<Raster>(std::move(raster)) : fileError(path, says::imageUnusual());
 }
 
 }   // namespace angiopose::io

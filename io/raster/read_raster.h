@@ -15,6 +15,7 @@ struct Raster {
     bool wasColour = false;   ///< channels differed; their luminance was taken
     bool hadAlpha = false;   ///< transparency was ignored
     bool isFlawed = false;   ///< damaged in part: what could be decoded is there
+    int orientation = 1;   ///< tag of a frame that was turned or mirrored for it; 1: stored as shown
 
     /// Grey of a pixel (Rec. 601), exact where the channels agree; notes where they do not.
     float luminance(float red, float green, float blue);
@@ -23,7 +24,8 @@ struct Raster {
 /// True when the content begins like one of the formats.
 bool looksLikeRaster(std::string_view content);
 
-/// `content` is what `path` holds; the libraries read the path itself.
+/// `content` is what `path` holds; the libraries read the path itself. Frames come as their orientation tag (EXIF,
+/// TIFF) has them shown.
 core::Result<Raster> readRaster(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -1,6 +1,9 @@
 #include "io/raster/read_tiff.h"
 
+#include "io/messages/says.h"
+#include "io/raster/picture_orientation.h"
 #include "io/raster/tiff_page.h"
+#include "io/support/file_error.h"
 
 #include <tiffio.h>
 #include <cstring>
@@ -59,31 +62,40 @@ bool appendPage(TIFF* file, const TiffPage& page, Raster& raster)
         }
     }
     raster.hadAlpha |= page.channels == 2 || page.channels == 4;
+    if (page.orientation != ORIENTATION_TOPLEFT) {
+        raster.orientation = page.orientation;
+        frame = oriented(frame, page.orientation);
+    }
     raster.frames.push_back(std::move(frame));
     return true;
 }
 
 }   // namespace
 
-std::optional<Raster> readTiff(const std::string& path)
+core::Result<Raster> readTiff(const std::string& path)
 {
     const TiffFile file(TIFFOpen(path.c_str(), "r"));
     Raster raster;
     std::size_t pixels = 0;
-    bool hasPage = file != nullptr;
-    while (hasPage) {
-        const auto page = pageOf(file.get());
-        pixels += page ? std::size_t{page->width} * page->height : 0;
-        const bool hasOtherSize = page && !raster.frames.empty() &&
-                                  (static_cast<int>(page->width) != raster.frames.front().width ||
-                                   static_cast<int>(page->height) != raster.frames.front().height);
-        if (!page || !isPicture(*page) || pixels > maxTiffPixels || hasOtherSize ||
-            !appendPage(file.get(), *page, raster)) {
-            return std::nullopt;
+    for (bool hasPage = file != nullptr; hasPage; hasPage = TIFFLastDirectory(file.get()) == 0) {
+        if (pixels > 0 && TIFFReadDirectory(file.get()) != 1) {
+            return fileError(path, says::imageDamaged());
         }
-        hasPage = TIFFReadDirectory(file.get()) == 1;
+        const auto page = pageOf(file.get());
+        pixels += page ? std::size_t{page->width} * page->height : 1;
+        if (isAside(file.get())) {
+            continue;
+        }
+        if (!page || !isPicture(*page) || pixels > maxTiffPixels || !appendPage(file.get(), *page, raster)) {
+            return fileError(path, says::imageUnusual());
+        }
+        const core::ImageF &first = raster.frames.front(), &last = raster.frames.back();
+        if (last.width != first.width || last.height != first.height) {
+            return fileError(
+                path, says::imagePagesDiffer(raster.frames.size(), last.width, last.height, first.width, first.height));
+        }
     }
-    return raster.frames.empty() ? std::nullopt : std::optional(std::move(raster));
+    return raster.frames.empty() ? core::Result<Raster>(fileError(path, says::imageUnusual())) : raster;
 }
 
 }   // namespace angiopose::io

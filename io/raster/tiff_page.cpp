@@ -54,4 +54,12 @@ std::optional<TiffPage> pageOf(TIFF* file)
     return isReadable ? std::optional(page) : std::nullopt;
 }
 
+bool isAside(TIFF* file)
+{
+    std::uint32_t kind = 0;
+    TIFFGetFieldDefaulted(file, TIFFTAG_SUBFILETYPE, &kind);
+    const bool isOnly = TIFFCurrentDirectory(file) == 0 && TIFFLastDirectory(file) != 0;
+    return (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0 && !isOnly;
+}
+
 }   // namespace angiopose::io

@@ -29,4 +29,7 @@ struct TiffPage {
 /// colours or by palette, or where it is larger than any detector.
 std::optional<TiffPage> pageOf(TIFF* file);
 
+/// Whether the page that is open is a smaller version or the mask of another one, not the only page.
+bool isAside(TIFF* file);
+
 }   // namespace angiopose::io
