@@ -15,9 +15,11 @@
 #include "app/messages/says.h"
 #include "io/support/crash_dumps.h"
 #include "io/support/file_limits.h"
+#include "io/support/numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <clocale>
+#include <cmath>
 #include <exception>
 #include <iostream>
 
@@ -26,6 +28,26 @@ using namespace angiopose;
 namespace {
 
 using namespace app;
+
+/// No number of any option may be "nan" or "inf", which CLI11's ranges let through.
+void wantFiniteNumbers(CLI::App& app)
+{
+    const CLI::Validator finite(
+        [](std::string& text) {
+            const auto number = io::parseNumber(text);
+            return number && !std::isfinite(*number) ? text + " is no length, angle or amount. Give a number."
+                                                     : std::string();
+        },
+        "");
+    for (CLI::Option* option : app.get_options()) {
+        if (option->get_type_name().find("FLOAT") != std::string::npos) {
+            option->check(finite);
+        }
+    }
+    for (CLI::App* command : app.get_subcommands({})) {
+        wantFiniteNumbers(*command);
+    }
+}
 
 int parseAndRun(int argc, char** argv)
 {
@@ -61,6 +83,7 @@ int parseAndRun(int argc, char** argv)
     addArchive(app, exitCode);
     addSupportBundle(app, exitCode);
     addAudit(app);
+    wantFiniteNumbers(app);
     app.failure_message(usageHelp);
     try {
         app.parse(asOptions({argv + 1, argv + argc}));
