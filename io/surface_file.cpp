@@ -8,6 +8,7 @@
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
 #include "io/surface/surface_formats.h"
+#include "io/vessel/stated_coordinates.h"
 #include "io/vessel/vtk_lines.h"
 
 #include <algorithm>
@@ -62,17 +63,15 @@ std::optional<core::Message> findProblem(const VtkLines& surface)
 }
 
 /// With a warning where points were left out.
-core::Result<LoadedSurface> surfaceOf(VtkLines surface, double unitMm, const std::string& path,
+core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& rule, const std::string& path,
                                       const ReadObserver& observe)
 {
     LoadedSurface loaded;
+    loaded.warnings = std::move(surface.set.warnings);
+    loaded.warnings.insert(loaded.warnings.begin(), rule.notes.begin(), rule.notes.end());
+    loaded.isUnitStated = rule.isUnitStated;
     core::SurfaceMesh& mesh = loaded.mesh;
-    for (Eigen::Vector3d point : surface.set.points) {
-        if (surface.set.isRas) {
-            point.head<2>() *= -1.0;
-        }
-        mesh.pointsInPatient.emplace_back(point * unitMm);
-    }
+    std::ranges::transform(surface.set.points, std::back_inserter(mesh.pointsInPatient), rule);
     if (const auto problem = findProblem(surface)) {
         return fileError(path, *problem);
     }
@@ -126,9 +125,6 @@ bool isUsualSize(double acrossMm)
 
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, const ReadObserver& observe)
 {
-    if (!std::isfinite(unitMm) || unitMm <= 0.0) {
-        return fileError(path, says::fileWrongUnit());
-    }
     const auto input = openInput(path);
     if (!input) {
         return input.error();
@@ -137,11 +133,11 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
     if (!parsed) {
         return parsed.error();
     }
-    VtkLines surface = std::move(parsed).value();
-    // Slicer notes the axes in the comment of any format.
-    surface.set.isRas =
-        surface.set.isRas || input.value().view().substr(0, 1024).find("SPACE=RAS") != std::string_view::npos;
-    auto whole = surfaceOf(std::move(surface), unitMm, path, observe);
+    const auto rule = coordinateRule(headerText(input.value().view()) + parsed.value().header, unitMm, path);
+    if (!rule) {
+        return rule.error();
+    }
+    auto whole = surfaceOf(std::move(parsed).value(), rule.value(), path, observe);
     if (!whole) {
         return whole.error();
     }

@@ -70,13 +70,14 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
 {
     VesselTreeReadOptions options;
     options.unitMm = input.unitMm;
-    auto tree = readVesselTree(path, options, observe);
-    if (!tree) {
-        return tree.error();
+    auto read = readTree(path, options, observe);
+    if (!read) {
+        return read.error();
     }
     LoadedVessels loaded;
     loaded.input = input;
-    loaded.tree = std::move(tree).value();
+    loaded.warnings = read.value().warnings;
+    loaded.tree = std::move(read).value().tree;
     if (!core::isUsualSize(loaded.tree)) {
         loaded.warnings.push_back(says::vesselsUnusualSize(
             core::Quantity{std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0, core::Quantity::asNeeded, "mm"}));

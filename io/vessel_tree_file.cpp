@@ -6,41 +6,29 @@
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/vessel/markups.h"
+#include "io/vessel/stated_coordinates.h"
 #include "io/vessel/swc.h"
 #include "io/vessel/tree_table.h"
 #include "io/vessel/vtk_lines.h"
 #include "io/vessel/vtp_text.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace angiopose::io {
 namespace {
 
-core::Result<LineSet> parseVtk(std::string_view content, double unitMm, const std::string& path,
-                               const ReadObserver& observe)
-{
-    auto lines = content.starts_with("# vtk DataFile") ? readLegacyVtk(content, path, observe)
-                                                       : readXmlVtk(content, path, observe);
-    if (!lines) {
-        return lines.error();
-    }
-    LineSet set = lineSetOf(std::move(lines).value());
-    for (Eigen::Vector3d& point : set.points) {
-        point *= unitMm;
-    }
-    for (double& radius : set.radius) {
-        radius *= unitMm;
-    }
-    return set;
-}
-
-/// By content where that decides, by extension for plain tables.
-core::Result<LineSet> parseLines(std::string_view content, const std::string& path, double unitMm,
+/// By content where that decides, by extension for plain tables; what the file says in words is added to `header`.
+core::Result<LineSet> parseLines(std::string_view content, const std::string& path, std::string& header,
                                  const ReadObserver& observe)
 {
-    const bool isVtkXml = content.substr(0, 4096).find("<VTKFile") != std::string_view::npos;
-    if (isVtkXml || content.starts_with("# vtk DataFile")) {
-        return parseVtk(content, unitMm, path, observe);
+    const bool isLegacyVtk = content.starts_with("# vtk DataFile");
+    if (isLegacyVtk || content.substr(0, 4096).find("<VTKFile") != std::string_view::npos) {
+        auto lines = isLegacyVtk ? readLegacyVtk(content, path, observe) : readXmlVtk(content, path, observe);
+        if (!lines) {
+            return lines.error();
+        }
+        header += lines.value().header;
+        return lineSetOf(std::move(lines).value());
     }
     const std::string extension = extensionOf(path);
     const auto* found = describeContent(content);
@@ -51,10 +39,10 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
         return fileError(path, says::treeIsOther((*found)()));
     }
     if (extension == ".swc") {
-        return parseSwc(content, unitMm, path);
+        return parseSwc(content, path);
     }
     if (extension == ".csv" || extension == ".txt") {
-        return parseTreeTable(content, unitMm, path);
+        return parseTreeTable(content, path);
     }
     if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
         return fileError(path, says::treeNoVtkBeginning());
@@ -64,21 +52,40 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
 
 }   // namespace
 
-core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options,
-                                              const ReadObserver& observe)
+core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOptions& options,
+                                const ReadObserver& observe)
 {
-    if (!std::isfinite(options.unitMm) || options.unitMm <= 0.0) {
-        return fileError(path, says::fileWrongUnit());
-    }
     const auto input = openInput(path);
     if (!input) {
         return input.error();
     }
-    auto lines = parseLines(input.value().view(), path, options.unitMm, observe);
-    if (!lines) {
-        return lines.error();
+    std::string header = headerText(input.value().view());
+    auto lines = parseLines(input.value().view(), path, header, observe);
+    // Slicer's curves state their unit, and come in mm.
+    const auto rule = coordinateRule(header, extensionOf(path) == ".json" ? 1.0 : options.unitMm, path);
+    if (!lines || !rule) {
+        return lines ? rule.error() : lines.error();
     }
-    return treeFromLines(std::move(lines).value(), path);
+    LineSet set = std::move(lines).value();
+    std::ranges::transform(set.points, set.points.begin(), rule.value());
+    for (double& radius : set.radius) {
+        radius *= rule.value().unitMm;
+    }
+    set.warnings.insert(set.warnings.begin(), rule.value().notes.begin(), rule.value().notes.end());
+    auto tree = treeFromLines(std::move(set), path);
+    if (!tree) {
+        return tree;
+    }
+    ReadTree read = std::move(tree).value();
+    read.isUnitStated = rule.value().isUnitStated;
+    return read;
+}
+
+core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options,
+                                              const ReadObserver& observe)
+{
+    auto read = readTree(path, options, observe);
+    return read ? core::Result<core::VesselTree>(std::move(read).value().tree) : read.error();
 }
 
 core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path)

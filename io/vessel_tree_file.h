@@ -9,13 +9,24 @@
 namespace angiopose::io {
 
 struct VesselTreeReadOptions {
-    double unitMm = 1.0;   ///< length of one unit; Slicer curves say theirs and are left alone
+    double unitMm = 0.0;   ///< length of one unit; 0: what the file states, else 1 mm. Slicer curves keep theirs
+};
+
+/// A tree, and what its reader noticed.
+struct ReadTree {
+    core::VesselTree tree;
+    core::Messages warnings;
+    bool isUnitStated = false;   ///< by the file
 };
 
 /// Centreline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves (FORMATS §4),
 /// patient LPS mm. RAS files are converted, and stretches that several lines share (VMTK) come once, cut at
 /// bifurcations. Branch ids are the file's where they are unique, else 1…n in file order. Fails with file, problem and
 /// remedy.
+core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOptions& options = {},
+                                const ReadObserver& observe = {});
+
+/// The tree alone.
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {},
                                               const ReadObserver& observe = {});
 

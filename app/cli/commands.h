@@ -172,7 +172,7 @@ struct TraceVesselArguments {
     std::string maskPath;   ///< empty: the lumen is not written
     std::string seriesId;
     std::vector<std::string> labels;   ///< numbers or names; empty: those of vessels, or all
-    double unitMm = 1.0;
+    double unitMm = 0.0;   ///< 0: as the file states, else mm
     core::VesselTracingOptions tracing;   ///< its `pieces` counts where there is no seed
     std::vector<Stretch> stretches;   ///< traced instead of everything
     std::string intoPath;   ///< a tree that they are added to; empty: none
@@ -183,7 +183,7 @@ struct ConvertArguments {
     std::string inputPath;
     std::string outputPath;
     std::string seriesId;
-    double unitMm = 1.0;
+    double unitMm = 0.0;   ///< 0: as the file states, else mm
     double spacingMm = 0.0;   ///< of the voxels a surface is filled with; 0: chosen by its size
     std::shared_ptr<DeidentifyArguments> identity;
 };

@@ -121,9 +121,10 @@ Status convertCurves(const ConvertArguments& arguments)
 {
     io::VesselTreeReadOptions options;
     options.unitMm = arguments.unitMm;
-    const auto tree = io::readVesselTree(arguments.inputPath, options);
+    const auto tree = io::readTree(arguments.inputPath, options);
     if (tree) {
-        return io::writeVesselTree(tree.value(), arguments.outputPath);
+        printWarnings(tree.value().warnings);
+        return io::writeVesselTree(tree.value().tree, arguments.outputPath);
     }
     const bool mayBeFlat = endsWith(arguments.inputPath, {".csv", ".png"}) && endsWith(arguments.outputPath, {".csv"});
     const auto flat =

@@ -77,6 +77,17 @@ Json treeJson(const core::VesselTree& tree)
             {"branches", branches}};
 }
 
+core::Result<Json> treeFileJson(const std::string& path)
+{
+    const auto read = io::readTree(path);
+    if (!read) {
+        return read.error();
+    }
+    Json json = treeJson(read.value().tree);
+    addWarnings(json, read.value().warnings);
+    return json;
+}
+
 Json resultJson(const core::RegistrationResult& result)
 {
     Json json{{"method", result.method},
@@ -162,16 +173,15 @@ core::Result<Json> poseOrTreeJson(const std::string& path, const std::string& ex
     if (extension != ".json") {
         return pose.error();
     }
-    const auto tree = io::readVesselTree(path);
-    return tree ? core::Result<Json>(treeJson(tree.value())) : tree.error();
+    return treeFileJson(path);
 }
 
 /// Lines, or polygons, or a table in two dimensions.
 core::Result<Json> curvesOrSurfaceJson(const std::string& path, const std::string& extension)
 {
-    const auto tree = io::readVesselTree(path);
+    auto tree = treeFileJson(path);
     if (tree) {
-        return treeJson(tree.value());
+        return tree;
     }
     if (extension == ".csv") {
         const auto curves = io::readCenterline2d(path);

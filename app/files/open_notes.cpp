@@ -34,7 +34,7 @@ QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
     for (const core::Message& warning : inputs.warnings) {
         notes << ui::messageText(warning);
     }
-    if (!inputs.wholeCase && inputs.vesselInput.unitMm != 1.0) {
+    if (!inputs.wholeCase && inputs.vesselInput.unitMm > 0.0) {
         notes << NoteWords::tr("One unit of the file is %1 mm, as you chose.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }

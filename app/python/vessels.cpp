@@ -99,8 +99,9 @@ void bindVessels(py::module_& module)
     bindCenterline(module);
     module.def(
         "readVesselTree", [](const Path& path, double unitMm) { return readVesselTree(path.string(), unitMm); },
-        py::arg("path"), py::arg("unitMm") = 1.0,
-        "From VTP/VTU, legacy VTK, CSV, SWC or Slicer curves; `unitMm` is the length of one unit of the file.");
+        py::arg("path"), py::arg("unitMm") = 0.0,
+        "From VTP/VTU, legacy VTK, CSV, SWC or Slicer curves; `unitMm` is the length of one unit of the file, "
+        "0: as it states, else mm.");
     module.def(
         "writeVesselTree", [](const VesselTree& tree, const Path& path) { writeVesselTree(tree, path.string()); },
         py::arg("tree"), py::arg("path"), "To .vtp, .csv, .swc or .mrk.json (without radii), by the extension.");

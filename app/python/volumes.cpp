@@ -155,12 +155,13 @@ void bindOptionsOfTracing(py::module_& module)
                          const VesselTracingOptions& tracing) {
                  return VesselReadOptions{labels, seriesId, unitMm, tracing};
              }),
-             py::kw_only(), py::arg("labels") = std::vector<int>(), py::arg("seriesId") = "", py::arg("unitMm") = 1.0,
+             py::kw_only(), py::arg("labels") = std::vector<int>(), py::arg("seriesId") = "", py::arg("unitMm") = 0.0,
              py::arg_v("tracing", VesselTracingOptions(), "VesselTracingOptions()"))
         .def_property("labels", asTuple<&VesselReadOptions::labels>(), assign<&VesselReadOptions::labels>(),
                       "of a label image: those that are vessels; none: all")
         .def_readwrite("seriesId", &VesselReadOptions::seriesId, "of a DICOM folder with several series")
-        .def_readwrite("unitMm", &VesselReadOptions::unitMm, "of a surface or centrelines: the length of one unit")
+        .def_readwrite("unitMm", &VesselReadOptions::unitMm,
+                       "of a surface or centrelines: the length of one unit; 0: as the file states, else mm")
         .def_readwrite("tracing", &VesselReadOptions::tracing, "its attributes can be set");
 }
 

@@ -59,7 +59,7 @@ core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string
 {
     TextCursor cursor(content);
     cursor.line();
-    const std::string title = lowered(cursor.line());
+    cursor.line();   // the title
     const std::string coding = lowered(cursor.word());
     if (coding != "ascii" && coding != "binary") {
         return fileError(path, says::vtkThirdLine());
@@ -71,15 +71,9 @@ core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string
         return fileError(path,
                          kind.empty() ? says::vtkNoDataSet() : says::vtkOtherDataSet(std::string(name.substr(0, 40))));
     }
-    auto lines = readByVtk(kind, path, observe, [](const std::string& section) {
+    return readByVtk(kind, path, observe, [](const std::string& section) {
         return says::vtkSectionDamaged(section.empty() ? "DATASET" : section);
     });
-    if (!lines) {
-        return lines;
-    }
-    VtkLines turned = std::move(lines).value();
-    turned.set.isRas |= title.find("space=ras") != std::string::npos;   // Slicer notes it in the title
-    return turned;
 }
 
 core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& path, const ReadObserver& observe)

@@ -11,12 +11,12 @@ void eachField(Lines& lines, const Use& use)
 {
     use(lines.set.points);
     use(lines.set.lines);
-    use(lines.set.isRas);
     use(lines.set.hasSurface);
     use(lines.cellOfLine);
     use(lines.pointArrays);
     use(lines.cellArrays);
     use(lines.cellNames);
+    use(lines.header);
     use(lines.triangles);
 }
 

@@ -62,15 +62,15 @@ std::optional<double> doubtfulUnitsAcross(const std::string& path, core::VesselI
 {
     if (kind == core::VesselInputKind::Surface) {
         const auto surface = readSurface(path);
-        const bool isDoubtful = surface && !isUsualSize(surface.value().acrossMm);
+        const bool isDoubtful = surface && !surface.value().isUnitStated && !isUsualSize(surface.value().acrossMm);
         return isDoubtful ? std::optional(surface.value().acrossMm) : std::nullopt;
     }
     if (kind != core::VesselInputKind::Centerline || extensionOf(path) == ".json") {
         return std::nullopt;
     }
-    const auto tree = readVesselTree(path);
-    const bool isDoubtful = tree && !core::isUsualSize(tree.value());
-    return isDoubtful ? std::optional(core::acrossMm(tree.value())) : std::nullopt;
+    const auto read = readTree(path);
+    const bool isDoubtful = read && !read.value().isUnitStated && !core::isUsualSize(read.value().tree);
+    return isDoubtful ? std::optional(core::acrossMm(read.value().tree)) : std::nullopt;
 }
 
 /// How the vessels are read that the hints say nothing else of.
@@ -79,7 +79,7 @@ core::VesselInput inputOf(core::VesselInputKind kind, const OpenHints& hints, co
     core::VesselInput input;
     input.kind = kind;
     input.seriesId = seriesId;
-    input.unitMm = hints.unitMm.value_or(1.0);
+    input.unitMm = hints.unitMm.value_or(0.0);
     return input;
 }
 

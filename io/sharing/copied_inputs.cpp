@@ -201,14 +201,14 @@ private:
             VesselTreeReadOptions options;
             options.unitMm = vessels.input.unitMm;
             const auto tree = readVesselTree(path, options);
-            vessels.input.unitMm = 1.0;
+            vessels.input.unitMm = 0.0;
             add({says::branchNamesStay()});
             const std::string place = placeFor("vessels.vtp");
             return tree ? end(writeVesselTree(tree.value(), place), place) : core::Result<std::string>(tree.error());
         }
         if (vessels.input.kind == VesselInputKind::Surface) {
             const auto surface = readSurface(path, vessels.input.unitMm);
-            vessels.input.unitMm = 1.0;
+            vessels.input.unitMm = 0.0;
             const std::string place = placeFor("vessels.stl");
             return surface ? end(writeSurface(surface.value().mesh, place), place)
                            : core::Result<std::string>(surface.error());

@@ -1,5 +1,6 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
+#include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
 #include "io/surface/surface_formats.h"
 
@@ -18,6 +19,19 @@ std::uint32_t declaredTriangles(std::string_view content)
     std::uint32_t count = 0;
     std::memcpy(&count, content.data() + 80, sizeof count);
     return count;
+}
+
+/// How many the bytes have room for.
+std::size_t heldTriangles(std::string_view content)
+{
+    return (content.size() - headSize) / triangleSize;
+}
+
+/// Binary files may begin with "solid" too, but have zeros in what would be text.
+bool isText(std::string_view content)
+{
+    const std::string head = lowered(content.substr(0, 512));
+    return head.find("solid") != std::string::npos && head.find('\0') == std::string::npos;
 }
 
 VtkLines parseBinary(std::string_view content)
@@ -40,8 +54,11 @@ VtkLines parseBinary(std::string_view content)
 std::optional<VtkLines> parseText(std::string_view content)
 {
     VtkLines surface;
+    bool hasEnd = false;
     for (TextCursor cursor(content); !cursor.isAtEnd();) {
-        if (const auto word = cursor.word(); word != "vertex" && word != "VERTEX") {
+        const std::string word = lowered(cursor.word());
+        hasEnd = word == "endsolid" || (hasEnd && word != "solid" && word != "facet");
+        if (word != "vertex") {
             continue;
         }
         const auto point = cursor.point();
@@ -54,6 +71,9 @@ std::optional<VtkLines> parseText(std::string_view content)
             surface.triangles.push_back({count - 3, count - 2, count - 1});
         }
     }
+    if (!hasEnd) {
+        surface.set.warnings.push_back(says::stlWithoutEnd(surface.triangles.size()));
+    }
     return surface.set.points.size() % 3 == 0 ? std::optional(std::move(surface)) : std::nullopt;
 }
 
@@ -61,18 +81,27 @@ std::optional<VtkLines> parseText(std::string_view content)
 
 bool looksLikeBinaryStl(std::string_view content)
 {
-    return content.size() >= headSize && content.size() - headSize >= declaredTriangles(content) * triangleSize &&
-           content.size() - headSize <= (declaredTriangles(content) + std::size_t{1}) * triangleSize;
+    return content.size() >= headSize && !isText(content) && heldTriangles(content) >= declaredTriangles(content);
 }
 
 core::Result<VtkLines> parseStl(std::string_view content, const std::string& path)
 {
-    if (looksLikeBinaryStl(content)) {
-        return parseBinary(content);
+    if (isText(content)) {
+        auto surface = parseText(content);
+        return surface ? core::Result<VtkLines>(std::move(*surface)) : fileError(path, says::surfaceCutShort());
     }
-    const bool isText = content.substr(0, 512).find("solid") != std::string_view::npos;
-    auto surface = isText ? parseText(content) : std::nullopt;
-    return surface ? core::Result<VtkLines>(std::move(*surface)) : fileError(path, says::surfaceCutShort());
+    if (content.size() < headSize) {
+        return fileError(path, says::surfaceCutShort());
+    }
+    const std::size_t declared = declaredTriangles(content), held = heldTriangles(content);
+    if (declared > held || (declared == 0 && held > 0)) {
+        return fileError(path, says::stlTooFew(declared, held));
+    }
+    VtkLines surface = parseBinary(content);
+    if (held > declared) {
+        surface.set.warnings.push_back(says::stlTooMany(declared, held));
+    }
+    return surface;
 }
 
 }   // namespace angiopose::io

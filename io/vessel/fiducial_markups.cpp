@@ -2,6 +2,7 @@
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/vessel/fiducial_table.h"
+#include "io/vessel/markup_points.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,20 +12,12 @@ namespace {
 
 using MarkupJson = nlohmann::ordered_json;
 
-void appendFiducials(const MarkupJson& markup, bool isRas, std::vector<Fiducial>& fiducials)
+void appendFiducials(const MarkupJson& markup, const CoordinateRule& rule, std::vector<Fiducial>& fiducials)
 {
     for (const MarkupJson& control : markup.at("controlPoints")) {
-        if (control.value("positionStatus", "defined") != "defined") {
-            continue;
+        if (const auto point = placedPoint(control, rule)) {
+            fiducials.push_back({*point, control.value("label", ""), control.value("description", "")});
         }
-        const auto position = control.at("position").get<std::vector<double>>();
-        Fiducial fiducial{{position.at(0), position.at(1), position.at(2)},
-                          control.value("label", ""),
-                          control.value("description", "")};
-        if (isRas) {
-            fiducial.pointInPatient.head<2>() *= -1.0;
-        }
-        fiducials.push_back(std::move(fiducial));
     }
 }
 
@@ -42,11 +35,11 @@ core::Result<std::vector<Fiducial>> parseFiducialMarkups(std::string_view json, 
             if (markup.value("type", "") != "Fiducial") {
                 continue;
             }
-            const std::string system = markup.value("coordinateSystem", "LPS");
-            if ((system != "LPS" && system != "RAS") || markup.value("coordinateUnits", "mm") != "mm") {
-                return fileError(path, says::fiducialsSystem(system.substr(0, 20)));
+            const auto rule = ruleOf(markup, path);
+            if (!rule) {
+                return rule.error();
             }
-            appendFiducials(markup, system == "RAS", fiducials);
+            appendFiducials(markup, rule.value(), fiducials);
         }
     } catch (const std::exception&) {   // missing keys, wrong kinds, too few coordinates
         fiducials.clear();
@@ -66,12 +59,7 @@ std::string fiducialMarkups(const std::vector<Fiducial>& fiducials)
                                            {"position", {point.x(), point.y(), point.z()}},
                                            {"positionStatus", "defined"}});
     }
-    MarkupJson root;
-    root["@schema"] =
-        "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
-        "markups-schema-v1.0.3.json#";
-    root["markups"] = MarkupJson::array({std::move(markup)});
-    return prettyJson(root.dump(-1, ' ', false, MarkupJson::error_handler_t::replace));
+    return markupsFile(MarkupJson::array({std::move(markup)}));
 }
 
 }   // namespace angiopose::io

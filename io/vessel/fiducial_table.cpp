@@ -58,10 +58,10 @@ std::optional<std::string> readComment(std::string_view line, FiducialLayout& la
     if (equals == std::string_view::npos) {
         return std::nullopt;
     }
-    const std::string_view value = trimmed(line.substr(equals + 1));
+    const std::string value = lowered(trimmed(line.substr(equals + 1)));
     if (line.find("CoordinateSystem") < equals) {
-        layout.isRas = value == "0" || value == "RAS";
-        return layout.isRas || value == "1" || value == "LPS" ? std::nullopt : std::optional(std::string(value));
+        layout.isRas = value == "0" || value == "ras";
+        return layout.isRas || value == "1" || value == "lps" ? std::nullopt : std::optional(value);
     }
     if (line.find("columns") < equals) {
         readColumns(value, layout);

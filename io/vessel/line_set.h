@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "core/vessel/vessel_tree.h"
+#include "io/vessel_tree_file.h"
 
 #include <Eigen/Core>
 #include <set>
@@ -18,8 +18,8 @@ struct LineSet {
     std::vector<std::vector<std::size_t>> lines;   ///< indices into `points`
     std::vector<int> ids;   ///< one per line, may repeat; or empty
     std::vector<std::string> names;   ///< one per line, or empty
+    core::Messages warnings;
     std::set<std::size_t> meetings;   ///< points that end branches, though no more than two lines may meet there
-    bool isRas = false;   ///< +x right, +y anterior; otherwise LPS
     bool hasSurface = false;   ///< polygons were there too
 };
 
@@ -27,9 +27,9 @@ struct LineSet {
 inline constexpr std::size_t maxCenterlinePoints = 200'000;
 inline constexpr std::size_t maxCenterlineBranches = 5'000;
 
-/// Branches of a line set: LPS, two-point segments chained, shared trunks once, ids kept where they are unique.
-/// Fails on indices out of range, NaN, no lines, or what findProblem(tree) says.
-core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path);
+/// Branches of a line set in LPS mm: lines that leap cut or turned round, two-point segments chained, shared trunks
+/// once, ids kept where they are unique. Fails on indices out of range, NaN, no lines, or what findProblem(tree) says.
+core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path);
 
 /// Joins segments of two points into the longest runs without a bifurcation or meeting; longer lines stay as they are.
 /// Lines of different ids or names are never joined.

@@ -3,6 +3,7 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
+#include "io/vessel/markup_points.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,24 +18,22 @@ bool isCurve(const Json& markup)
     return type == "Curve" || type == "ClosedCurve" || type == "Line";
 }
 
-void appendCurve(const Json& markup, LineSet& set)
+/// Returns how many of its points are not placed.
+std::size_t appendCurve(const Json& markup, const CoordinateRule& rule, LineSet& set)
 {
-    const bool isRas = markup.value("coordinateSystem", "LPS") == "RAS";
     std::vector<std::size_t> line;
+    std::size_t notPlaced = 0;
     for (const Json& control : markup.at("controlPoints")) {
-        if (control.value("positionStatus", "defined") != "defined") {
-            continue;
+        if (const auto point = placedPoint(control, rule)) {
+            line.push_back(set.points.size());
+            set.points.push_back(*point);
+        } else {
+            ++notPlaced;
         }
-        const auto position = control.at("position").get<std::vector<double>>();
-        Eigen::Vector3d point(position.at(0), position.at(1), position.at(2));
-        if (isRas) {
-            point.head<2>() = -point.head<2>();
-        }
-        line.push_back(set.points.size());
-        set.points.push_back(point);
     }
     set.lines.push_back(std::move(line));
     set.names.push_back(markup.value("name", ""));
+    return notPlaced;
 }
 
 }   // namespace
@@ -47,14 +46,18 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
     try {
         const Json root = Json::parse(json);
         LineSet set;
+        std::size_t notPlaced = 0;
         for (const Json& markup : root.at("markups")) {
-            const std::string unit = markup.value("coordinateUnits", "mm");
-            if (isCurve(markup) && unit != "mm") {
-                return fileError(path, says::markupsUnit(unit.substr(0, 20)));
-            }
             if (isCurve(markup)) {
-                appendCurve(markup, set);
+                const auto rule = ruleOf(markup, path);
+                if (!rule) {
+                    return rule.error();
+                }
+                notPlaced += appendCurve(markup, rule.value(), set);
             }
+        }
+        if (notPlaced > 0) {
+            set.warnings.push_back(says::markupsNotPlaced(notPlaced));
         }
         return set;
     } catch (const std::exception&) {   // missing keys, wrong kinds, too few coordinates
@@ -64,11 +67,7 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
 
 std::string markupsText(const core::VesselTree& tree)
 {
-    Json root;
-    root["@schema"] =
-        "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
-        "markups-schema-v1.0.3.json#";
-    root["markups"] = Json::array();
+    Json markups = Json::array();
     for (const core::VesselBranch& branch : tree.branches) {
         Json curve;
         curve["type"] = "Curve";
@@ -82,9 +81,9 @@ std::string markupsText(const core::VesselTree& tree)
                                               {"position", {point.x(), point.y(), point.z()}},
                                               {"positionStatus", "defined"}});
         }
-        root["markups"].push_back(std::move(curve));
+        markups.push_back(std::move(curve));
     }
-    return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
+    return markupsFile(std::move(markups));
 }
 
 }   // namespace angiopose::io

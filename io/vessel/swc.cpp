@@ -192,7 +192,7 @@ private:
 
 }   // namespace
 
-core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::string& path)
+core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
 {
     LineSet set;
     const bool saysMeetings = text.substr(0, text.find('\n')).find(meetingNote) != std::string_view::npos;
@@ -209,8 +209,8 @@ core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::
         if (saysMeetings && (*row)[1] == meetingType) {
             set.meetings.insert(set.points.size());
         }
-        set.points.emplace_back(unitMm * (*row)[2], unitMm * (*row)[3], unitMm * (*row)[4]);
-        set.radius.push_back(unitMm * (*row)[5]);
+        set.points.emplace_back((*row)[2], (*row)[3], (*row)[4]);
+        set.radius.push_back((*row)[5]);
         parents.emplace_back(static_cast<long>((*row)[6]), lines.number());
     }
     for (std::size_t i = 0; i < parents.size(); ++i) {

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// SWC rows `id type x y z radius parent` as segments between points; lengths times `unitMm`.
-core::Result<LineSet> parseSwc(std::string_view text, double unitMm, const std::string& path);
+/// SWC rows `id type x y z radius parent` as segments between points.
+core::Result<LineSet> parseSwc(std::string_view text, const std::string& path);
 
 /// A tree as SWC rows, in mm, type 5 where branches meet, else 0 (undefined). SWC knows parents only: a branch whose
 /// first or last point lies within 1.5 mm of what is written before it hangs there; branches that begin together where

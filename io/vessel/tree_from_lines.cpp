@@ -40,11 +40,7 @@ VesselBranch branchOf(const LineSet& set, std::size_t line)
     VesselBranch branch;
     branch.name = set.names.empty() ? std::string() : branchName(set.names[line]);
     for (const std::size_t index : set.lines[line]) {
-        Eigen::Vector3d point = set.points[index];
-        if (set.isRas) {
-            point.head<2>() = -point.head<2>();
-        }
-        branch.pointsInPatient.push_back(point);
+        branch.pointsInPatient.push_back(set.points[index]);
         if (!set.radius.empty()) {
             branch.radiusMm.push_back(set.radius[index]);
         }
@@ -55,6 +51,87 @@ VesselBranch branchOf(const LineSet& set, std::size_t line)
         branch.radiusMm.clear();
     }
     return branch;
+}
+
+double stepMm(const LineSet& set, const std::vector<std::size_t>& line, std::size_t next)
+{
+    return (set.points[line[next]] - set.points[line[next - 1]]).norm();
+}
+
+/// Steps of a line that are a leap, judged by its usual one; by the index of the point they lead to.
+struct Leaps {
+    std::vector<std::size_t> at;
+    double usualMm = 0.0;
+    double longestMm = 0.0;
+};
+
+Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
+{
+    constexpr double shortestLeapMm = 5.0, leapSteps = 10.0;
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        steps.push_back(stepMm(set, line, i));
+        if (!std::isfinite(steps.back())) {   // said later
+            return {};
+        }
+    }
+    Leaps leaps;
+    if (steps.size() > 1) {
+        const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+        std::nth_element(steps.begin(), middle, steps.end());
+        leaps.usualMm = *middle;
+    }
+    for (std::size_t i = 1; i < line.size() && steps.size() > 1; ++i) {
+        if (const double step = stepMm(set, line, i); step > std::max(shortestLeapMm, leapSteps * leaps.usualMm)) {
+            leaps.at.push_back(i);
+            leaps.longestMm = std::max(leaps.longestMm, step);
+        }
+    }
+    return leaps;
+}
+
+/// A line whose beginning stands behind its end is turned round; others are cut where they leap, since they join what
+/// does not belong together. Segments of two points are what the file says.
+void mendLeaps(LineSet& set)
+{
+    constexpr double joiningSteps = 3.0;
+    LineSet mended;
+    std::size_t turned = 0, cuts = 0;
+    double longestMm = 0.0;
+    for (std::size_t k = 0; k < set.lines.size(); ++k) {
+        std::vector<std::size_t>& line = set.lines[k];
+        Leaps leaps = leapsOf(set, line);
+        if (leaps.at.size() == 1 &&
+            (set.points[line.back()] - set.points[line.front()]).norm() <= joiningSteps * leaps.usualMm) {
+            std::ranges::rotate(line, line.begin() + static_cast<std::ptrdiff_t>(leaps.at.front()));
+            leaps.at.clear();
+            ++turned;
+        }
+        cuts += leaps.at.size();
+        longestMm = leaps.at.empty() ? longestMm : std::max(longestMm, leaps.longestMm);
+        leaps.at.push_back(line.size());
+        std::size_t first = 0;
+        for (const std::size_t end : leaps.at) {
+            mended.lines.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(first),
+                                      line.begin() + static_cast<std::ptrdiff_t>(end));
+            if (!set.ids.empty()) {
+                mended.ids.push_back(set.ids[k]);
+            }
+            if (!set.names.empty()) {
+                mended.names.push_back(set.names[k]);
+            }
+            first = end;
+        }
+    }
+    set.lines = std::move(mended.lines);
+    set.ids = std::move(mended.ids);
+    set.names = std::move(mended.names);
+    if (turned > 0) {
+        set.warnings.push_back(says::treeTurnedRound(turned));
+    }
+    if (cuts > 0) {
+        set.warnings.push_back(says::treeLeaps(cuts, core::Quantity{longestMm, 1, "mm"}));
+    }
 }
 
 /// The file's ids where each names one branch, otherwise 1…n in file order.
@@ -79,11 +156,12 @@ std::string branchName(std::string_view text)
     return std::string(trimmed(name));
 }
 
-core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& path)
+core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path)
 {
     if (const auto damage = findDamage(set)) {
         return fileError(path, *damage);
     }
+    mendLeaps(set);
     set = chainSegments(set);
     core::VesselTree tree;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
@@ -111,7 +189,7 @@ core::Result<core::VesselTree> treeFromLines(LineSet set, const std::string& pat
     if (const auto problem = core::findProblem(tree)) {
         return fileError(path, *problem);
     }
-    return tree;
+    return ReadTree{std::move(tree), std::move(set.warnings)};
 }
 
 }   // namespace angiopose::io

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace angiopose::io {
@@ -71,34 +70,11 @@ core::Result<TreeRow> parseRow(const CsvTable& table, std::size_t row, const Tre
     return content;
 }
 
-/// Points far from their predecessor, judged by the branch's own spacing.
-std::vector<bool> leapsOf(const LineSet& set, const std::vector<int>& ids)
-{
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < set.points.size(); ++i) {
-        if (ids[i] == ids[i - 1]) {
-            steps.push_back((set.points[i] - set.points[i - 1]).norm());
-        }
-    }
-    std::vector<bool> leaps(set.points.size(), false);
-    if (steps.empty()) {
-        return leaps;
-    }
-    std::vector<double> sorted = steps;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    const double limit = std::max(5.0, 10.0 * sorted[sorted.size() / 2]);
-    for (std::size_t i = 1; i < set.points.size(); ++i) {
-        leaps[i] = ids[i] == ids[i - 1] && (set.points[i] - set.points[i - 1]).norm() > limit;
-    }
-    return leaps;
-}
-
 /// Consecutive rows of one branch become a line; a branch id that returns later starts another line.
 void joinRows(LineSet& set, const std::vector<int>& ids, const std::vector<std::string>& labels, bool hasIds)
 {
-    const std::vector<bool> leaps = leapsOf(set, ids);
     for (std::size_t i = 0; i < set.points.size(); ++i) {
-        if (i == 0 || ids[i] != ids[i - 1] || leaps[i]) {
+        if (i == 0 || ids[i] != ids[i - 1]) {
             set.lines.emplace_back();
             set.names.push_back(labels[i]);
             if (hasIds) {
@@ -128,7 +104,7 @@ bool isTreeTable(std::string_view head)
     return table.hasHeader ? table.column("z").has_value() : !table.rows.empty() && table.rows.front().size() == 3;
 }
 
-core::Result<LineSet> parseTreeTable(std::string_view text, double unitMm, const std::string& path)
+core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path)
 {
     const auto parsed = parseCsv(text, path);
     if (!parsed) {
@@ -148,9 +124,9 @@ core::Result<LineSet> parseTreeTable(std::string_view text, double unitMm, const
             return parsedRow.error();
         }
         TreeRow content = std::move(parsedRow).value();
-        set.points.emplace_back(unitMm * content.point);
+        set.points.emplace_back(content.point);
         if (columns.value().radius) {
-            set.radius.push_back(unitMm * content.radius);
+            set.radius.push_back(content.radius);
         }
         ids.push_back(content.branch);
         labels.push_back(std::move(content.label));

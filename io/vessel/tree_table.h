@@ -7,9 +7,8 @@
 namespace angiopose::io {
 
 /// CSV `x,y,z[,radius][,branch][,label]` (mm, LPS), columns in any order; three bare columns of numbers are x, y, z.
-/// Rows of one branch follow each other along it; a leap of more than 5 mm and ten usual steps starts a new branch.
-/// Lengths times `unitMm`.
-core::Result<LineSet> parseTreeTable(std::string_view text, double unitMm, const std::string& path);
+/// Rows of one branch follow each other along it.
+core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path);
 
 /// Whether a table that begins so is one of points in space: it names a column z, or has three bare columns of numbers.
 bool isTreeTable(std::string_view head);

@@ -24,6 +24,7 @@ struct VtkLines {
     std::map<std::string, std::vector<double>> pointArrays;   ///< one-component arrays by name
     std::map<std::string, std::vector<double>> cellArrays;
     std::vector<std::string> cellNames;   ///< of all cells, or empty
+    std::string header;   ///< field data that say something in words, "name = words", a line each
     std::vector<Triangle> triangles;   ///< of triangles, quads, polygons and strips: a surface
 };
 

@@ -9,6 +9,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVariant.h>
 #include <algorithm>
 #include <limits>
 
@@ -115,17 +116,19 @@ std::map<std::string, std::vector<double>> scalarArrays(vtkFieldData* data)
     return arrays;
 }
 
-/// Slicer notes the axes in field data.
-bool saysRas(vtkFieldData* data)
+/// Slicer notes the axes there, others their unit.
+std::string headerIn(vtkFieldData* data)
 {
+    constexpr std::size_t longest = 80;
+    std::string header;
     for (int i = 0; i < data->GetNumberOfArrays(); ++i) {
-        auto* texts = vtkStringArray::SafeDownCast(data->GetAbstractArray(i));
-        if (texts && texts->GetName() && std::string_view(texts->GetName()).starts_with("S") &&
-            texts->GetNumberOfValues() > 0 && texts->GetValue(0).find("RAS") != std::string::npos) {
-            return true;
+        vtkAbstractArray* array = data->GetAbstractArray(i);
+        if (array && array->GetName() && array->GetNumberOfValues() > 0 && header.size() < 50 * longest) {
+            header += std::string(array->GetName()).substr(0, longest) + " = " +
+                      std::string(array->GetVariantValue(0).ToString()).substr(0, longest) + "\n";
         }
     }
-    return false;
+    return header;
 }
 
 }   // namespace
@@ -149,7 +152,7 @@ std::optional<VtkLines> linesOf(vtkPointSet* data)
             lines.cellNames.push_back(names->GetValue(i));
         }
     }
-    lines.set.isRas = saysRas(data->GetFieldData());
+    lines.header = headerIn(data->GetFieldData());
     return lines;
 }
 

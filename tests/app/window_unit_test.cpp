@@ -68,7 +68,7 @@ TEST(WindowUnit, IsMillimetresWhereThatIsUsual)
     w.drop({writeTube(folder, 240.0, 4.0)});
     EXPECT_TRUE(w.dialogs("unitQuestion").isEmpty());
     ASSERT_TRUE(w.current().vessels.tree);
-    EXPECT_EQ(w.current().vessels.input.unitMm, 1.0);
+    EXPECT_EQ(w.current().vessels.input.unitMm, 0.0) << "nobody chose it";
 }
 
 TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)

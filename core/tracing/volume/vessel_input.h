@@ -15,7 +15,7 @@ struct VesselInput {
     VesselInputKind kind = VesselInputKind::Centerline;
     std::string seriesId;   ///< of a volume in a DICOM folder: which series; empty: the only one
     std::vector<int> labels;   ///< of a segmentation: the labels that are vessels; empty: all
-    double unitMm = 1.0;   ///< of a surface or centrelines: length of one unit
+    double unitMm = 0.0;   ///< of a surface or centrelines: length of one unit; 0: as the file states, else mm
     VesselTracingOptions tracing;
 
     bool operator==(const VesselInput&) const = default;

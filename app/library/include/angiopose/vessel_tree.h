@@ -35,8 +35,9 @@ struct Centerline2d {
     std::vector<double> radiusPx;   ///< M, or empty; NaN along a curve whose radii are not known
 };
 
-/// From VTP/VTU, legacy VTK, CSV, SWC or Slicer curves. `unitMm` is the length of one unit of the file.
-ANGIOPOSE_EXPORT VesselTree readVesselTree(const std::string& path, double unitMm = 1.0);
+/// From VTP/VTU, legacy VTK, CSV, SWC or Slicer curves. `unitMm` is the length of one unit of the file; 0: as the
+/// file states, else mm.
+ANGIOPOSE_EXPORT VesselTree readVesselTree(const std::string& path, double unitMm = 0.0);
 
 /// To .vtp, .csv, .swc or .mrk.json (without radii), by the extension.
 ANGIOPOSE_EXPORT void writeVesselTree(const VesselTree& tree, const std::string& path);

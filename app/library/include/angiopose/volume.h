@@ -102,7 +102,7 @@ ANGIOPOSE_EXPORT TracedVessels traceMask(std::span<const std::uint8_t> mask, con
 struct VesselReadOptions {
     std::vector<int> labels;   ///< of a label image: those that are vessels; none: all
     std::string seriesId;   ///< of a DICOM folder with several series
-    double unitMm = 1.0;   ///< of a surface or centrelines: the length of one unit
+    double unitMm = 0.0;   ///< of a surface or centrelines: the length of one unit; 0: as the file states, else mm
     VesselTracingOptions tracing;
 };
 
