@@ -90,7 +90,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, FullestFram
         result.warnings.push_back(says::pictureIsMask());
     }
     if (result.frames.size() > 1 && fullest == FullestFrame::Sought) {
-        result.suggestedFrame = core::suggestFrame(result.frames, result.polarity);
+        result.suggestedFrame = core::suggestFrame(result.frames, result.polarity, result.shutter);
     }
     return result;
 }

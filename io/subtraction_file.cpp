@@ -13,6 +13,7 @@ constexpr DicomTag tidOffset = 0x00286120;
 constexpr DicomTag maskFrameNumbers = 0x00286110;
 constexpr DicomTag maskSubPixelShift = 0x00286114;
 constexpr DicomTag pixelIntensityRelationship = 0x00281040;
+constexpr DicomTag recommendedViewingMode = 0x00281090;
 
 /// True when the item says how to subtract.
 bool readMask(const DicomDataset& item, core::SubtractionPlan& plan)
@@ -55,17 +56,30 @@ core::SubtractionPlan planOf(const DicomDataset& data)
 
 }   // namespace
 
-core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path)
+core::Result<core::RunTreatment> readTreatment(const std::string& path)
 {
     const auto input = openInput(path);
     if (!input) {
         return input.error();
     }
     if (!looksLikeDicom(input.value().view())) {
-        return core::SubtractionPlan{};
+        return core::RunTreatment{};
     }
     const auto file = parseDicom(input.value().view(), path);
-    return file ? core::Result<core::SubtractionPlan>(planOf(file.value().dataset)) : file.error();
+    if (!file) {
+        return file.error();
+    }
+    const DicomDataset& data = file.value().dataset;
+    core::RunTreatment treatment{.plan = planOf(data)};
+    treatment.isSubtracted =
+        (!treatment.plan.maskFrames.empty() || treatment.plan.interval) && data.text(recommendedViewingMode) != "NAT";
+    return treatment;
+}
+
+core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path)
+{
+    const auto treatment = readTreatment(path);
+    return treatment ? core::Result<core::SubtractionPlan>(treatment.value().plan) : treatment.error();
 }
 
 }   // namespace angiopose::io

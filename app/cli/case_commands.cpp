@@ -2,6 +2,7 @@
 
 #include "app/cli/case_or_result.h"
 #include "app/cli/commands.h"
+#include "app/cli/frame_option.h"
 #include "app/cli/method_list.h"
 #include "core/registration/options/option_fields.h"
 #include "io/case/case_settings.h"
@@ -54,7 +55,7 @@ void addRegister(CLI::App& app, int& exitCode)
     command->add_option("--exclude", arguments->excludedBranchIds, "Branches left out, e.g. 7,9")->delimiter(',');
     command->add_option("--lock", arguments->locks, "What stays as it is, of " + core::poseAxisIds() + ", or none")
         ->delimiter(',');
-    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_option("--view", arguments->otherViews,
                         "Case of the same vessels in another view, registered together; may be repeated");
     command->add_flag("--deformable", arguments->isBending,
@@ -99,7 +100,7 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("--output", arguments->outputPath, "Picture to write, .png or .svg")->required();
     command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
-    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
     command->add_option("--swipe", arguments->swipePx, "Column of the angiogram: right of it without vessels");
     command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
@@ -131,7 +132,7 @@ void addMovie(CLI::App& app, int& exitCode)
                      "run: the overlay through the frames (default); convergence: the poses of the registration, which "
                      "is made where the case keeps none; turn: the vessels alone, turning once")
         ->transform(CLI::CheckedTransformer(contents, CLI::ignore_case).description("{run,convergence,turn}"));
-    command->add_option("--frames", arguments->frames, "First and last frame of the run, from 0 (default: all)")
+    command->add_option("--frames", arguments->frames, "First and last frame of the run, from 1 (default: all)")
         ->expected(2);
     command->add_flag("--back-and-forth", arguments->isBackAndForth, "The run to its end and back");
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
@@ -142,7 +143,7 @@ void addMovie(CLI::App& app, int& exitCode)
     command->add_option("--speed", arguments->speed, "Times as fast as that")->check(CLI::Range(0.05, 20.0));
     command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
-    command->add_option("--frame", arguments->frame, "Frame of the case's pose, from 0");
+    addFrameOption(*command, arguments->frame, "Frame of the case's pose, from 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
     command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
     command->footer("Example: angiopose-cli movie case.angiopose --register --follow --output run.mp4");
@@ -169,7 +170,7 @@ void addAngles(CLI::App& app, int& exitCode)
     addRange("--primary", arguments->map.primary, "RAO (-) to LAO (+) that the gantry reaches (default: -90 90)");
     addRange("--secondary", arguments->map.secondary, "CAU (-) to CRA (+) that the gantry reaches (default: -40 40)");
     command->add_option("--step", arguments->map.stepDeg, "Degrees between the angles of the table (default: 2.5)");
-    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_option("--output", arguments->outputPath, "Table of all angles to write, .csv");
     command->add_flag_callback(
         "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the angles as JSON and nothing else");

@@ -55,7 +55,7 @@ core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, c
     }
     const int frameCount = theCase.shown().angiogram ? theCase.shown().angiogram->frameCount() : 0;
     if (*frame < 0 || *frame >= frameCount) {
-        return core::Error(says::frameBeyondRun(*frame, frameCount - 1).about(path));
+        return core::Error(says::frameBeyondRun(*frame + 1, frameCount).about(path));
     }
     core::View& shown = theCase.shown();
     if (core::findFrame(shown.followed, *frame) && *frame != shown.frame) {

@@ -69,7 +69,7 @@ struct MovieArguments {
     std::string casePath;
     std::string outputPath;
     MovieContent content = MovieContent::Run;
-    std::vector<int> frames;   ///< first and last of a run; empty: all
+    std::vector<int> frames;   ///< first and last of a run, from 1; empty: all
     bool isBackAndForth = false;
     bool isRegistered = false;   ///< its frame is registered first
     bool isFollowed = false;   ///< then the vessels are followed through the run
@@ -122,8 +122,8 @@ struct TraceAngiogramArguments {
     std::string maskPath;
     std::string apartPath;   ///< of curves that may be catheters, wires or edges of bones; empty: with the others
     double sensitivity = 1.0;
-    bool subtract = false;   ///< as the file says, or as is best
-    std::vector<int> maskFrames;   ///< to subtract; empty: the file's, or those before the contrast
+    std::optional<bool> subtract;   ///< as the file says, or as is best; not given: where the file names its mask
+    std::vector<int> maskFrames;   ///< to subtract, from 1; empty: the file's, or those before the contrast
     std::vector<double> maskShiftPx;   ///< right, down; empty: the file's, or found
     bool composite = false;   ///< all frames in one picture instead of one frame
 };

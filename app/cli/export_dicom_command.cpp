@@ -3,6 +3,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/case_or_result.h"
 #include "app/cli/console.h"
+#include "app/cli/frame_option.h"
 #include "app/cli/register_case.h"
 #include "app/messages/says_dicom.h"
 #include "app/messages/says_starting.h"
@@ -120,7 +121,7 @@ void addExportDicom(CLI::App& app, int& exitCode)
         ->delimiter(',');
     command->add_option("--report", arguments->reportPath,
                         "PDF of the report, as `angiopose-cli report` writes it, for pdf");
-    command->add_option("--frame", arguments->frame, "Frame of the angiogram, from 0");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_option("--width", arguments->widthPx, "Width of pictures in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");

@@ -1,6 +1,7 @@
 #include "app/cli/file_commands.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/frame_option.h"
 #include "io/case/case_file.h"
 #include "io/results/result_schema.h"
 
@@ -29,7 +30,7 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("trace-angiogram", "Trace the vessels of an angiogram as 2-D centrelines");
     auto arguments = std::make_shared<TraceAngiogramArguments>();
     command->add_option("IMAGE", arguments->imagePath, "DICOM, PNG, TIFF or JPEG")->required();
-    command->add_option("--frame", arguments->frame, "Frame, from 0 (default: the fullest)");
+    addFrameOption(*command, arguments->frame, "Frame, from 1 (default: the fullest)");
     command->add_option("--output", arguments->outputPath, "Centrelines to write, .csv")->required();
     command->add_option("--apart", arguments->apartPath,
                         "Curves that may be catheter, wire or edge of a bone go here instead, .csv: the path of a "
@@ -37,8 +38,10 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
     command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
         ->check(CLI::Range(0.2, 5.0));
-    command->add_flag("--subtract", arguments->subtract, "Subtract the frames before the contrast first");
-    command->add_option("--mask-frames", arguments->maskFrames, "Frames to average and subtract, from 0")
+    command->add_flag(
+        "--subtract,!--native", arguments->subtract,
+        "Subtract the frames before the contrast first, or do not (default: where the file names its mask)");
+    command->add_option("--mask-frames", arguments->maskFrames, "Frames to average and subtract, from 1")
         ->delimiter(',');
     command->add_option("--mask-shift", arguments->maskShiftPx, "Px right,down that they move (default: found)")
         ->delimiter(',')

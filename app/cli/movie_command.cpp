@@ -17,7 +17,7 @@ MoviePlan planOf(const MovieArguments& arguments, const core::Case& theCase)
     MoviePlan plan;
     plan.content = arguments.content;
     plan.frames = arguments.frames.empty() ? core::FrameRange{0, run.frameCount() - 1}
-                                           : core::FrameRange{arguments.frames[0], arguments.frames[1]};
+                                           : core::FrameRange{arguments.frames[0] - 1, arguments.frames[1] - 1};
     plan.order = arguments.isBackAndForth ? core::CineOrder::BackAndForth : core::CineOrder::Loop;
     const double usual = arguments.content == MovieContent::Run           ? framesPerSecondOf(run)
                          : arguments.content == MovieContent::Convergence ? convergencePerSecond

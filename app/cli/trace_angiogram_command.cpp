@@ -9,35 +9,45 @@
 #include "io/image_file.h"
 #include "io/subtraction_file.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace angiopose::app {
 namespace {
 
 using core::Angiogram;
 
-std::string joined(const std::vector<int>& numbers)
+std::string joined(const std::vector<int>& numbers, int first = 0)
 {
     std::string text;
     for (const int number : numbers) {
-        text += (text.empty() ? "" : ", ") + std::to_string(number);
+        text += (text.empty() ? "" : ", ") + std::to_string(number + first);
     }
     return text;
 }
 
-/// Replaces the frames by subtracted ones where the arguments ask for it.
+/// Replaces the frames by subtracted ones where the arguments or the file ask for it.
 core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
 {
-    if (!arguments.subtract && arguments.maskFrames.empty() && arguments.maskShiftPx.empty()) {
+    const auto header = io::readTreatment(arguments.imagePath);
+    if (!header) {
+        return header.error();
+    }
+    const bool isAsked = !arguments.maskFrames.empty() || !arguments.maskShiftPx.empty() ||
+                         arguments.subtract.value_or(header.value().isSubtracted && angiogram.frameCount() > 1);
+    if (!isAsked) {
         return core::Done{};
     }
-    auto plan = io::readSubtractionPlan(arguments.imagePath);
-    if (!plan) {
-        return plan.error();
-    }
-    core::SubtractionPlan chosen = std::move(plan).value();
+    core::SubtractionPlan chosen = header.value().plan;
     if (!arguments.maskFrames.empty()) {
-        chosen.maskFrames = arguments.maskFrames;
+        chosen.interval.reset();
+        chosen.maskFrames.clear();
+        std::ranges::transform(arguments.maskFrames, std::back_inserter(chosen.maskFrames),
+                               [](int number) { return std::max(number, 0) - 1; });
+    }
+    if (chosen.maskFrames.empty() && !chosen.interval) {
+        chosen.maskFrames = core::suggestMaskFrames(angiogram.frames, angiogram.polarity, angiogram.shutter);
     }
     if (arguments.maskShiftPx.size() == 2) {
         chosen.maskShiftPx = Eigen::Vector2d(arguments.maskShiftPx[0], arguments.maskShiftPx[1]);
@@ -46,7 +56,7 @@ core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram
     if (!run) {
         return run.error().about(arguments.imagePath);
     }
-    std::printf("subtracted: mean of frames %s\n", joined(run.value().maskFrames).c_str());
+    std::printf("subtracted: mean of frames %s\n", joined(run.value().maskFrames, 1).c_str());
     angiogram.frames = std::move(run).value().frames;
     return core::Done{};
 }
@@ -64,16 +74,18 @@ core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, co
     options.sensitivity = arguments.sensitivity;
     const int frame = arguments.frame.value_or(angiogram.suggestedFrame);
     if (!arguments.composite && (frame < 0 || frame >= angiogram.frameCount())) {
-        return core::Error(says::frameBeyondRun(frame, angiogram.frameCount() - 1).about(arguments.imagePath));
+        return core::Error(says::frameBeyondRun(frame + 1, angiogram.frameCount()).about(arguments.imagePath));
     }
     auto trace = arguments.composite
                      ? core::traceAngiogram(core::opacifiedComposite(angiogram.frames, angiogram.polarity),
-                                            angiogram.polarity, options)
+                                            angiogram.polarity, options, angiogram.shutter)
                      : core::traceFrame(angiogram, frame, options);
     if (!trace) {
         return trace.error().about(arguments.imagePath);
     }
-    return NamedTrace{std::move(trace).value(), arguments.composite ? "all frames" : "frame " + std::to_string(frame)};
+    return NamedTrace{std::move(trace).value(), arguments.composite ? "all frames"
+                                                                    : "frame " + std::to_string(frame + 1) + " of " +
+                                                                          std::to_string(angiogram.frameCount())};
 }
 
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)

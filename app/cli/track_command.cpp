@@ -25,7 +25,8 @@ void printFrames(const std::vector<core::FollowedFrame>& frames)
                               : !frame.tracked.isTrustworthy ? "not explained"
                               : frame.tracked.searched       ? "found again"
                                                              : "followed";
-        std::printf("frame %-6d agreement %s  %s%s\n", frame.frame, fixedText(frame.tracked.score, 2).c_str(), verdict,
+        std::printf("frame %-6d agreement %s  %s%s\n", frame.frame + 1, fixedText(frame.tracked.score, 2).c_str(),
+                    verdict,
                     frame.bent && !frame.bentAsInFrame
                         ? (", bent by up to " + fixedText(frame.bent->largestMotionMm, 1) + " mm").c_str()
                         : "");

@@ -21,7 +21,8 @@ namespace {
 std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
 {
     const core::ImageF& frame = request.angiogram->frames[static_cast<std::size_t>(request.frame)];
-    core::DrawingGround ground = core::drawingGround(frame, request.angiogram->polarity, request.options);
+    core::DrawingGround ground =
+        core::drawingGround(frame, request.angiogram->polarity, request.options, request.angiogram->shutter);
     if (ground.vesselness.isEmpty()) {
         return nullptr;
     }
@@ -165,7 +166,7 @@ std::vector<int> CurveController::suspects() const
 void CurveController::wantGround()
 {
     const core::Case& current = document_.current();
-    const TraceRequest request{current.shown().angiogram, current.shown().frame, current.shown().traceOptions};
+    const TraceRequest request{current.shown().angiogram, current.shown().frame, core::traceOptionsOf(current.shown())};
     const bool exists = request.frame >= 0 && request.frame < request.angiogram->frameCount();
     if (!exists || grounded_ == request) {
         return;
@@ -255,7 +256,7 @@ void CurveController::push(core::GivenTarget target, const ui::Words& what)
         std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{std::move(target), std::nullopt, {}}, what));
     if (isPushed && formerFrame && formerFrame != frame) {
         notices_.showNote(
-            tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame));
+            tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame + 1));
     }
 }
 

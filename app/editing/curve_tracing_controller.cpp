@@ -16,8 +16,10 @@ CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObj
       view_(parts.view)
 {
     connect(&panel_, &ui::AngiogramPanel::tracingEdited, this, &CurveTracingController::change);
-    connect(&document_, &CaseDocument::changed, this,
-            [this] { panel_.showTracing(document_.current().shown().traceOptions); });
+    connect(&document_, &CaseDocument::changed, this, [this] {
+        const core::View& shown = document_.current().shown();
+        panel_.showTracing(shown.traceOptions, core::traceOptionsOf(shown).maxVesselRadiusPx);
+    });
     connect(&target_, &TargetProvider::changed, this, &CurveTracingController::showKeptOut);
     connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveTracingController::showKeptOut);
     connect(actions_[ui::Command::ShowTrace], &QAction::toggled, this, &CurveTracingController::showKeptOut);

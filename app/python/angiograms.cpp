@@ -67,7 +67,8 @@ void bindTrace(py::module_& module)
              py::arg("minComponentLengthPx") = usual.minComponentLengthPx, py::arg("sensitivity") = usual.sensitivity)
         .def("__copy__", [](const TraceOptions& options) { return options; })
         .def_readwrite("minVesselRadiusPx", &TraceOptions::minVesselRadiusPx, "thinnest vessel looked for")
-        .def_readwrite("maxVesselRadiusPx", &TraceOptions::maxVesselRadiusPx, "widest vessel looked for")
+        .def_readwrite("maxVesselRadiusPx", &TraceOptions::maxVesselRadiusPx,
+                       "widest vessel looked for; 0: by pixel spacing and magnification")
         .def_readwrite("minBranchLengthPx", &TraceOptions::minBranchLengthPx, "shorter spurs are removed")
         .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter pieces are removed")
         .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: fainter vessels too");

@@ -19,7 +19,7 @@ std::optional<TraceRequest> requestFor(const core::Case& theCase)
     if (!angiogram || theCase.shown().frame < 0 || theCase.shown().frame >= angiogram->frameCount()) {
         return std::nullopt;
     }
-    return TraceRequest{angiogram, theCase.shown().frame, theCase.shown().traceOptions};
+    return TraceRequest{angiogram, theCase.shown().frame, core::traceOptionsOf(theCase.shown())};
 }
 
 }   // namespace

@@ -284,10 +284,10 @@ void ViewSync::showFrameNote()
         return;
     }
     const int count = shownAngiogram_->frameCount();
-    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 (0–%2) · fullest: %3")
-                                            .arg(shownFrame_)
-                                            .arg(count - 1)
-                                            .arg(shownAngiogram_->suggestedFrame)
+    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of %2 · fullest: %3")
+                                            .arg(shownFrame_ + 1)
+                                            .arg(count)
+                                            .arg(shownAngiogram_->suggestedFrame + 1)
                                       : tr("Single frame"));
 }
 
@@ -300,8 +300,8 @@ void ViewSync::measureOpacification()
     opacification_.drop();
     if (measuredRun_ && measuredRun_->frameCount() > 1) {
         opacification_.start([run = measuredRun_](JobLink<double>&) -> core::Result<Measured> {
-            return Measured{core::opacificationCurve(run->frames, run->polarity),
-                            core::suggestMaskFrames(run->frames, run->polarity)};
+            return Measured{core::opacificationCurve(run->frames, run->polarity, run->shutter),
+                            core::suggestMaskFrames(run->frames, run->polarity, run->shutter)};
         });
     }
     emit runMeasured();

@@ -61,7 +61,7 @@ ViewSight sightOf(const core::View& view)
     return {view.angiogram,
             view.frame,
             core::givenTargetOf(view),
-            view.traceOptions,
+            core::traceOptionsOf(view),
             camera ? std::optional(camera.value()) : std::nullopt,
             view.cameraFromPatient.matrix()};
 }

@@ -49,6 +49,7 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
     input.image = imageOf(view, input.camera);
     if (input.image) {
         input.polarity = view.angiogram->polarity;
+        input.shutter = {view.angiogram, &view.angiogram->shutter};
     }
     input.volume = vessels.scan;
     input.tableReading = tableReadingOf(view);

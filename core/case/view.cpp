@@ -2,6 +2,7 @@
 
 #include "core/geometry/geometry_checks.h"
 #include "core/messages/says.h"
+#include "core/tracing/angiogram/frame/widest_vessel.h"
 
 namespace angiopose::core {
 
@@ -107,6 +108,13 @@ Result<Centerline2d> targetOf(const View& view, const std::string& method)
     return devices && method == "wire" ? Result<Centerline2d>(*devices) : targetOf(view);
 }
 
+TraceOptions traceOptionsOf(const View& view)
+{
+    return view.angiogram
+               ? settledFor(view.traceOptions, view.geometry.cArm, view.angiogram->width(), view.angiogram->height())
+               : view.traceOptions;
+}
+
 Result<Centerline2d> targetOf(const View& view)
 {
     if (const auto given = givenTargetOf(view)) {
@@ -115,7 +123,7 @@ Result<Centerline2d> targetOf(const View& view)
     if (!view.angiogram || view.angiogram->frames.empty()) {
         return Error(says::noAngiogram());
     }
-    auto trace = traceFrame(*view.angiogram, view.frame, view.traceOptions);
+    auto trace = traceFrame(*view.angiogram, view.frame, traceOptionsOf(view));
     if (!trace) {
         return trace.error();
     }

@@ -105,6 +105,9 @@ std::shared_ptr<const Centerline2d> devicesOf(const View& view);
 /// Of a given target: which curves are vessels, which are devices.
 CurvesApart curvesOf(const GivenTarget& target);
 
+/// How its frames are traced, with the widest vessel by the view's geometry where the options leave it open.
+TraceOptions traceOptionsOf(const View& view);
+
 /// The target of a view: the given centreline, or the traced frame.
 Result<Centerline2d> targetOf(const View& view);
 

@@ -42,6 +42,7 @@ struct Angiogram {
     CArm cArm;
     GantryHeader gantry;
     StudyIdentity identity;
+    Mask2d shutter;   ///< 255 inside the display shutter of the header, (0018,1600); empty: it has none
     Messages warnings;   ///< e.g. that a colour image was converted to grey
 
     int width() const { return frames.empty() ? 0 : frames.front().width; }

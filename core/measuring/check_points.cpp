@@ -43,7 +43,7 @@ CheckedView checkedView(const View& view, const Vessels& vessels, const RigidTra
         return checked;
     }
     if (seen.frame != view.frame) {
-        checked.error = Error(says::checkOtherFrame(seen.frame, view.frame));
+        checked.error = Error(says::checkOtherFrame(seen.frame + 1, view.frame + 1));
         return checked;
     }
     const Sight sight{camera.value(), pose};

@@ -32,6 +32,8 @@ public:
     Walk(const Case& theCase, RunFollower follower)
         : case_(theCase), follower_(std::move(follower)), last_(theCase.shown().cameraFromPatient)
     {
+        const auto start = traceHere();
+        startsStill_ = !start || start.value().standsStill;
     }
 
     FollowedFrame step(int frame, const SearchObserver& observe)
@@ -40,7 +42,7 @@ public:
         followed.frame = frame;
         followed.tracked.cameraFromPatient = last_;
         case_.shown().frame = frame;
-        const auto target = targetOf(case_.shown());
+        const auto target = targetHere();
         const auto found = target ? follower_.next(target.value(), observe) : Result<TrackedVessels>(target.error());
         if (found) {
             followed.tracked = found.value().tracked;
@@ -53,9 +55,31 @@ public:
     }
 
 private:
+    Result<AngiogramTrace> traceHere() const
+    {
+        const View& view = case_.shown();
+        return traceFrame(*view.angiogram, view.frame, traceOptionsOf(view));
+    }
+
+    /// Lines that stand still agree with a pose in every frame, those without contrast too: they are no target, unless
+    /// the frame that following began with shows nothing else either, as a phantom's does.
+    Result<Centerline2d> targetHere() const
+    {
+        if (const auto given = givenTargetOf(case_.shown())) {
+            return *given;
+        }
+        const auto trace = traceHere();
+        if (!trace) {
+            return trace.error();
+        }
+        return trace.value().standsStill && !startsStill_ ? Result<Centerline2d>(Error(says::followStandsStill()))
+                                                          : trace.value().centerline;
+    }
+
     Case case_;
     RunFollower follower_;
     RigidTransform last_;
+    bool startsStill_ = false;
 };
 
 /// Of one view: of several it is known in space, and one run does not tell how that goes on.

@@ -127,6 +127,7 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
         if (!entry.frame) {
             return fileError(table.path, says::batchFrameNoNumber(line, frame));
         }
+        entry.frame = std::max(*entry.frame, 0) - 1;   // people count frames from 1
     }
     if (const auto read = readSettings(entry, table, row); !read) {
         return read.error();

@@ -152,7 +152,7 @@ ImageF FrameReader::nativeFrame(std::size_t index) const
 
 core::Error FrameReader::undecodable(int index) const
 {
-    return fileError(path_, says::dicomFrameUndecodable(index, transferSyntax_.substr(0, 64)));
+    return fileError(path_, says::dicomFrameUndecodable(index + 1, transferSyntax_.substr(0, 64)));
 }
 
 core::Result<DecodedFrame> FrameReader::compressedFrame(std::size_t index) const

@@ -7,6 +7,7 @@
 #include "io/dicom/frame_source.h"
 #include "io/dicom/gantry_tags.h"
 #include "io/dicom/heart_beats.h"
+#include "io/dicom/shutter_tags.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 
@@ -54,10 +55,11 @@ bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector
     return true;
 }
 
+/// As DICOM counts them, from 1.
 std::vector<std::string> namesOf(const std::vector<int>& frames)
 {
     std::vector<std::string> names;
-    std::ranges::transform(frames, std::back_inserter(names), [](int frame) { return std::to_string(frame); });
+    std::ranges::transform(frames, std::back_inserter(names), [](int frame) { return std::to_string(frame + 1); });
     return names;
 }
 
@@ -115,6 +117,7 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
         angiogram.warnings.push_back(says::dicomEndDamaged(*file.damage));
     }
     const std::string& modality = angiogram.identity.modality;
+    angiogram.shutter = shutterOf(file.dataset, layout.columns, layout.rows, angiogram.warnings);
     if (isXray(modality)) {
         angiogram.cArm = cArmOf(file.dataset, angiogram.warnings);
         angiogram.gantry = gantryHeaderOf(file.dataset, angiogram.frameCount(), angiogram.warnings);

@@ -53,9 +53,9 @@ void putImage(core::View& view, const LoadedInputs& inputs)
     view.imageFile = inputs.imageFile;
     view.frame = inputs.angiogram->suggestedFrame;
     view.geometry = {inputs.angiogram->cArm, std::nullopt};
-    view.storedRun.reset();
+    view.storedRun = inputs.storedRun;
     view.headerPlan = inputs.headerPlan;
-    view.treatment = {.plan = inputs.headerPlan};
+    view.treatment = {.isSubtracted = inputs.storedRun != nullptr, .plan = inputs.headerPlan};
     view.target = {};
 }
 

@@ -30,6 +30,8 @@ struct LoadedInputs {
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
+    std::shared_ptr<const core::Angiogram>
+        storedRun;   ///< as the file has it, where its header subtracts it; else null
     core::SubtractionPlan headerPlan;   ///< of the angiogram
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;

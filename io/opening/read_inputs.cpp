@@ -24,6 +24,18 @@ core::Error twice(const std::string& path, const core::MessageKind<1>& what)
     return what(std::filesystem::path(path).filename().string());
 }
 
+/// A mask that the run does not have leaves it native, and is named.
+void subtractAsNamed(LoadedInputs& inputs, const core::RunTreatment& treatment)
+{
+    auto run = core::treatedRun(*inputs.angiogram, treatment);
+    if (run) {
+        inputs.storedRun = inputs.angiogram;
+        inputs.angiogram = std::make_shared<core::Angiogram>(std::move(run).value());
+    } else {
+        inputs.warnings.push_back(run.error().message);
+    }
+}
+
 core::Status addImage(LoadedInputs& inputs, const std::string& path)
 {
     if (inputs.angiogram) {
@@ -36,8 +48,11 @@ core::Status addImage(LoadedInputs& inputs, const std::string& path)
     const auto& warnings = angiogram.value().warnings;
     inputs.warnings.insert(inputs.warnings.end(), warnings.begin(), warnings.end());
     inputs.angiogram = std::make_shared<core::Angiogram>(std::move(angiogram).value());
-    if (const auto plan = readSubtractionPlan(path)) {
-        inputs.headerPlan = plan.value();
+    if (const auto treatment = readTreatment(path)) {
+        inputs.headerPlan = treatment.value().plan;
+        if (treatment.value().isSubtracted && inputs.angiogram->frameCount() > 1) {
+            subtractAsNamed(inputs, treatment.value());
+        }
     }
     inputs.imageFile.path = path;
     return core::Done{};

@@ -13,6 +13,7 @@ core::View viewWithImage(const core::Case& theCase, const LoadedInputs& inputs)
     blank.shown() = {};
     LoadedInputs imageOnly;
     imageOnly.angiogram = inputs.angiogram;
+    imageOnly.storedRun = inputs.storedRun;
     imageOnly.imageFile = inputs.imageFile;
     imageOnly.headerPlan = inputs.headerPlan;
     imageOnly.target = inputs.target;

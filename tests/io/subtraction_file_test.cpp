@@ -1,9 +1,13 @@
 #include "io/subtraction_file.h"
 
+#include "io/angiogram_file.h"
+#include "io/opening/assemble_case.h"
+#include "io/opening/read_inputs.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 
@@ -45,7 +49,7 @@ std::string single(float value)
     return littleEndian(bits, 4);
 }
 
-core::Result<core::SubtractionPlan> planOf(const std::string& elements)
+core::Result<core::RunTreatment> treatmentOf(const std::string& elements)
 {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("run.dcm");
@@ -53,7 +57,70 @@ core::Result<core::SubtractionPlan> planOf(const std::string& elements)
     std::ofstream(path, std::ios::binary)
         << std::string(128, '\0') << "DICM"
         << element(0x00020000, "UL", littleEndian(static_cast<std::uint32_t>(meta.size()), 4)) << meta << elements;
-    return io::readSubtractionPlan(path);
+    return io::readTreatment(path);
+}
+
+core::Result<core::SubtractionPlan> planOf(const std::string& elements)
+{
+    const auto treatment = treatmentOf(elements);
+    return treatment ? core::Result<core::SubtractionPlan>(treatment.value().plan) : treatment.error();
+}
+
+TEST(ReadTreatment, SubtractsWhereTheHeaderNamesAMask)
+{
+    const std::string mask =
+        element(0x00286100, "SQ",
+                sequenceItem(element(0x00286101, "CS", "AVG_SUB") + element(0x00286110, "US", littleEndian(1, 2))));
+    const std::string tid = element(0x00286100, "SQ", sequenceItem(element(0x00286101, "CS", "TID")));
+    EXPECT_TRUE(treatmentOf(mask).value().isSubtracted);
+    EXPECT_TRUE(treatmentOf(tid).value().isSubtracted);
+    EXPECT_TRUE(treatmentOf(element(0x00281090, "CS", "SUB") + mask).value().isSubtracted);
+    EXPECT_FALSE(treatmentOf(element(0x00281090, "CS", "NAT") + mask).value().isSubtracted);
+    EXPECT_FALSE(treatmentOf(element(0x00281090, "CS", "SUB")).value().isSubtracted) << "there is no mask";
+}
+
+/// The run of `frames` as a file whose header names the first as mask.
+std::string runWithMask(const test::TemporaryFolder& folder, const std::string& number)
+{
+    core::Angiogram run;
+    for (int k = 0; k < 3; ++k) {
+        run.frames.emplace_back(32, 32, 1000.0F);
+        run.frames.back().at(16, 16) = 500.0F;   // a bone
+        run.frames.back().at(8, 8) = k == 0 ? 1000.0F : 600.0F;
+    }
+    const std::string path = folder.file("run.dcm");
+    EXPECT_TRUE(io::writeAngiogram(run, path));
+    std::string content = test::readText(path);
+    const std::size_t pixels = content.find(std::string("\xe0\x7f\x10\x00", 4) + "OW");
+    EXPECT_NE(pixels, std::string::npos);
+    content.insert(pixels,
+                   element(0x00286100, "SQ",
+                           sequenceItem(element(0x00286101, "CS", "AVG_SUB") + element(0x00286110, "US", number))));
+    return folder.write("masked.dcm", content);
+}
+
+TEST(ReadTreatment, ARunIsOpenedSubtractedWhereItNamesItsMask)
+{
+    const test::TemporaryFolder folder;
+    const auto inputs = io::readInputs({runWithMask(folder, littleEndian(1, 2))}, {}, {});
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    const core::View view = io::withInputs({}, inputs.value()).shown();
+    EXPECT_TRUE(view.treatment.isSubtracted);
+    ASSERT_TRUE(view.storedRun);
+    EXPECT_NEAR(view.angiogram->frames[1].at(16, 16), view.angiogram->frames[1].at(20, 20), 20.0) << "the bone is gone";
+    EXPECT_LT(view.angiogram->frames[1].at(8, 8), view.angiogram->frames[1].at(20, 20) - 200.0F);
+    EXPECT_LT(view.storedRun->frames[1].at(16, 16), 600.0F);
+}
+
+TEST(ReadTreatment, AMaskThatIsNotThereLeavesTheRunNativeAndIsSaid)
+{
+    const test::TemporaryFolder folder;
+    const auto inputs = io::readInputs({runWithMask(folder, littleEndian(9, 2))}, {}, {});
+    ASSERT_TRUE(inputs) << inputs.error().message;
+    EXPECT_FALSE(io::withInputs({}, inputs.value()).shown().treatment.isSubtracted);
+    EXPECT_TRUE(std::ranges::any_of(inputs.value().warnings, [](const core::Message& warning) {
+        return warning.text().find("Mask frame 9 does not exist") != std::string::npos;
+    }));
 }
 
 TEST(ReadSubtractionPlan, TakesFramesAndShiftFromTheMaskModule)

@@ -31,6 +31,7 @@ NumberFormat greyFormat(double lowest)
     return {lowest, 1e9, 0, QString(), 10.0};
 }
 
+/// As people count them, from 1.
 QString framesText(const std::vector<int>& frames)
 {
     QStringList parts;
@@ -39,8 +40,8 @@ QString framesText(const std::vector<int>& frames)
         while (i + 1 < frames.size() && frames[i + 1] == frames[i] + 1) {
             ++i;
         }
-        parts << (i > first ? QStringLiteral("%1–%2").arg(frames[first]).arg(frames[i])
-                            : QString::number(frames[first]));
+        parts << (i > first ? QStringLiteral("%1–%2").arg(frames[first] + 1).arg(frames[i] + 1)
+                            : QString::number(frames[first] + 1));
     }
     return parts.join(QStringLiteral(", "));
 }
@@ -84,7 +85,7 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
     buildPixels();
     buildTracing();
     showRun({});
-    showTracing({});
+    showTracing({}, 0.0);
     setFolded(true);
 }
 
@@ -307,12 +308,12 @@ void AngiogramPanel::showRun(const RunState& state)
                                      : tr("native"));
 }
 
-void AngiogramPanel::showTracing(const core::TraceOptions& options)
+void AngiogramPanel::showTracing(const core::TraceOptions& options, double widestPx)
 {
     tracing_ = options;
     sensitivity_->showValue(options.sensitivity);
     length_->showValue(options.minComponentLengthPx);
-    widest_->showValue(options.maxVesselRadiusPx);
+    widest_->showValue(widestPx);
     defaults_->setEnabled(!(options == core::TraceOptions{}));
 }
 

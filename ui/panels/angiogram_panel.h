@@ -31,7 +31,7 @@ public:
 
     void showRun(const RunState& state);   ///< silent
     void showWindowLevel(double window, double level);   ///< of the grey values; silent
-    void showTracing(const core::TraceOptions& options);   ///< silent
+    void showTracing(const core::TraceOptions& options, double widestPx);   ///< silent; the radius as it is settled
 
 signals:
     void windowLevelTyped(double window, double level);

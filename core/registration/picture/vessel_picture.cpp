@@ -16,7 +16,7 @@ constexpr double surroundingsPx = 24.0;
 constexpr std::size_t pictureSamples = 100000;
 constexpr double drawnBlurPx = 0.7;   // as sharp as a detector
 
-ImageF flattened(const ImageF& image, Polarity polarity)
+ImageF flattened(const ImageF& image, Polarity polarity, const Mask2d& shutter)
 {
     ImageF vesselsDark = image;
     if (polarity == Polarity::VesselsBright) {
@@ -24,7 +24,7 @@ ImageF flattened(const ImageF& image, Polarity polarity)
             value = -value;
         }
     }
-    return flattenBackground(vesselsDark, findField(vesselsDark, widestVesselPx), surroundingsPx);
+    return flattenBackground(vesselsDark, findField(vesselsDark, widestVesselPx, shutter), surroundingsPx);
 }
 
 }   // namespace
@@ -32,8 +32,9 @@ ImageF flattened(const ImageF& image, Polarity polarity)
 ImageF vesselPicture(const RegistrationProblem& problem)
 {
     const ProjectionCamera& camera = problem.camera;
-    ImageF picture = problem.image ? flattened(*problem.image, problem.polarity)
-                                   : blurred(pictureOf(problem.target, camera.width, camera.height), drawnBlurPx);
+    ImageF picture = problem.image
+                         ? flattened(*problem.image, problem.polarity, problem.shutter ? *problem.shutter : Mask2d())
+                         : blurred(pictureOf(problem.target, camera.width, camera.height), drawnBlurPx);
     const float top = std::max(ranked(evenSample(picture.pixels, pictureSamples), 0.999), 1e-12F);
     for (float& value : picture.pixels) {
         value = std::max(0.0F, value / top);

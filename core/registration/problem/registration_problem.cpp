@@ -185,6 +185,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
     problem.image = input.image;
     problem.polarity = input.polarity;
+    problem.shutter = input.shutter;
     problem.volume = input.volume;
     problem.tableReading = input.tableReading;
     return problem;

@@ -45,6 +45,7 @@ struct RegistrationProblem {
     bool auxiliaryIsChosen = false;   ///< the user named branches for {p'}
     std::shared_ptr<const ImageF> image;   ///< as given, the size of the camera's; or null
     Polarity polarity = Polarity::VesselsDark;
+    std::shared_ptr<const Mask2d> shutter;   ///< as given, or null
     std::shared_ptr<const Volume> volume;   ///< or null
     std::optional<TableReading> tableReading{};   ///< as given
     Messages notes{};   ///< what was made of the input

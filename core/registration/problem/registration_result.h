@@ -36,6 +36,7 @@ struct RegistrationInput {
     std::vector<int> excludedBranchIds{};   ///< not used at all
     std::shared_ptr<const ImageF> image{};   ///< the frame that shows the target; null: image methods draw the target
     Polarity polarity = Polarity::VesselsDark;   ///< of `image`
+    std::shared_ptr<const Mask2d> shutter{};   ///< of `image`, see Angiogram::shutter; null: none
     std::shared_ptr<const Volume> volume{};   ///< the CTA that shows the tree; null: radiographs are made of tubes
     CameraSpread cameraSpread{};   ///< how far the camera may be off; zero: it is exact
     std::optional<TableReading>

@@ -15,12 +15,14 @@
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/curves/vessel_branches.h"
+#include "core/tracing/angiogram/curves/vessel_trunk.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "core/tracing/angiogram/frame/drawn_mask.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
 #include "core/tracing/angiogram/frame/flatten_background.h"
 #include "core/tracing/angiogram/frame/report_page.h"
 #include "core/tracing/angiogram/frame/steady_frame.h"
+#include "core/tracing/angiogram/frame/widest_vessel.h"
 #include "core/tracing/angiogram/frame/working_size.h"
 #include "core/tracing/angiogram/ridges/clutter_level.h"
 #include "core/tracing/angiogram/ridges/part_neighbours.h"
@@ -45,6 +47,8 @@ constexpr std::size_t frameSamples = 200000;
 constexpr double gapReachPx = 14.0;
 constexpr double leastEvidenceInGap = 0.75;
 constexpr int mostTracingThreads = 2;   // more wait for memory
+constexpr double leastShareStill = 0.35;   // of what is traced, where little else looks like contrast
+constexpr double mostShareStill = 0.5;   // more: a phantom, or a patient whose vessels stand still as well
 
 bool isFinite(const ImageF& frame)
 {
@@ -105,11 +109,11 @@ Mask2d without(Mask2d mask, const Mask2d& part)
 }
 
 /// Without shutters, borders and letters.
-Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options)
+Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
 {
     Mask2d field;
     Mask2d text;
-    atOnce([&] { field = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx); },
+    atOnce([&] { field = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx, shutter); },
            [&] { text = burnedInText(vesselsDark); });
     return without(std::move(field), text);
 }
@@ -158,10 +162,10 @@ struct SeenVessels {
     std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the vessel pixels
 };
 
-SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options)
+SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
 {
     SeenVessels seen;
-    seen.fieldMask = tracedField(vesselsDark, options);
+    seen.fieldMask = tracedField(vesselsDark, options, shutter);
     seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
     const Clutter clutter(seen.opacity, seen.fieldMask,
                           ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));
@@ -193,6 +197,14 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
     trace.suspectCurves = std::move(suspects);
 }
 
+/// A catheter is narrower than the vessels that branch, and has no branches.
+void spareTrunk(AngiogramTrace& trace)
+{
+    if (const auto trunk = widestTrunk(trace.centerline)) {
+        std::erase(trace.suspectCurves, *trunk);
+    }
+}
+
 double contrastOf(const AngiogramTrace& trace)
 {
     return contrastSeen(trace.centerline, trace.suspectCurves, trace.vesselness, trace.clutter);
@@ -206,11 +218,34 @@ void addWordOfContrast(AngiogramTrace& trace)
     }
 }
 
+void addWhatStandsStill(AngiogramTrace& trace, const Angiogram& run, int frame)
+{
+    const std::vector<int> still = stillCurves(trace.centerline, run.frames, frame, run.polarity);
+    if (still.empty()) {
+        return;
+    }
+    double length = 0.0;
+    double stillLength = 0.0;
+    for (const Curve2d& curve : trace.centerline.curves) {
+        length += curve.lengthPx();
+        stillLength += std::ranges::binary_search(still, curve.id) ? curve.lengthPx() : 0.0;
+    }
+    const std::vector<int> suspects = trace.suspectCurves;
+    addSuspects(trace, still);
+    const bool isFilled = contrastOf(trace) >= leastContrast;
+    trace.standsStill = !isFilled && stillLength >= leastShareStill * length;
+    if (!isFilled || stillLength > mostShareStill * length) {
+        trace.suspectCurves = suspects;
+    }
+    spareTrunk(trace);
+}
+
 void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
 {
     const SeenBefore seen =
         seenBefore(trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
     addSuspects(trace, seen.curveIds);
+    spareTrunk(trace);
     if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // else it was filled from the start
         trace.warnings = {says::frameWithNothingNew()};
     } else {
@@ -237,8 +272,10 @@ Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 
 }   // namespace
 
-Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options)
+Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& asked,
+                                      const Mask2d& shutter)
 {
+    const TraceOptions options = settledFor(asked);
     if (const auto problem = problemWith(options)) {
         return Error(*problem);
     }
@@ -253,7 +290,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
     const WorkingSize size = workingSizeOf(frame);
-    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options);
+    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options, shutter);
     AngiogramTrace trace;
     trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
     trace.vesselness = fromWorkingSize(seen.vesselness, size, frame.width, frame.height);
@@ -272,6 +309,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     trace.vesselMask = paintedVessels(trace.centerline, frame.width, frame.height);
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
     addSuspects(trace, devicesFromRim(trace.centerline, trace.fieldMask));
+    spareTrunk(trace);
     addWordOfContrast(trace);
     return trace;
 }
@@ -279,19 +317,24 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options)
 {
     if (frame < 0 || frame >= run.frameCount()) {
-        return Error(says::frameMissing(frame, run.frameCount() - 1));
+        return Error(says::frameMissing(frame + 1, run.frameCount()));
     }
-    auto traced = traceAngiogram(steadyFrame(run.frames, frame), run.polarity, options);
-    if (!traced || frame == 0) {
+    auto traced = traceAngiogram(steadyFrame(run.frames, frame), run.polarity,
+                                 settledFor(options, run.cArm, run.width(), run.height()), run.shutter);
+    if (!traced) {
         return traced;
     }
     AngiogramTrace trace = std::move(traced).value();
-    addWordOfFirstFrame(trace, run, frame);
+    addWhatStandsStill(trace, run, frame);
+    if (frame > 0) {
+        addWordOfFirstFrame(trace, run, frame);
+    }
     return trace;
 }
 
-Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& options)
+Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& asked)
 {
+    const TraceOptions options = settledFor(asked);
     Centerline2d centerline;
     const SkeletonGraph branches = drawnBranches(mask, options);
     for (const auto& path : orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {

@@ -116,7 +116,8 @@ StoredField<View> traceField()
     StoredField<View> field = storedPart("trace", Json::object(), &View::traceOptions, traceOptionFields());
     field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
         read(value, view, reading);
-        if (view.traceOptions.maxVesselRadiusPx < view.traceOptions.minVesselRadiusPx) {
+        const double widest = view.traceOptions.maxVesselRadiusPx;
+        if (widest != 0.0 && widest < view.traceOptions.minVesselRadiusPx) {
             reading.problems.push_back(says::caseRadiiSwapped().about("angiogram.trace"));
         }
     };
@@ -181,7 +182,9 @@ const StoredFields<TraceOptions>& traceOptionFields()
 {
     static const StoredFields<TraceOptions> fields{
         storedValue("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
-        storedValue("maxVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::maxVesselRadiusPx),
+        storedIfSet("maxVesselRadiusPx",
+                    about(numberSchema(0.1, 1000), "Absent: by pixel spacing and magnification, at least 8."),
+                    &TraceOptions::maxVesselRadiusPx),
         storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
         storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
         storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)};

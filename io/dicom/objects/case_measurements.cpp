@@ -103,7 +103,7 @@ void addRegistration(std::vector<ReportedGroup>& groups, const core::View& view)
     }
     const core::RegistrationResult& result = *view.result;
     const int frame = result.provenance.frame.value_or(view.frame);
-    ReportedGroup group{"Registration of vessels, frame " + std::to_string(frame), {}};
+    ReportedGroup group{"Registration of vessels, frame " + std::to_string(frame + 1), {}};
     const auto add = [&](const CodedTerm& meaning, double value, const CodedTerm& unit) {
         group.numbers.push_back({meaning, value, unit, frame});
     };

@@ -2,11 +2,13 @@
 
 #include "core/case/known_bend.h"
 #include "core/workflow/register_case.h"
+#include "tests/support/drawn_vessels.h"
 #include "tests/support/simulated_views.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace angiopose::core {
 namespace {
@@ -50,6 +52,34 @@ TEST(FollowFrames, FollowsBentVesselsBent)
     }
     takeOver(theCase.shown(), *theCase.shown().result);
     EXPECT_FALSE(theCase.shown().followed.frames) << "another pose may follow from it";
+}
+
+/// Things that stand still where the vessels lie agree with their pose in frames without contrast agent too.
+TEST(FollowFrames, DoesNotTrustWhatStandsStillWithoutContrast)
+{
+    DsaOptions dsa;
+    dsa.missingBranchShare = dsa.extraBranchShare = dsa.catheterProbability = dsa.shutterProbability = 0.0;
+    SimulatedCase simulated = simulateCase(5, {}, dsa);
+    std::vector<test::Path> things;
+    for (std::size_t k = 0; k < simulated.trueTarget.curves.size(); k += 2) {
+        things.push_back(simulated.trueTarget.curves[k].pointsPx);
+    }
+    Angiogram& run = simulated.angiogram;
+    const ImageF shadow = test::drawnFrame(run.width(), run.height(), things, 3.0, {.background = 1.0F, .depth = 0.3F});
+    for (ImageF& frame : run.frames) {
+        std::ranges::transform(frame.pixels, shadow.pixels, frame.pixels.begin(), std::multiplies<>());
+    }
+    Case values = test::caseOf(simulated);
+    values.shown().target.centerline = nullptr;
+    values.shown().cameraFromPatient = simulated.trueCameraFromPatient;
+    const auto frames = followFrames(values);
+    ASSERT_TRUE(frames) << frames.error().message;
+    const FollowedFrame& first = frames.value().front();
+    EXPECT_EQ(first.frame, 0) << "before the contrast agent";
+    EXPECT_FALSE(first.tracked.isTrustworthy);
+    ASSERT_TRUE(first.problem);
+    EXPECT_EQ(first.problem->id(), "follow.stands-still");
+    EXPECT_GE(std::ranges::count_if(frames.value(), [](const auto& each) { return each.tracked.isTrustworthy; }), 3);
 }
 
 TEST(FollowFrames, FindsNoBendWhereNoneIsKnown)

@@ -132,7 +132,7 @@ TEST(LoadCase, SubtractionThatCannotBeIsRefused)
     core::Messages warnings;
     const auto loaded = io::loadCase(folder.file("dsa.angiopose"), warnings);
     ASSERT_FALSE(loaded);
-    EXPECT_NE(loaded.error().message.text().find("Mask frame 99"), std::string::npos) << loaded.error().message;
+    EXPECT_NE(loaded.error().message.text().find("Mask frame 100"), std::string::npos) << loaded.error().message;
 }
 
 }   // namespace

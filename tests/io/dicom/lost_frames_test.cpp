@@ -92,7 +92,7 @@ TEST(LostFrames, DamagedInPartShowWhatCanBeDecoded)
     const auto warning = std::ranges::find_if(
         run.warnings, [](const core::Message& found) { return found.is(io::says::dicomFramesFlawed); });
     ASSERT_NE(warning, run.warnings.end());
-    EXPECT_EQ(std::get<std::vector<std::string>>(warning->arguments()[0]), std::vector<std::string>{"1"});
+    EXPECT_EQ(std::get<std::vector<std::string>>(warning->arguments()[0]), std::vector<std::string>{"2"});
 }
 
 TEST(LostFrames, APictureDamagedInPartIsShownAndSaidToBe)
@@ -134,7 +134,7 @@ TEST(LostFrames, AreNamedAndEmptyWhileTheOthersAreWhole)
         run.warnings, [](const core::Message& found) { return found.is(io::says::dicomFramesLost); });
     ASSERT_NE(warning, run.warnings.end());
     EXPECT_EQ(std::get<std::vector<std::string>>(warning->arguments()[0]),
-              (std::vector<std::string>{"0", std::to_string(fullest)}));
+              (std::vector<std::string>{"1", std::to_string(fullest + 1)}));
 }
 
 TEST(LostFrames, ARunWithoutAnyOtherIsRefused)
@@ -145,5 +145,5 @@ TEST(LostFrames, ARunWithoutAnyOtherIsRefused)
         io::readAngiogram(folder.write("run.dcm", withoutFrames(test::readText(test::dataFile(phantomRun)),
                                                                 {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13})));
     ASSERT_FALSE(run);
-    EXPECT_NE(run.error().message.text().find("frame 0 cannot be decoded"), std::string::npos);
+    EXPECT_NE(run.error().message.text().find("frame 1 cannot be decoded"), std::string::npos);
 }

@@ -66,7 +66,7 @@ ANGIOPOSE_EXPORT void writeAngiogram(const Angiogram& angiogram, const std::stri
 /// Lengths in px of a frame of 512 × 512; in larger frames they grow along.
 struct TraceOptions {
     double minVesselRadiusPx = 1.5;   ///< thinnest vessel looked for
-    double maxVesselRadiusPx = 8.0;   ///< widest vessel looked for
+    double maxVesselRadiusPx = 0.0;   ///< widest vessel looked for; 0: by pixel spacing and magnification, 8 at least
     int minBranchLengthPx = 10;   ///< shorter spurs are removed
     int minComponentLengthPx = 30;   ///< shorter isolated pieces are removed
     double sensitivity = 1.0;   ///< above 1: fainter vessels too

@@ -4,6 +4,7 @@
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
 #include "core/tracing/angiogram/frame/flatten_background.h"
+#include "core/tracing/angiogram/frame/widest_vessel.h"
 #include "core/tracing/angiogram/ridges/vesselness.h"
 
 #include <algorithm>
@@ -18,8 +19,9 @@ constexpr double groundInRadii = 3.0;
 
 }   // namespace
 
-DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options)
+DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& asked, const Mask2d& shutter)
 {
+    const TraceOptions options = settledFor(asked);
     const auto isFinite = [](float value) { return std::isfinite(value); };
     if (frame.isEmpty() || !std::ranges::all_of(frame.pixels, isFinite)) {
         return {};
@@ -29,7 +31,7 @@ DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceO
         std::ranges::transform(vesselsDark.pixels, vesselsDark.pixels.begin(), std::negate<>());
     }
     DrawingGround ground;
-    ground.fieldMask = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx);
+    ground.fieldMask = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx, shutter);
     const Mask2d text = burnedInText(vesselsDark);
     for (std::size_t i = 0; i < text.pixels.size(); ++i) {
         ground.fieldMask.pixels[i] = text.pixels[i] != 0 ? 0 : ground.fieldMask.pixels[i];

@@ -14,7 +14,8 @@ struct DrawingGround {
     Mask2d fieldMask;   ///< 0 where nothing is traced: shutter, border, burned-in text
 };
 
-/// Everything is empty for an empty frame and one with values that are not finite.
-DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options = {});
+/// Everything is empty for an empty frame and one with values that are not finite. `shutter` as for `findField`.
+DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options = {},
+                            const Mask2d& shutter = {});
 
 }   // namespace angiopose::core

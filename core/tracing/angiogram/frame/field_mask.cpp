@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace angiopose::core {
 namespace {
@@ -17,6 +18,7 @@ constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
 constexpr double leastShareOfEdge = 0.6;
 constexpr std::size_t smallestDrawnShare = 200;   // one part in so many of the frame
+constexpr int shutterEdgePx = 4;   // of the whole image: as far as the edge is blurred
 
 /// Dark parts that reach the image edge and are wider than any vessel.
 Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
@@ -156,9 +158,20 @@ Mask2d surround(const ImageF& image, int openingPx)
     return both;
 }
 
+Mask2d ofSize(const Mask2d& mask, int width, int height)
+{
+    Mask2d result(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            result.at(x, y) = mask.at(x * mask.width / width, y * mask.height / height);
+        }
+    }
+    return result;
+}
+
 }   // namespace
 
-Mask2d findField(const ImageF& vesselsDark, double widestVesselPx)
+Mask2d findField(const ImageF& vesselsDark, double widestVesselPx, const Mask2d& shutter)
 {
     const int openingPx = std::max(1, static_cast<int>(std::ceil(0.25 * widestVesselPx)) + 1);
     const ImageF coarse = halved(vesselsDark);
@@ -174,6 +187,10 @@ Mask2d findField(const ImageF& vesselsDark, double widestVesselPx)
         for (int x = 0; x < field.width; ++x) {
             field.at(x, y) = outside.at(x / 2, y / 2) == 0 ? 255 : 0;
         }
+    }
+    if (!shutter.isEmpty()) {
+        const Mask2d open = eroded(ofSize(shutter, field.width, field.height), shutterEdgePx);
+        std::ranges::transform(field.pixels, open.pixels, field.pixels.begin(), std::bit_and<>());
     }
     return field;
 }

@@ -19,9 +19,9 @@ double WorkingSize::factor() const
     return std::ldexp(1.0, -halvings);
 }
 
-WorkingSize workingSizeOf(const ImageF& frame)
+WorkingSize workingSizeOf(int width, int height)
 {
-    const int side = std::min(frame.width, frame.height);
+    const int side = std::min(width, height);
     WorkingSize size;
     while (side >> size.halvings > mostSidePx) {
         ++size.halvings;

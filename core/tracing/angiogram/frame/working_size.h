@@ -17,7 +17,11 @@ struct WorkingSize {
 };
 
 /// The shorter side gets 176 to 767 px.
-WorkingSize workingSizeOf(const ImageF& frame);
+WorkingSize workingSizeOf(int width, int height);
+inline WorkingSize workingSizeOf(const ImageF& frame)
+{
+    return workingSizeOf(frame.width, frame.height);
+}
 
 ImageF toWorkingSize(const ImageF& frame, const WorkingSize& size);
 ImageF fromWorkingSize(const ImageF& image, const WorkingSize& size, int width, int height);

@@ -14,6 +14,9 @@ constexpr int reachPoints = 7;   // averaged along the curve, against noise
 constexpr double besidePx = 2.5;   // from the walls to the ground that the depth is measured from
 constexpr double leastShareOfDepth = 0.5;
 constexpr double leastShareOfCurve = 0.6;
+constexpr std::size_t leastFrames = 5;
+constexpr std::size_t mostFrames = 9;   // more tell nothing new
+constexpr double leastShareOfFrames = 0.85;
 constexpr double leastShareOfAll = 0.8;
 constexpr double mostShareOfDevices = 0.35;   // of what is traced; where more was there before, vessels were too
 
@@ -52,6 +55,27 @@ Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
         }
     }
     return mean;
+}
+
+/// Of the curve's points, that have a line of like depth (half to twice) within 1 px in nearly all the other frames.
+double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::vector<const ImageF*>& others,
+                          double sign)
+{
+    const std::vector<Depths> now = depthsAlong(curve, frame, sign);
+    std::vector<std::size_t> seen(now.size(), 0);
+    for (const ImageF* other : others) {
+        const std::vector<Depths> there = depthsAlong(curve, *other, sign);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const double depth = meanAround(now, i)[mostShiftPx];
+            const Depths mean = meanAround(there, i);
+            const double near = std::max({mean[mostShiftPx - 1], mean[mostShiftPx], mean[mostShiftPx + 1]});
+            seen[i] += depth > 0.0 && near >= leastShareOfDepth * depth && leastShareOfDepth * near <= depth ? 1 : 0;
+        }
+    }
+    const auto isStill = [&](std::size_t count) {
+        return static_cast<double>(count) >= leastShareOfFrames * static_cast<double>(others.size());
+    };
+    return static_cast<double>(std::ranges::count_if(seen, isStill)) / static_cast<double>(now.size());
 }
 
 double shareOfCurve(const Curve2d& curve, const ImageF& frame, const ImageF& before, double sign)
@@ -104,6 +128,32 @@ SeenBefore seenBefore(const Centerline2d& centerline, const ImageF& frame, const
         result.curveIds.clear();
     }
     return result;
+}
+
+std::vector<int> stillCurves(const Centerline2d& centerline, const std::vector<ImageF>& frames, int frame,
+                             Polarity polarity)
+{
+    if (frames.size() < leastFrames) {
+        return {};
+    }
+    const ImageF& shown = frames[static_cast<std::size_t>(frame)];
+    std::vector<const ImageF*> others;
+    const std::size_t count = std::min(mostFrames, frames.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        const ImageF& other = frames[k * (frames.size() - 1) / (count - 1)];
+        if (&other != &shown && other.width == shown.width && other.height == shown.height) {
+            others.push_back(&other);
+        }
+    }
+    const double sign = polarity == Polarity::VesselsDark ? 1.0 : -1.0;
+    std::vector<int> still;
+    for (const Curve2d& curve : centerline.curves) {
+        const bool isMeasured = !curve.pointsPx.empty() && curve.radiusPx.size() == curve.pointsPx.size();
+        if (isMeasured && shareStandingStill(curve, shown, others, sign) >= leastShareOfCurve) {
+            still.push_back(curve.id);
+        }
+    }
+    return still;
 }
 
 }   // namespace angiopose::core

@@ -22,4 +22,10 @@ struct SeenBefore {
 
 SeenBefore seenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before, Polarity polarity);
 
+/// Ids of curves that stand still: in nearly all frames of the run, from first to last, a dark line of like depth lies
+/// within 1 px of them. ECG clips, leads, hooks and edges of the shutter do; vessels move, or fill and empty. None in
+/// runs of fewer than five frames. `frame` is the one that the curves were traced in.
+std::vector<int> stillCurves(const Centerline2d& centerline, const std::vector<ImageF>& frames, int frame,
+                             Polarity polarity);
+
 }   // namespace angiopose::core

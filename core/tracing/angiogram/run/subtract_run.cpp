@@ -3,6 +3,7 @@
 #include "core/messages/says.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"
+#include "core/tracing/angiogram/trace_angiogram.h"
 
 #include <algorithm>
 #include <optional>
@@ -28,7 +29,7 @@ std::optional<Message> problemWith(const std::vector<ImageF>& frames, const Subt
     }
     for (const int index : plan.maskFrames) {
         if (index < 0 || index >= static_cast<int>(frames.size())) {
-            return says::subtractionMaskMissing(index, frames.size() - 1);
+            return says::subtractionMaskMissing(index + 1, frames.size());
         }
     }
     return {};
@@ -99,11 +100,17 @@ SubtractedFrame subtractedFrame(const std::vector<ImageF>& frames, std::size_t i
     return mask ? subtractedFrame(frames[index], frames[*mask], plan) : SubtractedFrame{frames[index]};
 }
 
+bool showsContrast(const ImageF& frame, Polarity polarity, const Mask2d& shutter)
+{
+    const auto trace = traceAngiogram(frame, polarity, {}, shutter);
+    return trace && trace.value().warnings.empty();
+}
+
 }   // namespace
 
-std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity)
+std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter)
 {
-    const std::vector<double> curve = opacificationCurve(frames, polarity);
+    const std::vector<double> curve = opacificationCurve(frames, polarity, shutter);
     std::vector<int> shown;
     for (int k = 0; k < static_cast<int>(frames.size()); ++k) {
         if (!isBlank(frames[static_cast<std::size_t>(k)])) {
@@ -116,8 +123,12 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
     const auto opacity = [&](int frame) { return curve[static_cast<std::size_t>(frame)]; };
     const double least = opacity(std::ranges::min(shown, {}, opacity));
     const double most = opacity(std::ranges::max(shown, {}, opacity));
-    if (most < leastRise * opacity(shown.front()) || !(most > 0.0)) {
+    if (!(most > 0.0)) {
         return {};
+    }
+    if (most < leastRise * opacity(shown.front())) {   // bones and edges of organs are ridges too
+        const ImageF& first = frames[static_cast<std::size_t>(shown.front())];
+        return showsContrast(first, polarity, shutter) ? std::vector<int>() : std::vector<int>{shown.front()};
     }
     const double limit = least + emptyShare * (most - least);
     const auto firstFilled = std::ranges::find_if(shown, [&](int frame) { return opacity(frame) > limit; });
@@ -165,7 +176,11 @@ Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatm
     Angiogram run = stored;
     run.polarity = treatment.polarity.value_or(stored.polarity);
     if (treatment.isSubtracted) {
-        auto subtracted = subtractRun(stored.frames, run.polarity, treatment.plan, isStopWished);
+        SubtractionPlan plan = treatment.plan;
+        if (plan.maskFrames.empty() && !plan.interval) {
+            plan.maskFrames = suggestMaskFrames(stored.frames, run.polarity, stored.shutter);
+        }
+        auto subtracted = subtractRun(stored.frames, run.polarity, plan, isStopWished);
         if (!subtracted) {
             return subtracted.error();
         }

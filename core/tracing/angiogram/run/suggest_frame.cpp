@@ -60,7 +60,7 @@ double shareAbove(const ImageF& ridges, float threshold)
 
 }   // namespace
 
-std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polarity polarity)
+std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter)
 {
     std::vector<ImageF> ridges(frames.size());
     std::vector<double> noiseLimits(frames.size(), 0.0);
@@ -70,7 +70,7 @@ std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polari
             continue;
         }
         const ImageF coarse = coarseVesselsDark(frames[k], polarity);
-        const Mask2d field = findField(coarse, 2.0 * maxRadiusPx);
+        const Mask2d field = findField(coarse, 2.0 * maxRadiusPx, shutter);
         const ImageF opacity = flattenBackground(coarse, field, 3.0 * maxRadiusPx);
         ridges[k] = ridgeStrength(opacity, minRadiusPx, maxRadiusPx);
         for (std::size_t i = 0; i < field.pixels.size(); ++i) {
@@ -88,9 +88,9 @@ std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polari
     return curve;
 }
 
-int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity)
+int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter)
 {
-    const std::vector<double> curve = opacificationCurve(frames, polarity);
+    const std::vector<double> curve = opacificationCurve(frames, polarity, shutter);
     if (curve.empty()) {
         return 0;
     }

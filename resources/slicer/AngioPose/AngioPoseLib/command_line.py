@@ -62,14 +62,14 @@ def write_case(path, vessels, kind, angiogram, geometry=None, points=(), title="
 
 
 def register(case, folder, method=None, bends=False, frame=None):
-    """Registers a case into a folder; the content of its result.json."""
+    """Registers a case into a folder (`frame` from 0, as in its file); the content of its result.json."""
     arguments = ["register", case, "--output", folder]
     if method:
         arguments += ["--method", method]
     if bends:
         arguments += ["--deformable"]
     if frame is not None:
-        arguments += ["--frame", frame]
+        arguments += ["--frame", frame + 1]   # as people count them; case files count from 0
     run(arguments)
     with open(os.path.join(folder, "result.json"), encoding="utf-8") as file:
         return json.load(file)

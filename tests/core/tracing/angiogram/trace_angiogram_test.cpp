@@ -165,6 +165,58 @@ TEST(TraceAngiogram, ShutterAndBlackBorderGiveNoCurves)
     }
 }
 
+/// Beyond the shutter of the header lies a soft shadow with lines in it, whose edge looks like a vessel.
+TEST(TraceAngiogram, NothingIsTracedOnOrBeyondTheShutter)
+{
+    const Path path = test::line({90, 80}, {200, 190});
+    const ImageF frame = test::drawnFrame(
+        256, 256, {path, test::line({40, 10}, {52, 250}), test::line({64, 4}, {64, 252})}, 3.0, {.noise = 2.0});
+    core::Angiogram run;
+    run.frames = {frame};
+    const auto reaches = [&](double column) {
+        const auto trace = core::traceFrame(run, 0);
+        EXPECT_TRUE(trace);
+        return std::ranges::any_of(trace.value().centerline.curves, [&](const Curve2d& curve) {
+            return std::ranges::any_of(curve.pointsPx,
+                                       [&](const Eigen::Vector2d& point) { return point.x() < column; });
+        });
+    };
+    EXPECT_TRUE(reaches(70.0));
+    run.shutter = core::Mask2d(256, 256, 255);
+    for (int y = 0; y < 256; ++y) {
+        std::fill_n(run.shutter.pixels.begin() + y * 256, 64, std::uint8_t{0});
+    }
+    EXPECT_FALSE(reaches(70.0));
+    const auto trace = core::traceFrame(run, 0);
+    EXPECT_LT(meanDistance(trace.value().centerline, path), 0.3);
+    EXPECT_EQ(trace.value().fieldMask.at(63, 128), 0);
+    EXPECT_NE(trace.value().fieldMask.at(72, 128), 0);
+    EXPECT_EQ(trace.value().vesselMask.at(64, 128), 0);
+}
+
+TEST(TraceAngiogram, TheShutterFitsFramesOfAnySize)
+{
+    for (const int side : {150, 512, 1024}) {   // doubled, as it is, halved
+        const double unit = side / 512.0;
+        core::Angiogram run;
+        run.frames = {test::drawnFrame(side, side,
+                                       {test::line(unit * Eigen::Vector2d(200, 60), unit * Eigen::Vector2d(420, 440)),
+                                        test::line(unit * Eigen::Vector2d(80, 20), unit * Eigen::Vector2d(100, 490))},
+                                       5.0 * unit, {.noise = 2.0})};
+        run.shutter = core::Mask2d(side, side, 255);
+        for (int y = 0; y < side; ++y) {
+            std::fill_n(run.shutter.pixels.begin() + y * side, side / 4, std::uint8_t{0});
+        }
+        const auto trace = core::traceFrame(run, 0);
+        ASSERT_TRUE(trace) << side;
+        for (const Curve2d& curve : trace.value().centerline.curves) {
+            for (const Eigen::Vector2d& point : curve.pointsPx) {
+                EXPECT_GT(point.x(), 0.25 * side) << side;
+            }
+        }
+    }
+}
+
 TEST(TraceAngiogram, FindsAWideVesselInNoiseOfSinglePixels)
 {
     const Path path = test::line({20, 30}, {230, 180});

@@ -44,6 +44,21 @@ double shareInField(const Mask2d& field, double nearest, double farthest)
     return static_cast<double>(inside) / all;
 }
 
+TEST(FieldMask, EndsBeforeTheShutterAndWhatIsNotExposed)
+{
+    Mask2d shutter(side, side, 255);
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < 100; ++x) {
+            shutter.at(x, y) = 0;
+        }
+    }
+    const Mask2d field = core::findField(roundPictureOn(5.0F), 16.0, shutter);
+    EXPECT_EQ(field.at(103, 150), 0) << "on its edge";
+    EXPECT_EQ(field.at(105, 150), 255);
+    EXPECT_EQ(field.at(285, 150), 0) << "beyond the round field";
+    EXPECT_EQ(core::findField(roundPictureOn(5.0F), 16.0).at(50, 150), 255);
+}
+
 TEST(FieldMask, LeavesOutDarkAndLightSurrounds)
 {
     for (const float page : {5.0F, 240.0F}) {

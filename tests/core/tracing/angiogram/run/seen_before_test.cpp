@@ -118,4 +118,69 @@ TEST(SeenBefore, SaysWhereNoContrastComes)
     EXPECT_TRUE(first.value().warnings.empty()) << "nothing comes before it";
 }
 
+/// Ten frames of a heart that beats by 6 px; two vessels fill from the fourth on, or are filled all the time. `things`
+/// stand still.
+Angiogram beatingRun(const std::vector<test::Path>& things, int firstFilled)
+{
+    std::vector<ImageF> frames;
+    for (int k = 0; k < 10; ++k) {
+        const double beat = 6.0 * std::sin(1.1 * k);
+        std::vector<test::Path> paths = things;
+        if (k >= firstFilled) {
+            paths.push_back(moved(vessel, beat));
+            paths.push_back(moved(secondVessel, beat));
+        }
+        frames.push_back(frameOf(paths, static_cast<std::uint64_t>(k) + 1));
+    }
+    return runOf(std::move(frames));
+}
+
+bool isSuspect(const core::AngiogramTrace& trace, const Curve2d& curve)
+{
+    return std::ranges::find(trace.suspectCurves, curve.id) != trace.suspectCurves.end();
+}
+
+TEST(StillCurves, AreThoseThatStandStillThroughTheRun)
+{
+    const Angiogram run = beatingRun({catheter}, 3);
+    const double beat = 6.0 * std::sin(1.1 * 6);
+    const core::Centerline2d traced{
+        {curveAlong(1, catheter), curveAlong(2, moved(vessel, beat)), curveAlong(3, moved(secondVessel, beat))}};
+    EXPECT_EQ(core::stillCurves(traced, run.frames, 6, Polarity::VesselsDark), std::vector<int>{1});
+    EXPECT_TRUE(core::stillCurves(traced, {run.frames[5], run.frames[6]}, 1, Polarity::VesselsDark).empty())
+        << "two frames tell nothing";
+}
+
+/// A lead that winds as a vessel does, in runs that begin before the contrast agent and with it.
+TEST(StillCurves, AreSetApartWhileVesselsMove)
+{
+    for (const int firstFilled : {3, 0}) {
+        const auto trace = core::traceFrame(beatingRun({catheter}, firstFilled), 6);
+        ASSERT_TRUE(trace) << trace.error().message;
+        EXPECT_FALSE(trace.value().standsStill);
+        for (const Curve2d& curve : trace.value().centerline.curves) {
+            EXPECT_EQ(isSuspect(trace.value(), curve), curve.pointsPx[curve.pointsPx.size() / 2].y() < 120.0)
+                << firstFilled;
+        }
+    }
+}
+
+TEST(StillCurves, OfAPhantomThatStandsStillAreVessels)
+{
+    std::vector<ImageF> frames;
+    for (std::uint64_t k = 1; k <= 8; ++k) {
+        frames.push_back(frameOf({vessel, secondVessel}, k));
+    }
+    const auto trace = core::traceFrame(runOf(std::move(frames)), 5);
+    ASSERT_TRUE(trace) << trace.error().message;
+    EXPECT_TRUE(trace.value().suspectCurves.empty());
+}
+
+TEST(StillCurves, AloneShowNoContrast)
+{
+    const auto trace = core::traceFrame(beatingRun({catheter}, 3), 1);
+    ASSERT_TRUE(trace) << trace.error().message;
+    EXPECT_TRUE(trace.value().standsStill);
+}
+
 }   // namespace

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <functional>
 
 using namespace angiopose;
 
@@ -144,11 +145,32 @@ TEST(SubtractRun, AShiftByHandIsTaken)
     EXPECT_EQ(subtracted.value().maskShiftsPx, std::vector<Eigen::Vector2d>(4, byHand));
 }
 
+/// Where bones are much darker than the vessels, all frames have about as many ridges.
+TEST(SuggestMaskFrames, TracingTellsWhetherTheFirstFrameShowsContrast)
+{
+    std::vector<ImageF> frames;
+    for (int k = 0; k < 5; ++k) {
+        std::vector<test::Path> bars;
+        for (double x = 30.0; x < 300.0; x += 40.0) {
+            bars.push_back(test::line({x, -20.0}, {x, 320.0}));
+        }
+        ImageF frame = test::drawnFrame(300, 300, bars, 4.0, {.background = 900.0F, .depth = 350.0F});
+        if (k >= 2) {
+            const ImageF shadow = test::drawnFrame(300, 300, {test::line({20, 40}, {280, 250})}, 3.0,
+                                                   {.background = 1.0F, .depth = 0.2F});
+            std::ranges::transform(frame.pixels, shadow.pixels, frame.pixels.begin(), std::multiplies<>());
+        }
+        test::addNoise(frame, 10.0, static_cast<std::uint64_t>(k) + 1);
+        frames.push_back(std::move(frame));
+    }
+    EXPECT_EQ(core::suggestMaskFrames(frames, Polarity::VesselsDark), std::vector<int>{0});
+}
+
 TEST(SubtractRun, RefusesInPlainWords)
 {
     const auto missing = core::subtractRun(ribRun(), Polarity::VesselsDark, {.maskFrames = {9}});
     ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().message.text().find("frames 0 to 3"), std::string::npos);
+    EXPECT_NE(missing.error().message.text().find("frames 1 to 4"), std::string::npos);
     EXPECT_FALSE(core::subtractRun({ribRun()[0]}, Polarity::VesselsDark, {.maskFrames = {0}}));
     EXPECT_FALSE(core::subtractRun({ribRun()[0], ImageF(3, 3)}, Polarity::VesselsDark, {.maskFrames = {0}}));
     const std::vector<ImageF> filled{ribFrame(true, 0.0, 5), ribFrame(true, 0.0, 6)};

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace angiopose::app {
+
+/// `--frame` as people count frames, and DICOM does: from 1.
+inline CLI::Option* addFrameOption(CLI::App& command, std::optional<int>& frame, const std::string& help)
+{
+    return command.add_option_function<int>(
+        "--frame", [&frame](int number) { frame = std::max(number, 0) - 1; }, help);
+}
+
+}   // namespace angiopose::app

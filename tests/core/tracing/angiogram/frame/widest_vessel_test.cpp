@@ -1,0 +1,55 @@
+#include "core/tracing/angiogram/frame/widest_vessel.h"
+
+#include "core/tracing/angiogram/trace_angiogram.h"
+#include "tests/support/drawn_vessels.h"
+
+#include <gtest/gtest.h>
+
+using namespace angiopose;
+
+namespace {
+
+core::CArm cArmOf(double spacingMm, double sidMm, double sodMm)
+{
+    core::CArm cArm;
+    cArm.columnSpacingMm = {spacingMm, core::Origin::Header, {}};
+    cArm.rowSpacingMm = cArm.columnSpacingMm;
+    cArm.sourceToDetectorMm = {sidMm, core::Origin::Header, {}};
+    cArm.sourceToPatientMm = {sodMm, core::Origin::Header, {}};
+    return cArm;
+}
+
+TEST(WidestVessel, FollowsPixelSpacingAndMagnification)
+{
+    EXPECT_DOUBLE_EQ(core::widestVesselRadiusPx({}, 512, 512), 8.0);
+    EXPECT_NEAR(core::widestVesselRadiusPx(cArmOf(0.184, 1050, 750), 512, 512), 2.5 * 1.4 / 0.184, 1e-9);
+    EXPECT_NEAR(core::widestVesselRadiusPx(cArmOf(0.184, 1050, 750), 1024, 1024), 0.5 * 2.5 * 1.4 / 0.184, 1e-9);
+    EXPECT_DOUBLE_EQ(core::widestVesselRadiusPx(cArmOf(0.4, 900, 750), 512, 512), 8.0) << "no less than before";
+    EXPECT_DOUBLE_EQ(core::widestVesselRadiusPx(cArmOf(0.05, 1200, 600), 512, 512), 24.0);
+    EXPECT_DOUBLE_EQ(core::settledFor({}, cArmOf(0.25, 1200, 1000), 512, 512).maxVesselRadiusPx, 12.0);
+    EXPECT_DOUBLE_EQ(core::settledFor({.maxVesselRadiusPx = 5.0}, cArmOf(0.25, 1200, 1000), 512, 512).maxVesselRadiusPx,
+                     5.0)
+        << "as somebody wants it";
+}
+
+/// A left main artery of 5 mm, which is 36 px wide there, is one curve of that width.
+TEST(WidestVessel, AWideLeftMainIsTracedAlongItsMiddle)
+{
+    const test::Path trunk = test::line({60, 120}, {420, 300});
+    core::Angiogram run;
+    run.frames = {test::drawnFrame(512, 512, {trunk}, 18.0, {.noise = 3.0})};
+    run.cArm = cArmOf(0.19, 1050, 750);
+    const auto trace = core::traceFrame(run, 0);
+    ASSERT_TRUE(trace) << trace.error().message;
+    double alongPx = 0.0;
+    for (const core::Curve2d& curve : trace.value().centerline.curves) {
+        for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
+            EXPECT_LT(test::distanceTo(trunk, curve.pointsPx[i]), 4.0) << "no wall is a vessel";
+        }
+        alongPx += curve.lengthPx();
+        EXPECT_NEAR(curve.radiusPx[curve.radiusPx.size() / 2], 18.0, 2.7);
+    }
+    EXPECT_GT(alongPx, 330.0);
+}
+
+}   // namespace

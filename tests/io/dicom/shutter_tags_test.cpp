@@ -1,0 +1,143 @@
+#include "io/dicom/shutter_tags.h"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <string>
+
+using namespace angiopose;
+
+namespace {
+
+struct ReadShutter {
+    core::Mask2d field;
+    core::Messages warnings;
+};
+
+/// Of an image of 60 columns and 40 rows with these elements, in ascending order.
+ReadShutter shutterOf(std::initializer_list<std::pair<io::DicomTag, std::string>> elements)
+{
+    std::string bytes;
+    for (auto [tag, value] : elements) {
+        value += value.size() % 2 == 1 ? " " : "";
+        for (const std::size_t number : {std::size_t{tag >> 16U}, std::size_t{tag & 0xffffU}}) {
+            bytes += {static_cast<char>(number & 0xffU), static_cast<char>(number >> 8U)};
+        }
+        bytes += tag == 0x00181600 ? "CS" : "IS";
+        bytes += {static_cast<char>(value.size() & 0xffU), static_cast<char>(value.size() >> 8U)};
+        bytes += value;
+    }
+    ReadShutter read;
+    read.field = io::shutterOf(io::readElements(bytes, io::DicomEncoding{}), 60, 40, read.warnings);
+    return read;
+}
+
+/// Open pixels of a row or column, first and last, counted from 0.
+std::pair<int, int> openInRow(const core::Mask2d& field, int row)
+{
+    int first = -1, last = -1;
+    for (int x = 0; x < field.width; ++x) {
+        if (field.at(x, row) != 0) {
+            first = first < 0 ? x : first;
+            last = x;
+        }
+    }
+    return {first, last};
+}
+
+using Span = std::pair<int, int>;
+
+TEST(ShutterTags, ARectangleKeepsItsEdgesThatCountFromOne)
+{
+    const auto read = shutterOf(
+        {{0x00181600, "RECTANGULAR"}, {0x00181602, "11"}, {0x00181604, "50"}, {0x00181606, "6"}, {0x00181608, "35"}});
+    EXPECT_TRUE(read.warnings.empty());
+    ASSERT_EQ(read.field.width, 60);
+    ASSERT_EQ(read.field.height, 40);
+    EXPECT_EQ(openInRow(read.field, 5), Span(10, 49));
+    EXPECT_EQ(openInRow(read.field, 34), Span(10, 49));
+    EXPECT_EQ(openInRow(read.field, 4), Span(-1, -1));
+    EXPECT_EQ(openInRow(read.field, 35), Span(-1, -1));
+}
+
+TEST(ShutterTags, ACircleIsCentredByRowAndColumn)
+{
+    const auto read = shutterOf({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "10"}});
+    EXPECT_TRUE(read.warnings.empty());
+    EXPECT_EQ(openInRow(read.field, 20), Span(20, 40));
+    EXPECT_EQ(openInRow(read.field, 10), Span(30, 30));
+    EXPECT_EQ(openInRow(read.field, 26), Span(22, 38));
+    EXPECT_EQ(openInRow(read.field, 31), Span(-1, -1));
+}
+
+TEST(ShutterTags, APolygonHasVerticesByRowAndColumn)
+{
+    const auto read = shutterOf({{0x00181600, "POLYGONAL"}, {0x00181620, "1\\1\\1\\41\\31\\41\\31\\31"}});
+    EXPECT_TRUE(read.warnings.empty());
+    EXPECT_EQ(openInRow(read.field, 0), Span(0, 40));
+    EXPECT_EQ(openInRow(read.field, 10), Span(10, 40));
+    EXPECT_EQ(openInRow(read.field, 30), Span(30, 40)) << "the lower edge too";
+    EXPECT_EQ(openInRow(read.field, 31), Span(-1, -1));
+}
+
+TEST(ShutterTags, OfSeveralShapesWhatIsInsideAllIsOpen)
+{
+    const auto read = shutterOf({{0x00181600, "RECTANGULAR\\CIRCULAR"},
+                                 {0x00181602, "31"},
+                                 {0x00181604, "60"},
+                                 {0x00181606, "1"},
+                                 {0x00181608, "40"},
+                                 {0x00181610, "21\\31"},
+                                 {0x00181612, "10"}});
+    EXPECT_TRUE(read.warnings.empty());
+    EXPECT_EQ(openInRow(read.field, 20), Span(30, 40));
+}
+
+TEST(ShutterTags, AShutterThatHidesNothingIsNone)
+{
+    EXPECT_TRUE(shutterOf({}).field.isEmpty());
+    const auto open = shutterOf(
+        {{0x00181600, "RECTANGULAR"}, {0x00181602, "0"}, {0x00181604, "61"}, {0x00181606, "1"}, {0x00181608, "40"}});
+    EXPECT_TRUE(open.field.isEmpty());
+    EXPECT_TRUE(open.warnings.empty());
+}
+
+TEST(ShutterTags, WhatMakesNoSenseIsIgnoredAndSaid)
+{
+    const auto expectIgnored = [](const ReadShutter& read, const std::string& value) {
+        EXPECT_TRUE(read.field.isEmpty());
+        ASSERT_EQ(read.warnings.size(), 1U);
+        EXPECT_EQ(read.warnings.front().id(), "dicom.shutter-unusable");
+        EXPECT_NE(read.warnings.front().text().find(value), std::string::npos) << read.warnings.front();
+    };
+    expectIgnored(shutterOf({{0x00181600, "RECTANGULAR"},   // edges the wrong way round
+                             {0x00181602, "50"},
+                             {0x00181604, "11"},
+                             {0x00181606, "6"},
+                             {0x00181608, "35"}}),
+                  "50, 11, 6, 35");
+    expectIgnored(shutterOf({{0x00181600, "RECTANGULAR"},   // beside the image
+                             {0x00181602, "100"},
+                             {0x00181604, "160"},
+                             {0x00181606, "6"},
+                             {0x00181608, "35"}}),
+                  "100, 160");
+    expectIgnored(shutterOf({{0x00181600, "RECTANGULAR"}, {0x00181602, "11"}, {0x00181604, "50"}}), "11, 50");
+    expectIgnored(shutterOf({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "0"}}), "21\\31");
+    expectIgnored(shutterOf({{0x00181600, "POLYGONAL"}, {0x00181620, "1\\1\\1\\41\\31"}}), "1\\1\\1\\41\\31");
+    expectIgnored(shutterOf({{0x00181600, "POLYGONAL"}}), "POLYGONAL");
+}
+
+TEST(ShutterTags, AShapeThatMakesNoSenseLeavesTheOthers)
+{
+    const auto read = shutterOf({{0x00181600, "RECTANGULAR\\CIRCULAR"},
+                                 {0x00181602, "0"},
+                                 {0x00181604, "0"},
+                                 {0x00181606, "0"},
+                                 {0x00181608, "0"},
+                                 {0x00181610, "21\\31"},
+                                 {0x00181612, "10"}});
+    EXPECT_EQ(read.warnings.size(), 1U);
+    EXPECT_EQ(openInRow(read.field, 20), Span(20, 40));
+}
+
+}   // namespace
