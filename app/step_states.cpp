@@ -51,14 +51,14 @@ StepState angiogram(const core::Case& current, const StepFacts& facts)
     }
     if (core::givenTargetOf(current.shown())) {
         return {StepMark::Done,
-                current.shown().target.editedFrame ? StepWords::tr("frame %1, edited").arg(current.shown().frame)
+                current.shown().target.editedFrame ? StepWords::tr("frame %1, edited").arg(current.shown().frame + 1)
                                                    : StepWords::tr("given centreline"),
                 {}};
     }
     if (!facts.targetWarning.isEmpty()) {
         return {StepMark::Look, StepWords::tr("no contrast?"), facts.targetWarning};
     }
-    return {StepMark::Done, StepWords::tr("frame %1").arg(current.shown().frame), {}};
+    return {StepMark::Done, StepWords::tr("frame %1").arg(current.shown().frame + 1), {}};
 }
 
 bool isAssumed(const core::CArm& cArm)
@@ -145,7 +145,7 @@ StepState review(const core::Case& current)
     if (!result) {
         return {StepMark::Look, StepWords::tr("other frame"),
                 StepWords::tr("This pose was found in frame %1. R registers in the one that is shown.")
-                    .arg(last->provenance.frame.value_or(0))};
+                    .arg(last->provenance.frame.value_or(0) + 1)};
     }
     if (!result->trustworthy) {
         const auto& warnings = result->warnings;

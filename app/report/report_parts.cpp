@@ -56,8 +56,8 @@ Rows originRows(const ReportedView& view)
     }
     if (!core::resultOfShownFrame(view.theCase.shown())) {
         rows.emplace_back(PageWords::tr("Found in"), PageWords::tr("frame %1; picture and figures are of frame %2")
-                                                         .arg(result->provenance.frame.value_or(0))
-                                                         .arg(view.theCase.shown().frame));
+                                                         .arg(result->provenance.frame.value_or(0) + 1)
+                                                         .arg(view.theCase.shown().frame + 1));
     }
     return rows;
 }

@@ -148,7 +148,7 @@ QString MovieController::wordsOf(const MoviePlan& plan) const
     }
     const QString frames =
         plan.order == core::CineOrder::BackAndForth ? tr("Frames %1 to %2, back and forth") : tr("Frames %1 to %2");
-    return frames.arg(plan.frames.first).arg(plan.frames.last) + QStringLiteral(" · ") +
+    return frames.arg(plan.frames.first + 1).arg(plan.frames.last + 1) + QStringLiteral(" · ") +
            (plan.followed.empty() ? tr("the pose of this frame in all of them") : tr("each with its followed pose"));
 }
 

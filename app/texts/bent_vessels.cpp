@@ -87,7 +87,7 @@ core::Messages shapeLines(const DrawnVessels& drawn)
     const bool isSure = drawn.known->verdict == core::BendVerdict::Bent;
     core::Messages lines{isSure ? says::vesselsBent(most) : says::vesselsBentUnsure(most)};
     if (drawn.otherFrame) {
-        lines.push_back(says::bentOnFrame(*drawn.otherFrame));
+        lines.push_back(says::bentOnFrame(*drawn.otherFrame + 1));
     }
     if (drawn.known->viewPoses.size() == 1) {
         lines.push_back(says::bentDepthUntold());

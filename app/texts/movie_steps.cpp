@@ -70,7 +70,7 @@ std::optional<core::Message> findProblem(const core::Case& theCase, const MovieP
     const int last = theCase.shown().angiogram->frameCount() - 1;
     if (plan.content == MovieContent::Run &&
         (plan.frames.first < 0 || plan.frames.last > last || plan.frames.first > plan.frames.last)) {
-        return says::movieFramesBeyond(plan.frames.first, plan.frames.last, last);
+        return says::movieFramesBeyond(plan.frames.first + 1, plan.frames.last + 1, last + 1);
     }
     return std::nullopt;
 }
@@ -136,7 +136,7 @@ MovieStep MovieSteps::frameStep(std::size_t index) const
     }
     const auto followed = std::ranges::find(plan_.followed, frame, &core::FollowedFrame::frame);
     if (followed == plan_.followed.end()) {
-        step.words = says::moviePoseOfFrame(own.frame);
+        step.words = says::moviePoseOfFrame(own.frame + 1);
         return step;
     }
     moveTo(step.theCase, followed->tracked.cameraFromPatient);

@@ -44,7 +44,7 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
         lines.bottomLeft.push_back(*heading);
     }
     if (const int count = theCase.shown().angiogram->frameCount(); count > 1) {
-        lines.bottomLeft.push_back(says::frameOfRun(theCase.shown().frame, count - 1));
+        lines.bottomLeft.push_back(says::frameOfRun(theCase.shown().frame + 1, count));
     }
     if (const core::RegistrationResult* const result = core::resultOfShownFrame(theCase.shown())) {
         const core::Quantity median{result->metrics.medianPx, 2, "px"};
@@ -52,7 +52,7 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
                                                        : says::poseNotTrustworthy(result->method, median);
         lines.bottomLeft.push_back(drawn.shape == VesselShape::Bent ? says::ofRigidVessels(pose) : pose);
     } else if (const auto& elsewhere = theCase.shown().result) {   // its figures are not of this frame
-        const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0));
+        const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
         if (heading != pose) {
             lines.bottomLeft.push_back(pose);
         }
@@ -323,7 +323,7 @@ std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
         {"Software", std::string("AngioPose ") + ANGIOPOSE_VERSION},
         {"Disclaimer", says::notForClinicalUse().text()},
         {"Centreline", theCase.vessels.file.sha256},
-        {"Angiogram", theCase.shown().imageFile.sha256 + " frame " + std::to_string(theCase.shown().frame)},
+        {"Angiogram", theCase.shown().imageFile.sha256 + " frame " + std::to_string(theCase.shown().frame + 1)},
         {"cameraFromPatient", poseText(theCase.shown().cameraFromPatient)},
     };
     if (const auto& result = theCase.shown().result) {
@@ -334,7 +334,7 @@ std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
         for (const core::Message& warning : result->warnings) {
             texts["Warnings"] += warning.text() + "\n";
         }
-        texts["Found in"] = "frame " + std::to_string(result->provenance.frame.value_or(theCase.shown().frame));
+        texts["Found in"] = "frame " + std::to_string(result->provenance.frame.value_or(theCase.shown().frame) + 1);
         texts["Found"] = result->provenance.time;
         texts["Found by"] = result->provenance.author;
     }

@@ -33,7 +33,7 @@ QString kindWords(const core::ImageAnnotation& annotation)
 
 QString frameWordsOf(const core::ImageAnnotation& annotation)
 {
-    return MarkWords::tr("On frame %1 of this view, in every picture of it.").arg(annotation.frame);
+    return MarkWords::tr("On frame %1 of this view, in every picture of it.").arg(annotation.frame + 1);
 }
 
 bool isFarther(double mm, const std::optional<double>& claimedMm)

@@ -53,7 +53,7 @@ QString sliceWords(const core::SliceMeasurement& measurement)
 
 QString frameWords(const core::ImageMeasurement& measurement)
 {
-    return MeasureWords::tr("Frame %1.").arg(measurement.frame) + QLatin1Char(' ');
+    return MeasureWords::tr("Frame %1.").arg(measurement.frame + 1) + QLatin1Char(' ');
 }
 
 }   // namespace

@@ -1,3 +1,4 @@
+#include "io/angiogram_file.h"
 #include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
@@ -190,8 +191,28 @@ TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
     EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
     EXPECT_GT(fs::file_size(csv), 1000u);
     EXPECT_TRUE(fs::exists(folder_.file("mask.png")));
-    EXPECT_EQ(
-        runCli({"trace-angiogram", folder_.file("demo/angiogram.dcm"), "--frame", "99", "--output", csv}).exitCode, 3);
+}
+
+/// What is printed can be typed: both count from 1, as DICOM does; JSON counts from 0.
+TEST_F(CliOnSimulatedCase, FramesCountFromOne)
+{
+    const std::string run = folder_.file("demo/angiogram.dcm");
+    const auto traced = [&](const std::string& frame) {
+        return runCli({"trace-angiogram", run, "--frame", frame, "--output", folder_.file("traced.csv")});
+    };
+    const int count = io::readAngiogram(run).value().frameCount();
+    const std::string last = std::to_string(count);
+    const auto shown = traced(last);
+    EXPECT_EQ(shown.exitCode, 0) << shown.messages;
+    EXPECT_EQ(shown.output.find("frame " + last + " of " + last + ":"), 0U) << shown.output;
+    for (const std::string beyond : {"0", "-3", "99"}) {
+        const auto refused = traced(beyond);
+        EXPECT_EQ(refused.exitCode, 3);
+        EXPECT_NE(refused.messages.find("It has frames 1 to " + last), std::string::npos) << refused.messages;
+    }
+    const auto registered = runCli({"register", casePath_, "--frame", "5", "--output", folder_.file("out")});
+    ASSERT_TRUE(registered.exitCode == 0 || registered.exitCode == 4) << registered.messages;
+    EXPECT_EQ(nlohmann::json::parse(bytesOf(folder_.file("out/result.json")))["inputs"]["frame"], 4);
 }
 
 TEST_F(CliOnSimulatedCase, TraceAngiogramWritesWhatMayBeADeviceApart)
@@ -218,9 +239,9 @@ TEST_F(CliOnSimulatedCase, TraceAngiogramSubtractsAndComposes)
     EXPECT_EQ(composed.exitCode, 0) << composed.messages;
     EXPECT_NE(composed.output.find("all frames"), std::string::npos);
     const auto subtracted =
-        runCli({"trace-angiogram", run, "--mask-frames", "0", "--mask-shift", "0,0", "--output", csv});
+        runCli({"trace-angiogram", run, "--mask-frames", "1", "--mask-shift", "0,0", "--output", csv});
     EXPECT_EQ(subtracted.exitCode, 0) << subtracted.messages;
-    EXPECT_NE(subtracted.output.find("mean of frames 0"), std::string::npos);
+    EXPECT_NE(subtracted.output.find("mean of frames 1\n"), std::string::npos);
     EXPECT_EQ(runCli({"trace-angiogram", run, "--mask-frames", "99", "--output", csv}).exitCode, 3);
     EXPECT_EQ(runCli({"trace-angiogram", run, "--composite", "sum", "--output", csv}).exitCode, 2);
 }

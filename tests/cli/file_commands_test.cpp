@@ -244,7 +244,7 @@ TEST(Cli, TracesADrawnMaskAsItIsDrawn)
                                  "--mask", folder.file("copy.png")});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
     EXPECT_NE(outcome.messages.find("mask of two levels"), std::string::npos) << outcome.messages;
-    EXPECT_NE(outcome.output.find("frame 0: "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("frame 1 of 1: "), std::string::npos) << outcome.output;
     const auto curves = io::readCenterline2d(folder.file("curves.csv"));
     ASSERT_TRUE(curves) << curves.error().message;
     for (const core::Curve2d& curve : curves.value().curves) {

@@ -43,7 +43,7 @@ QString toolTipOf(const core::PoseSnapshot& snapshot)
                      .arg(numberText(snapshot.metrics->p95Mm, 2))
                      .arg(numberText(100.0 * snapshot.metrics->coverage, 0));
     }
-    lines << SnapshotPanel::tr("frame %1").arg(snapshot.frame) << toQt(snapshot.note);
+    lines << SnapshotPanel::tr("frame %1").arg(snapshot.frame + 1) << toQt(snapshot.note);
     lines.removeAll(QString());
     return lines.join(QLatin1Char('\n'));
 }

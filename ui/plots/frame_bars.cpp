@@ -28,7 +28,7 @@ bool isInLane(const QPointF& place)
 
 QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame)
 {
-    QStringList parts{FrameBars::tr("Frame %1").arg(frame)};
+    QStringList parts{FrameBars::tr("Frame %1").arg(frame + 1)};
     if (curve.frameTimeMs > 0.0) {
         parts << FrameBars::tr("%1 s").arg(numberText(0.001 * curve.frameTimeMs * frame, 2));
     }

@@ -103,8 +103,8 @@ void MotionPlot::paintEvent(QPaintEvent*)
     paintLine(painter);
     painter.setPen(toQColor(tones.hint));
     const QRectF labels(plot.left(), plot.bottom() + 2, plot.width(), motionLabelHeight - 2);
-    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, tr("frame %1").arg(motion_.front().frame));
-    painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, QString::number(motion_.back().frame));
+    painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, tr("frame %1").arg(motion_.front().frame + 1));
+    painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, QString::number(motion_.back().frame + 1));
     painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(numberText(highestMm_, 1)));
     if (hasFocus()) {
         painter.setPen(toQColor(tones.accent));
@@ -134,7 +134,7 @@ void MotionPlot::mouseMoveEvent(QMouseEvent* event)
     }
     const FrameMotion& at = motion_[indexAt(event->position().x())];
     const QString words = tr("frame %1: %2 mm across, %3 mm in depth, %4°")
-                              .arg(at.frame)
+                              .arg(at.frame + 1)
                               .arg(numberText(at.inPlaneMm, 2))
                               .arg(numberText(at.depthMm, 1))
                               .arg(numberText(at.rotationDeg, 1));

@@ -99,8 +99,8 @@ void OpacificationPlot::paintAxes(QPainter& painter) const
     for (int frame = 0; frame <= lastFrame(); frame += step) {
         const double x = pointOf(frame).x();
         const QString text = curve_.frameTimeMs > 0.0
-                                 ? tr("%1 · %2 s").arg(frame).arg(numberText(0.001 * curve_.frameTimeMs * frame, 2))
-                                 : QString::number(frame);
+                                 ? tr("%1 · %2 s").arg(frame + 1).arg(numberText(0.001 * curve_.frameTimeMs * frame, 2))
+                                 : QString::number(frame + 1);
         const double half = std::min(50.0, width() - 2.0 - x);   // the last one ends with the plot
         painter.drawText(QRectF(x + half - 100.0, part.bottom() + 6.0, 100.0, 18.0),
                          half < 50.0 ? Qt::AlignRight : Qt::AlignHCenter, text);

@@ -91,7 +91,7 @@ void AngiogramView::setFramePosition(int index, int count)
 QString AngiogramView::frameText() const
 {
     const auto [index, count] = interaction_->frame;
-    return count > 1 ? tr("frame %1 (0–%2)").arg(index).arg(count - 1) : QString();
+    return count > 1 ? tr("frame %1 of %2").arg(index + 1).arg(count) : QString();
 }
 
 void AngiogramView::setCornerTexts(const CornerTexts& texts)

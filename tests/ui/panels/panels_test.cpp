@@ -157,8 +157,8 @@ TEST(FrameBars, ShiftMarksMaskFrames)
 TEST(FrameBars, TellFrameTimeAndWhatIsSpecial)
 {
     const FrameCurve curve{{0.0, 0.1, 1.0}, 2, 66.7};
-    EXPECT_EQ(describeFrame(curve, {0, 1}, 1), QStringLiteral("Frame 1 · 0.07 s · 10 % · mask"));
-    EXPECT_EQ(describeFrame(curve, {}, 2), QStringLiteral("Frame 2 · 0.13 s · 100 % · the fullest"));
+    EXPECT_EQ(describeFrame(curve, {0, 1}, 1), QStringLiteral("Frame 2 · 0.07 s · 10 % · mask"));
+    EXPECT_EQ(describeFrame(curve, {}, 2), QStringLiteral("Frame 3 · 0.13 s · 100 % · the fullest"));
 }
 
 TEST(FrameBars, RWavesAreSeenAndNamed)
@@ -172,7 +172,7 @@ TEST(FrameBars, RWavesAreSeenAndNamed)
     curve.rWaves = {1};
     bars.showFrames(curve);
     EXPECT_NE(bars.grab().toImage(), without);
-    EXPECT_EQ(describeFrame(curve, {}, 1), QStringLiteral("Frame 1 · 0.07 s · 10 % · R wave"));
+    EXPECT_EQ(describeFrame(curve, {}, 1), QStringLiteral("Frame 2 · 0.07 s · 10 % · R wave"));
 }
 
 TEST(HistogramPlot, CountsWhatLiesAboveTheScaleByItself)
