@@ -58,6 +58,8 @@ void addRegister(CLI::App& app, int& exitCode)
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_option("--view", arguments->otherViews,
                         "Case of the same vessels in another view, registered together; may be repeated");
+    command->add_flag("--same-patient", arguments->isSamePatient,
+                      "All images are of one patient, whatever their headers say: otherwise no result is trusted");
     command->add_flag("--deformable", arguments->isBending,
                       "Bend the vessels afterwards where the image asks for it: bent.vtp, motion.csv");
     command->add_option("--output", arguments->outputFolder,

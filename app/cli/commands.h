@@ -34,6 +34,7 @@ struct RegisterArguments {
     std::optional<int> frame;
     std::vector<std::string> otherViews;   ///< cases registered together with this one, beside its own `views`
     bool isBending = false;   ///< the vessels are bent after the registration
+    bool isSamePatient = false;   ///< whatever the headers say
     std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;
 };

@@ -1,7 +1,9 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
+#include "app/cli/console.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
+#include "core/case/case_patients.h"
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/support/stopwatch.h"
 #include "io/case/asked_case.h"
@@ -85,8 +87,12 @@ int runRegister(const RegisterArguments& arguments)
     if (const auto status = addOtherViews(theCase, arguments.otherViews); !status) {
         return failInput(status.error(), arguments.format);
     }
+    if (!arguments.otherViews.empty() || !arguments.angiogramPath.empty()) {   // a case alone has compared its images
+        printWarnings(core::findMismatch(theCase));
+    }
     core::RegistrationPlan plan;
     plan.readMs = watch.lapMs();
+    plan.isSamePatient = arguments.isSamePatient;
     const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {
         return failInput(registered.error().about(inputPathOf(arguments)), arguments.format);

@@ -1,5 +1,6 @@
 #include "core/workflow/register_case.h"
 
+#include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/case/geometry_of_images.h"
 #include "core/case/registration_input.h"
@@ -239,6 +240,32 @@ private:
     std::vector<CameraSpread> spreads_;
 };
 
+/// Whatever fits: images that are not of one patient, or of opposite sides of one, tell no pose.
+void distrustOtherPatients(RegisteredCase& run)
+{
+    Case registered;
+    registered.vessels.scanIdentity = run.theCase.vessels.scanIdentity;
+    registered.views.clear();
+    for (const std::size_t place : run.places) {
+        registered.views.push_back(run.theCase.views[place]);
+    }
+    Messages mismatch = findMismatch(registered);
+    std::erase_if(mismatch, [](const Message& said) { return said.is(says::examinationOfRunsDiffers); });
+    if (mismatch.empty()) {
+        return;
+    }
+    for (const std::size_t place : run.places) {
+        RegistrationResult& result = *run.theCase.views[place].result;
+        result.trustworthy = false;
+        result.probabilityWithin2Mm.reset();
+        result.warnings.insert(result.warnings.begin(), mismatch.begin(), mismatch.end());
+    }
+    if (run.joint) {
+        run.joint->trustworthy = false;
+        run.joint->warnings.insert(run.joint->warnings.begin(), mismatch.begin(), mismatch.end());
+    }
+}
+
 bool isStopped(const RegisteredCase& run)
 {
     return run.result().stopReason == StopReason::StoppedByUser;
@@ -319,6 +346,9 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
                               : registerPlanned(run, notes, {}, solverObserver(course, run.places, {begin, 1.0}));
     if (!status) {
         return status.error();
+    }
+    if (!plan.isSamePatient) {
+        distrustOtherPatients(run);
     }
     for (const std::size_t place : run.places) {
         run.theCase.views[place].result->provenance.start = run.asked->views[place].cameraFromPatient;

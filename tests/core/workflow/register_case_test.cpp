@@ -86,6 +86,37 @@ TEST(RegisterCase, CallsTheViewsByTheirPlaceWhicheverIsShown)
     }
 }
 
+TEST(RegisterCase, TrustsNoFitOfDifferentPatientsUnlessSomebodyMadeSure)
+{
+    const auto of = [](View& view, const std::string& number, const std::string& accession) {
+        Angiogram run = *view.angiogram;
+        run.identity.patientId = number;
+        run.identity.accessionNumber = accession;
+        view.angiogram = std::make_shared<const Angiogram>(std::move(run));
+    };
+    Case values = test::twoViewCase();
+    of(values.views[0], "0815", "A1");
+    of(values.views[1], "0815", "A2");   // another examination of the same patient
+    ASSERT_TRUE(registerCase(values).value().result().trustworthy);
+
+    of(values.views[1], "4711", "A1");
+    const RegisteredCase other = registerCase(values).value();
+    EXPECT_FALSE(other.joint->trustworthy);
+    EXPECT_EQ(other.joint->warnings.front().id(), "patient.of-runs-differs");
+    for (const View& view : other.theCase.views) {
+        EXPECT_FALSE(view.result->trustworthy);
+        EXPECT_EQ(view.result->warnings.front().id(), "patient.of-runs-differs");
+    }
+    EXPECT_TRUE(registerCase(values, {.isSamePatient = true}).value().result().trustworthy);
+    EXPECT_TRUE(registerCase(values, {.views = Views::Shown}).value().result().trustworthy) << "the other is not used";
+
+    values.vessels.scanIdentity.patientId = "1234";
+    const RegistrationResult alone = registerCase(values, {.views = Views::Shown}).value().result();
+    EXPECT_FALSE(alone.trustworthy);
+    EXPECT_FALSE(alone.probabilityWithin2Mm);
+    EXPECT_EQ(alone.warnings.front().id(), "patient.differs");
+}
+
 /// The case with targets as noisy as traced ones: without noise every depth is certain.
 Case withNoise(Case values)
 {
