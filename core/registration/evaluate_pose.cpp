@@ -1,9 +1,33 @@
 #include "core/registration/registration.h"
 
 #include "core/messages/says.h"
+#include "core/registration/bending_doubt.h"
 #include "core/registration/judging/judge_pose.h"
 
+#include <algorithm>
+
 namespace angiopose::core {
+namespace {
+
+constexpr double settledMm = 1.3;   // farther, the pose is not that of the image (see judgeTrust)
+constexpr double mostlyExplained = 0.5;
+
+/// Which vessels the image shows is seen from a pose that explains it: beside it few of a full tree seem to be there.
+void withdrawSinglePath(RegistrationResult& judged)
+{
+    const FitSigns& signs = judged.signs;
+    const bool explains = signs.settlingMm <= settledMm && judged.metrics.coverage >= mostlyExplained;
+    const auto withdrawn =
+        explains ? 0
+                 : std::erase_if(judged.warnings, [](const Message& said) { return said.is(says::trustSinglePath); });
+    if (withdrawn > 0 && std::ranges::none_of(judged.warnings, speaksAgainstTrust)) {
+        judged.warnings.insert(judged.warnings.begin(),
+                               says::trustLittleAgreement(Quantity{100.0 * signs.treeShare, 0, "%"},
+                                                          Quantity{100.0 * judged.metrics.coverage, 0, "%"}));
+    }
+}
+
+}   // namespace
 
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient)
 {
@@ -18,7 +42,9 @@ Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const Ri
     MethodSolution solution;
     solution.cameraFromPatient = cameraFromPatient;
     solution.stopReason = StopReason::Converged;
-    return judgePose(problem.value(), options, solution);
+    RegistrationResult judged = judgePose(problem.value(), options, solution);
+    withdrawSinglePath(judged);
+    return judged;
 }
 
 }   // namespace angiopose::core

@@ -44,6 +44,9 @@ void heedExperience(RegistrationResult& result)
         result.trustworthy = false;
         result.warnings.insert(result.warnings.begin(), says::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
     }
+    if (!result.trustworthy && probability >= oftenFails) {   // it knows nothing of what speaks against this fit
+        result.probabilityWithin2Mm.reset();
+    }
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,7 @@
 #include "core/registration/alignment/shape_tolerance.h"
 
 #include "core/registration/alignment/shape_field.h"
+#include "core/support/symmetric.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,8 @@ constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residual
 constexpr int maxShapeSteps = 8;
 constexpr double settledShapeSigmas = 0.1;   // the steps after are smaller still
 constexpr double leastShapeDamping = 1e-9;
+// Vessels within about 6° (rms) of one direction: what their traced directions scatter by says nothing of a slide.
+constexpr double oneLineShare = 0.01;
 
 NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
 {
@@ -69,6 +72,27 @@ bool isSettled(const Vector6d& step, const NormalEquations& equations, double va
     return squaredSigmas < settledShapeSigmas * settledShapeSigmas;
 }
 
+/// Where the matched vessels are one line in the image, a slide of the tree along it changes no distance across them:
+/// that step is taken out of the equations.
+template <int Parameters>
+EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows)
+{
+    Eigen::Matrix2d across = Eigen::Matrix2d::Zero();   // information of a shift in the image plane
+    for (const ResidualRow& row : rows) {
+        const Eigen::Vector2d shift = row.gradient.segment<2>(3);
+        across += row.weight * shift * shift.transpose();
+    }
+    const Axes<2> axes = axesOf(across);
+    if (axes.values[0] < oneLineShare * axes.values.sum()) {
+        Eigen::Vector<double, Parameters> slide = Eigen::Vector<double, Parameters>::Zero();
+        slide.template segment<2>(3) = axes.directions.col(0);
+        const auto kept = (decltype(equations.hessian)::Identity() - slide * slide.transpose()).eval();
+        equations.hessian = (kept * equations.hessian * kept).eval();
+        equations.gradient = (kept * equations.gradient).eval();
+    }
+    return equations;
+}
+
 /// What the rows tell when the vessels may be bent by as much as they show.
 template <int Parameters>
 EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const CentroidPose& pose,
@@ -77,10 +101,10 @@ EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const Cent
     std::vector<ResidualRow> rows;
     const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
     if (!noise.hasOffsets()) {
-        return ofIndependentRows<Parameters>(rows, noise.rowVariance());
+        return withoutOpenSlide(ofIndependentRows<Parameters>(rows, noise.rowVariance()), rows);
     }
     ShapeFieldOf<Parameters> field(rows, noise.rowVariance());
-    return field.equations(field.likelyOffsetPx(prior));
+    return withoutOpenSlide(field.equations(field.likelyOffsetPx(prior)), rows);
 }
 
 /// Lays the turned tree over the vessels.

@@ -37,6 +37,26 @@ double shareFilled(const std::vector<std::uint8_t>& isFilled)
     return static_cast<double>(filled) / static_cast<double>(std::max<std::size_t>(1, isFilled.size()));
 }
 
+double judgedShare(const RegistrationResult& result)
+{
+    for (const Message& said : result.warnings) {
+        const bool tells =
+            said.is(says::trustPartFilled) || said.is(says::trustFewFilled) || said.is(says::trustPiecesFilled);
+        const Quantity* const percent = tells ? std::get_if<Quantity>(&said.arguments().front()) : nullptr;
+        if (percent) {
+            return 0.01 * percent->value;
+        }
+    }
+    double all = 0.0, filled = 0.0;   // of a result whose words another version stored
+    for (const BranchResidual& branch : result.branches) {
+        const bool isEmpty =
+            std::ranges::find(result.unfilled, branch.branchId, &UnfilledBranch::branchId) != result.unfilled.end();
+        all += branch.pointCount;
+        filled += isEmpty ? 0.0 : branch.pointCount;
+    }
+    return all > 0.0 ? filled / all : 1.0;
+}
+
 Messages wordsOf(const std::vector<UnfilledBranch>& unfilled, double filledShare, std::size_t branchCount)
 {
     const Quantity shown{100.0 * filledShare, 0, "%"};

@@ -13,6 +13,9 @@ std::vector<UnfilledBranch> unfilledBranches(const TreeSamples& tree, const std:
 /// Share of the tree's points, 0…1.
 double shareFilled(const std::vector<std::uint8_t>& isFilled);
 
+/// Share of the tree that the distances of a result are about, 0…1: the rest is judged unopacified.
+double judgedShare(const RegistrationResult& result);
+
 /// Names them while they are few; nothing when there are none.
 Messages wordsOf(const std::vector<UnfilledBranch>& unfilled, double filledShare, std::size_t branchCount);
 

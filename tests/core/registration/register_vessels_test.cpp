@@ -103,6 +103,58 @@ TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
     EXPECT_TRUE(result.value().trustworthy) << result.value().warnings.front();
 }
 
+/// The tree flattened into a plane that holds the source: all of it is one upright line in the image.
+test::CleanCase seenEdgeOn(std::uint64_t seed)
+{
+    test::CleanCase clean(seed);
+    const RigidTransform patientFromCamera = clean.truth.inverse();
+    for (VesselBranch& branch : clean.tree.branches) {
+        for (Eigen::Vector3d& point : branch.pointsInPatient) {
+            Eigen::Vector3d inCamera = clean.truth * point;
+            inCamera.x() = 0.0;
+            point = patientFromCamera * inCamera;
+        }
+    }
+    CounterRandom random(seed);
+    clean.target = traced(projectTree(clean.tree, clean.camera, clean.truth), random);
+    return clean;
+}
+
+TEST(RegisterVessels, KnowsThatVesselsSeenEdgeOnMaySlideAlongTheirLine)
+{
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        const test::CleanCase clean = seenEdgeOn(seed);
+        RigidTransform start = clean.truth;
+        start.translation += Eigen::Vector3d(2.0, 5.0, 5.0);
+        const auto result = registerVessels(clean.from(start));
+        ASSERT_TRUE(result);
+        EXPECT_FALSE(result.value().trustworthy) << "tree " << seed;
+        EXPECT_LT(result.value().probabilityWithin2Mm.value_or(0.0), 0.8) << "tree " << seed;
+        EXPECT_FALSE(result.value().uncertainty.observed[4]) << "tree " << seed;
+        EXPECT_GT(result.value().uncertainty.inPlaneMm, 3.0) << "tree " << seed;
+        EXPECT_EQ(std::ranges::count(result.value().warnings, says::trustShiftUncertain()), 1) << "tree " << seed;
+    }
+}
+
+TEST(RegisterVessels, DoesNotCallAFullTreeASinglePathBesideItsVessels)
+{
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+        const test::CleanCase clean(seed);
+        for (const double asideMm : {3.0, 6.0, 12.0, 25.0}) {
+            for (const Eigen::Vector3d way : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}) {
+                RigidTransform nudged = clean.truth;
+                nudged.translation += asideMm * way;
+                const auto judged = evaluatePose(clean.from(clean.truth), nudged);
+                ASSERT_TRUE(judged);
+                EXPECT_FALSE(judged.value().trustworthy) << "tree " << seed << ", " << asideMm << " mm";
+                EXPECT_EQ(std::ranges::count(judged.value().warnings, says::trustSinglePath()), 0)
+                    << "tree " << seed << ", " << asideMm << " mm";
+                EXPECT_FALSE(judged.value().warnings.empty());
+            }
+        }
+    }
+}
+
 TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
 {
     test::CleanCase clean(5);
