@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/messages/says.h"
 #include "app/messages/says_exchange.h"
+#include "app/messages/says_report.h"
 #include "app/messages/says_starting.h"
 #include "app/texts/picture_file.h"
 #include "core/case/registration_input.h"
@@ -55,6 +56,26 @@ core::Centerline2d targetToColorBy(const core::View& view)
     return traced ? traced.value() : core::Centerline2d();
 }
 
+/// Nothing where vessels are seen; else why none are.
+std::optional<core::Message> unseenVessels(const core::View& view, const core::VesselTree& tree)
+{
+    const auto camera = core::cameraOf(view);
+    bool isProjected = !camera;
+    for (const core::VesselBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+            const auto pixel = camera ? core::project(camera.value(), view.cameraFromPatient * point) : std::nullopt;
+            isProjected = isProjected || pixel;
+            if (pixel && pixel->x() > -0.5 && pixel->y() > -0.5 && pixel->x() < camera.value().width - 0.5 &&
+                pixel->y() < camera.value().height - 0.5) {
+                return std::nullopt;
+            }
+        }
+    }
+    return !isProjected ? std::optional(says::allBehindSource())
+           : camera     ? std::optional(says::allOutsideImage())
+                        : std::nullopt;
+}
+
 }   // namespace
 
 int runProject(const ProjectArguments& arguments)
@@ -75,7 +96,15 @@ int runProject(const ProjectArguments& arguments)
     if (arguments.isMotionColored && !drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
         return failInput(core::Error(says::noBentVessels().about(arguments.casePath)));
     }
-    if (!arguments.isFrameAlone && !arguments.is16Bit && core::isAtStart(shown, theCase.vessels)) {
+    const bool isDrawn = !arguments.isFrameAlone && !arguments.is16Bit && theCase.vessels.tree;
+    if (const auto unseen = isDrawn ? unseenVessels(shown, *theCase.vessels.tree) : std::nullopt) {
+        const std::string& path = arguments.posePath.empty() ? arguments.casePath : arguments.posePath;
+        if (unseen->is(says::allBehindSource)) {
+            return failInput(core::Error(unseen->about(path)));
+        }
+        printWarnings({unseen->about(path)});
+    }
+    if (isDrawn && core::isAtStart(shown, theCase.vessels)) {
         printWarnings({says::drawnAtStart().about(arguments.casePath)});
     }
     const core::Centerline2d target = targetToColorBy(shown);
