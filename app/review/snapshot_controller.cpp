@@ -20,6 +20,23 @@ bool isSnapshotPose(const core::RigidTransform& a, const core::RigidTransform& b
     return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
 }
 
+/// The last one that was kept, else the last that a run left, at another pose than the shown one: compared with itself
+/// nothing differs.
+std::optional<int> snapshotToCompare(const core::View& view)
+{
+    std::optional<int> ofRun;
+    for (auto each = view.snapshots.rbegin(); each != view.snapshots.rend(); ++each) {
+        if (isSnapshotPose(each->cameraFromPatient, view.cameraFromPatient)) {
+            continue;
+        }
+        if (each->kind == core::SnapshotKind::Kept) {
+            return each->id;
+        }
+        ofRun = ofRun ? ofRun : std::optional(each->id);
+    }
+    return ofRun;
+}
+
 /// "Pose 4": the first number that is free.
 QString freeName(const std::vector<core::PoseSnapshot>& snapshots)
 {
@@ -105,7 +122,12 @@ void SnapshotController::keep()
     kept.metrics = metricsOfPose();
     kept.runMs = current.shown().result ? current.shown().result->time.totalMs : 0.0;
     const QString name = QString::fromStdString(kept.name);
+    kept.kind = core::SnapshotKind::Kept;
     push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Keep %1").arg(name); });
+    const auto& now = document_.current().shown().snapshots;
+    if (!now.empty() && now.back().name == kept.name) {
+        mark(now.back().id, false);   // what comes next is compared with it
+    }
     strip_.showStatus(tr("Kept as “%1” · Y compares").arg(name));
 }
 
@@ -148,7 +170,12 @@ void SnapshotController::switchSides()
         return;
     }
     if (!marks_.b) {
-        mark(snapshots.back().id, false);
+        const std::optional<int> other = snapshotToCompare(document_.current().shown());
+        if (!other) {
+            strip_.showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
+            return;
+        }
+        mark(*other, false);
     }
     isOnB_ = !isOnB_;
     const std::optional<int> side = isOnB_ ? marks_.b : marks_.a;

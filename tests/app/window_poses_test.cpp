@@ -64,6 +64,41 @@ TEST(WindowPoses, GoesBetweenTwoPosesWithOneKeyAndChangesNothing)
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, found), 0.0);
 }
 
+TEST(WindowPoses, ComparesARunWithTheLastKeptPoseAndNotWithItself)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_K);
+    const core::PoseSnapshot start = w.current().shown().snapshots.back();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_GT(test::distance(w.current().shown().cameraFromPatient, start.cameraFromPatient), 1e-3);
+    w.press(Qt::Key_Y);
+    EXPECT_EQ(w.controller.poses().snapshots().marks().shown, start.id);
+    w.press(Qt::Key_Y);
+
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_Right, Qt::ShiftModifier);
+    w.press(Qt::Key_N);
+    w.press(Qt::Key_K);   // the newest is compared from now on
+    const int newest = w.current().shown().snapshots.back().id;
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    w.press(Qt::Key_Y);
+    EXPECT_EQ(w.controller.poses().snapshots().marks().shown, newest);
+}
+
+TEST(WindowPoses, LeaveNothingToCompareWhereTheOnlyOneIsTheShownPose)
+{
+    OpenWindow w;
+    w.openSample();
+    w.press(Qt::Key_R);
+    w.waitForRun();
+    ASSERT_EQ(w.current().shown().snapshots.size(), 1u);
+    w.press(Qt::Key_Y);
+    EXPECT_FALSE(w.controller.poses().snapshots().marks().shown);
+}
+
 QTreeWidgetItem* itemNamed(QTreeWidget& list, const QString& name)
 {
     const auto items = list.findItems(name, Qt::MatchExactly | Qt::MatchRecursive, 1);
