@@ -1,6 +1,8 @@
 #include "app/run_controller.h"
 
 #include "app/document/edit_case.h"
+#include "core/registration/bending_doubt.h"
+#include "core/registration/judging/unfilled_branches.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/geometry_panel.h"
@@ -8,8 +10,11 @@
 #include "ui/panels/registration_panel.h"
 #include "ui/panels/result_panel.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 #include "ui/words/terms.h"
+
+#include <algorithm>
 
 namespace angiopose::app {
 
@@ -46,6 +51,8 @@ void RunController::connectRun()
             [this] { on_.strip.showBusy(tr("Tracing the vessels of this frame …")); });
     connect(&run, &RegistrationController::advanced, this, &RunController::showProgress);
     connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
+    connect(&on_.preview, &PosePreview::changed, this,
+            [this] { on_.result.setDimmed(on_.preview.shown() && on_.preview.colors() == ResidualColors::Hidden); });
     connect(&run, &RegistrationController::failed, this,
             [this](const QString& reason) { on_.notices.showProblem(tr("Registration cannot run"), reason); });
 }
@@ -108,9 +115,19 @@ void RunController::showFinished(const core::RegistrationResult& result)
 {
     on_.treeView.scene().frameAnew();
     on_.treeView.requestRender();
-    on_.notices.showNote(result.stopReason == core::StopReason::StoppedByUser
-                             ? tr("Stopped: the best pose so far is kept, undo takes it back")
-                             : tr("Registered: median %1 mm").arg(ui::numberText(result.metrics.medianMm, 2)));
+    const QString median = ui::numberText(result.metrics.medianMm, 2);
+    if (result.stopReason == core::StopReason::StoppedByUser) {
+        on_.notices.showNote(tr("Stopped: the best pose so far is kept, undo takes it back"));
+    } else if (result.trustworthy) {
+        on_.notices.showNote(tr("Registered: median %1 mm").arg(median));
+    } else {
+        const auto reason = std::ranges::find_if(result.warnings, core::speaksAgainstTrust);
+        const auto told = reason == result.warnings.end() ? result.warnings.begin() : reason;
+        on_.notices.showWarnings(
+            tr("NOT RELIABLE · median %1 mm over %2 % of the tree")
+                .arg(median, ui::numberText(100.0 * core::judgedShare(result), 0)) +
+            (told == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*told)));
+    }
 }
 
 }   // namespace angiopose::app

@@ -2,6 +2,7 @@
 
 #include "app/step_states.h"
 #include "ui/main_window.h"
+#include "ui/places/folding_column.h"
 #include "ui/words/message_text.h"
 
 #include <QTimer>
@@ -17,8 +18,12 @@ StepController::StepController(const Parts& parts, QObject* parent) : QObject(pa
     });
     connect(&on_.tree, &TreeActions::adviceChanged, this, &StepController::show);
     connect(&on_.registration, &RegistrationController::runningChanged, this, &StepController::show);
-    connect(&on_.registration, &RegistrationController::finished, this,
-            [this] { on_.window.steps().showCurrent(ui::Step::Review); });
+    connect(&on_.registration, &RegistrationController::finished, this, [this] {
+        on_.window.steps().showCurrent(ui::Step::Review);
+        if (!on_.window.isOneAlone() && !on_.window.column(ui::ColumnSide::Right).isFolded()) {
+            QTimer::singleShot(0, &on_.window, [this] { on_.window.focusStep(ui::Step::Review); });
+        }
+    });
     connect(&on_.window.steps(), &ui::StepBar::stepClicked, this, &StepController::goTo);
 }
 

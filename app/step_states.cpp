@@ -2,6 +2,7 @@
 
 #include "app/review/followed_pose.h"
 #include "core/case/case_patients.h"
+#include "core/registration/judging/unfilled_branches.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
@@ -125,14 +126,18 @@ StepState registration(const core::Case& current, const StepFacts& facts)
     }
     if (!current.shown().result) {
         if (const core::FollowedFrame* frame = followedPoseShown(current.shown())) {
-            return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Open, StepWords::tr("followed"), {}};
+            return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Look, StepWords::tr("followed"), {}};
         }
         return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved by hand") : QString(), {}};
     }
-    const double ms = current.shown().result->time.totalMs;
+    const core::RegistrationResult& result = *current.shown().result;
+    const double ms = result.time.totalMs;
     const QString time = ms < 1000.0 ? StepWords::tr("%1 ms").arg(ui::numberText(ms, ms < 10.0 ? 1 : 0))
                                      : StepWords::tr("%1 s").arg(ui::numberText(ms / 1000.0, 1));
-    return {StepMark::Done, time, {}};
+    return result.trustworthy
+               ? StepState{StepMark::Done, time, {}}
+               : StepState{StepMark::Look, time,
+                           result.warnings.empty() ? QString() : ui::messageText(result.warnings.front())};
 }
 
 StepState review(const core::Case& current)
@@ -149,10 +154,15 @@ StepState review(const core::Case& current)
     }
     if (!result->trustworthy) {
         const auto& warnings = result->warnings;
-        return {StepMark::Look, StepWords::tr("look closely"),
+        return {StepMark::Look, StepWords::tr("NOT RELIABLE"),
                 warnings.empty() ? QString() : ui::messageText(warnings.front())};
     }
-    return {StepMark::Done, StepWords::tr("%1 mm median").arg(ui::numberText(result->metrics.medianMm, 2)), {}};
+    const QString median = ui::numberText(result->metrics.medianMm, 2);
+    const double share = core::judgedShare(*result);
+    return {StepMark::Done,
+            share < 1.0 ? StepWords::tr("%1 mm median over %2 %").arg(median, ui::numberText(100.0 * share, 0))
+                        : StepWords::tr("%1 mm median").arg(median),
+            {}};
 }
 
 }   // namespace

@@ -351,6 +351,7 @@ void MainWindow::focusStep(Step step)
             break;
         case Step::Review:
             showInRightColumn(result_);
+            rightPanels_->verticalScrollBar()->setValue(result_->y());   // its verdict is at its top
             break;
         case Step::Export:
             actions()[Command::ExportOverlay]->trigger();

@@ -1,6 +1,8 @@
 #include "app/cli/register_outputs.h"
 
 #include "app/messages/says.h"
+#include "app/messages/says_report.h"
+#include "app/texts/fit_words.h"
 #include "app/texts/number_text.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/case_views.h"
@@ -148,6 +150,11 @@ void printViews(const RegisteredCase& registered)
                                   " mm)");
         printLine("covered", fixedText(100.0 * metrics.coverage, 0) + " % of the traced vessels");
     }
+    if (const auto basis = core::fitBasis(registered.theCase, registered.result(), registered.targets.front())) {
+        for (const core::Message& words : fitWords(*basis, registered.theCase.vessels)) {
+            printLine("", words.text());
+        }
+    }
 }
 
 /// " (reading 812 ms, tracing 70 ms)", as far as they were measured.
@@ -182,9 +189,19 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
 std::string likelihoodText(const core::RegistrationResult& result)
 {
     const auto& probability = result.probabilityWithin2Mm;
-    return probability ? ", within 2 mm of the vessels with a probability of " +
-                             fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
-                       : "";
+    const bool contradicts = probability && !result.trustworthy && *probability >= 0.8;   // of an earlier version
+    return probability && !contradicts ? ", within 2 mm of the vessels with a probability of " +
+                                             fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
+                                       : "";
+}
+
+void printTrust(const core::RegistrationResult& result)
+{
+    printLine("trustworthy",
+              (result.trustworthy ? "yes" : "NO: " + says::notReliable().text()) + likelihoodText(result));
+    for (const core::Message& warning : result.warnings) {
+        printLine("", warning.text());
+    }
 }
 
 /// Of the shown view: branches that the image contradicts though the pose may be right, as the window tells them.
@@ -280,6 +297,9 @@ void removeOutputsIn(const std::string& folder)
 void printRegistered(const RegisteredCase& registered, const std::string& folder)
 {
     const core::RegistrationResult& result = registered.result();
+    if (!result.trustworthy) {   // the worst first
+        printTrust(result);
+    }
     printLine("method", result.method);
     printLine("stopped", std::string(core::toText(result.stopReason)) +
                              (registered.joint ? "" : " after " + std::to_string(result.iterations) + " iterations") +
@@ -290,14 +310,13 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     const std::string inSpace = sigmasText(core::sigmasOf(uncertainty.covariance), depthDecimals);
     if (result.camera) {
         printLine("uncertainty", sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) +
-                                     " of the overlay, which wrong geometry hardly moves");
-        printLine("", inSpace + " in space, by how well the geometry is known");
+                                     " by the noise of the image only");
+        printLine("", inSpace + " in space, with the errors of the geometry");
     } else {
         printLine("uncertainty", inSpace);
     }
-    printLine("trustworthy", (result.trustworthy ? "yes" : "NO") + likelihoodText(result));
-    for (const core::Message& warning : result.warnings) {
-        printLine("", warning.text());
+    if (result.trustworthy) {
+        printTrust(result);
     }
     printDisagreement(registered);
     printWays(result.wirePaths);

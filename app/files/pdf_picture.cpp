@@ -19,10 +19,10 @@ void writeTexts(QPainter& painter, const ui::VectorPicture& picture)
 {
     QFont font;
     font.setFamilies({QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC"), QStringLiteral("sans-serif")});
-    painter.setPen(QColor(QString::fromStdString(ui::palette(ui::ThemeMode::Dark).textStrong.hex())));
     for (const ui::VectorText& text : picture.texts) {
         font.setPixelSize(text.sizePx);
         painter.setFont(font);
+        painter.setPen(QColor(QString::fromStdString(text.tone.hex())));
         const QString words = QString::fromStdString(text.text);
         const double width =
             text.align == ui::TextAlign::Right ? QFontMetricsF(font, painter.device()).horizontalAdvance(words) : 0.0;

@@ -10,12 +10,12 @@ QString heading(const QString& text, const char* moreStyle)
         .arg(QLatin1String(moreStyle), text.toHtmlEscaped());
 }
 
-QString table(const ReportRows& rows)
+QString table(const ReportRows& rows, const char* moreStyle)
 {
     QString text = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"2\">");
     for (const auto& [name, value] : rows) {
-        text += QStringLiteral("<tr><td style=\"color:#555555\">%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+        text += QStringLiteral("<tr><td style=\"color:#555555\">%1&nbsp;&nbsp;</td><td style=\"%3\">%2</td></tr>")
+                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped(), QLatin1String(moreStyle));
     }
     return text + QStringLiteral("</table>");
 }

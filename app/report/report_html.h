@@ -10,8 +10,8 @@ namespace angiopose::app::report {
 /// A heading of a part, with more style after its own.
 QString heading(const QString& text, const char* moreStyle = "");
 
-/// Two columns: what it is, what it is here.
-QString table(const ReportRows& rows);
+/// Two columns: what it is, what it is here, with more style of the latter.
+QString table(const ReportRows& rows, const char* moreStyle = "");
 
 /// A ground of its own, as the window's card has it, and the ink that is read on it.
 struct Ground {

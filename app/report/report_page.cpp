@@ -90,7 +90,9 @@ QString viewPart(const ReportedView& view, const QString& picture, ReportPlace p
     const QString above = place == ReportPlace::Alone   ? QString()
                           : place == ReportPlace::First ? heading(title)
                                                         : heading(title, "; page-break-before:always");
-    return above + captionsOf(view, widthOf(view)) + picture + colorLineOf(view) + verdictPart(view) +
+    const QString seen = captionsOf(view, widthOf(view)) + picture + colorLineOf(view);
+    const QString verdict = verdictPart(view);   // the worst news first
+    return above + (view.judgement.trustworthy ? seen + verdict : verdict + seen) +
            beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase)) +
            measuredPart(theCase) + checkedPart(theCase);
 }

@@ -1,8 +1,10 @@
 #include "app/report/report_parts.h"
 
+#include "app/messages/says_report.h"
 #include "app/report/page_words.h"
 #include "app/report/report_html.h"
 #include "app/report/report_measures.h"
+#include "app/texts/fit_words.h"
 #include "app/words/geometry_state.h"
 #include "app/words/view_words.h"
 #include "ui/panels/result_sentences.h"
@@ -23,6 +25,7 @@ namespace {
 using Rows = ReportRows;
 
 constexpr std::size_t branchesListed = 12;
+constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber, dark enough for paper
 
 double mmPerPxOf(const core::Case& theCase)
 {
@@ -81,13 +84,20 @@ QString resultPart(const ReportedView& view)
     Rows rows{
         {PageWords::tr("Median distance"),
          PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
-        {PageWords::tr("95 % nearer than"),
+        {PageWords::tr("95th percentile"),
          PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
         {PageWords::tr("Traced vessels covered"),
          QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
     const Rows origin = originRows(view);
     rows.insert(rows.end(), origin.begin(), origin.end());
-    return heading(PageWords::tr("Result")) + table(rows);
+    QStringList basis;
+    if (const auto known = core::fitBasis(view.theCase, view.judgement, view.target)) {
+        for (const core::Message& words : fitWords(*known, view.theCase.vessels)) {
+            basis << ui::messageText(words);
+        }
+    }
+    const char* const tone = view.judgement.trustworthy ? "" : doubtfulTone;
+    return heading(PageWords::tr("Result"), tone) + table(rows, tone) + card(basis, doubtfulGround);
 }
 
 QString verdictPart(const ReportedView& view)
@@ -96,7 +106,8 @@ QString verdictPart(const ReportedView& view)
         ui::sentencesOf(view.judgement, *view.theCase.vessels.tree, mmPerPxOf(view.theCase));
     if (!view.judgement.trustworthy) {
         const QString meaning = PageWords::tr("This pose may be wrong. Do not use it as it is.");
-        return card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround,
+        return heading(ui::messageText(says::notReliable()), doubtfulTone) +
+               card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround,
                     PageWords::tr("Not trustworthy"));
     }
     const QString meaning = PageWords::tr("No check speaks against this pose. That is no proof: look at the picture.");

@@ -1,6 +1,7 @@
 #include "app/review/judgement_controller.h"
 
 #include "app/review/followed_pose.h"
+#include "app/texts/fit_words.h"
 #include "app/texts/overlay_picture.h"
 #include "core/case/registration_input.h"
 #include "ui/panels/result_sentences.h"
@@ -88,6 +89,8 @@ void JudgementController::show()
     on_.posePanel.showDepthDoubt(
         judged.source == ui::PoseSource::Start ? std::nullopt : ui::doubtfulDepthMm(judged.result.uncertainty));
     on_.panel.showJudgement(judged, *current.vessels.tree);
+    const ui::FitVerdict verdict = ui::verdictOf(judged);
+    on_.sync.showVerdict(verdict.tone, verdict.words);
 }
 
 void JudgementController::showNothing()
@@ -96,6 +99,7 @@ void JudgementController::showNothing()
     on_.look.knowResiduals({}, 0.0);
     on_.replay.knowUncertainty(std::nullopt);
     on_.sync.showJudgement(nullptr);
+    on_.sync.showVerdict(ui::VerdictTone::Doubtful, {});
     if (!on_.registration.isRunning()) {
         const auto& problem = on_.target.problem();
         on_.panel.showNothing(problem ? ui::messageText(*problem) : tr("nothing to judge yet"));
@@ -112,6 +116,11 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
     judged.source = sourceOf(takeWordOfRun(judged.result, current.shown()));
     judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
     judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;
+    if (const auto basis = core::fitBasis(current, judged.result, judgement_->residualPx)) {
+        judged.judgedShare = basis->judgedShare;
+        judged.wholeMedianMm = basis->wholeMedianMm;
+        judged.basis = fitWords(*basis, current.vessels);
+    }
     judged.residualsMm =
         residualsMm(current.vessels.excludedBranchIds, judged.result.unfilled, *judgement_, judged.millimetresPerPixel);
     return judged;

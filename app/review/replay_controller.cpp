@@ -165,7 +165,7 @@ void ReplayController::showSwing()
     const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
     preview_.show(PreviewOf::Swing, core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
                   ResidualColors::Hidden);
-    strip_.showStatus(tr("The image hardly tells these apart: ±%1 mm, mostly %2")
+    strip_.showStatus(tr("By image noise only, poses within ±%1 mm (2 σ, mostly %2) look alike")
                           .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
                           .arg(weakest->words));
 }

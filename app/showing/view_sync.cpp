@@ -12,6 +12,7 @@
 #include "ui/slices/slice_model.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <algorithm>
@@ -25,6 +26,28 @@ double sourceToDetectorMm(const core::Case& current)
 {
     // Only the drawing of the detector hangs on this: a usual C-arm where nobody says.
     return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
+}
+
+QString previewWords(PreviewOf whose)
+{
+    switch (whose) {
+        case PreviewOf::Start:
+            return ViewSync::tr("start pose");
+        case PreviewOf::Replay:
+            return ViewSync::tr("a step of the run");
+        case PreviewOf::Swing:
+            return ViewSync::tr("a pose that image noise allows");
+        case PreviewOf::Solution:
+            return ViewSync::tr("another solution");
+        case PreviewOf::Snapshot:
+            return ViewSync::tr("a kept pose");
+        case PreviewOf::Frame:
+            return ViewSync::tr("pose of this frame");
+        case PreviewOf::Drag:
+        case PreviewOf::Run:
+            break;
+    }
+    return ViewSync::tr("another pose");
 }
 
 /// Bar heights: the fullest frame fills its cell.
@@ -44,12 +67,14 @@ ViewSync::ViewSync(const CaseDocument& document, const PosePreview& preview, con
       document_(document),
       preview_(preview),
       ui_(ui),
+      chip_(new ui::VerdictChip(ui.view)),
       opacification_([this](const Measured& measured) { takeMeasured(measured); })
 {
     connect(&preview, &PosePreview::changed, this, &ViewSync::followPreview);
     ui::speak(this, [this] {
         showFrameNote();
         showCornerTexts();
+        showChip();
     });
 }
 
@@ -177,14 +202,41 @@ void ViewSync::showPose()
 
 void ViewSync::followPreview()
 {
-    const bool areHidden = preview_.colors() == ResidualColors::Hidden;
     const bool isMotionNew = std::exchange(isMotionColored_, preview_.isMotionColored()) != isMotionColored_;
-    if (std::exchange(colorsHidden_, areHidden) != areHidden || isMotionNew) {
+    const bool isOther = isOtherPose();
+    if (std::exchange(wasOtherPose_, isOther) || isOther || isMotionNew) {
         showResidualColors();
         showCornerTexts();
     }
     showPose();
     showShape();
+    showChip();
+}
+
+/// A pose that is looked at without being the document's: nothing said of that one holds for it.
+bool ViewSync::isOtherPose() const
+{
+    return preview_.shown() && preview_.colors() == ResidualColors::Hidden;
+}
+
+void ViewSync::showVerdict(ui::VerdictTone tone, const QString& words)
+{
+    tone_ = tone;
+    verdict_ = words;
+    showChip();
+}
+
+void ViewSync::showChip()
+{
+    if (!isOtherPose() || document_.isInTrial()) {
+        chip_->showVerdict(tone_, document_.isInTrial() ? QString() : verdict_);
+        return;
+    }
+    const QString words = tr("Preview: %1").arg(previewWords(*preview_.shown()));
+    chip_->showVerdict(ui::VerdictTone::Doubtful,
+                       otherMedianMm_ > 0.0
+                           ? tr("%1 · median of the whole tree %2 mm").arg(words, ui::numberText(otherMedianMm_, 2))
+                           : words);
 }
 
 void ViewSync::showMarks(const ui::BranchMarks& marks)
@@ -228,7 +280,10 @@ void ViewSync::showResidualColors()
 {
     ui::AngiogramView& view = ui_.view;
     const core::Case& current = document_.current();
-    if (!judgement_ || !shownCamera_ || !current.vessels.tree || colorsHidden_) {
+    const bool isOfOtherFrame = preview_.shown() == PreviewOf::Frame;   // whose vessels are not traced
+    const bool isKnown = isOtherPose() ? target_ && !isOfOtherFrame && !document_.isInTrial() : judgement_ != nullptr;
+    otherMedianMm_ = 0.0;
+    if (!isKnown || !shownCamera_ || !current.vessels.tree) {
         view.scene().clearResiduals();
         view.setResidualScale(0.0, 0.0);
     } else {
@@ -250,13 +305,18 @@ void ViewSync::colorByMotion(double mmPerPx)
     ui_.view.setResidualScale(endMm / mmPerPx, endMm);
 }
 
-/// Of the vessels as they are drawn: the judgement is about the rigid ones.
+/// Of the vessels as they are drawn, at the pose that is shown: the judgement is about the rigid ones at the
+/// document's.
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
-    const bool isBent = drawn_.shape == VesselShape::Bent && target_;
-    ui_.view.scene().setResiduals(
-        isBent ? core::branchDistances(drawn_.tree, *target_, *shownCamera_, preview_.pose()) : judgement_->residualPx,
-        scalePx);
+    const bool isOther = isOtherPose();
+    const bool isJudged = !isOther && (drawn_.shape != VesselShape::Bent || !target_);
+    const auto residualPx = isJudged ? judgement_->residualPx
+                                     : core::branchDistances(drawn_.tree, *target_, *shownCamera_, preview_.pose());
+    if (isOther) {
+        otherMedianMm_ = mmPerPx * core::medianOf(residualPx);
+    }
+    ui_.view.scene().setResiduals(residualPx, scalePx);
     ui_.view.setResidualScale(scalePx, scalePx * mmPerPx);
 }
 

@@ -8,6 +8,7 @@
 #include "app/texts/bent_vessels.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/scenes/overlay_scene.h"
+#include "ui/views/verdict_chip.h"
 
 #include <QObject>
 
@@ -43,6 +44,8 @@ public:
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
     void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colours
+    /// Of the document's pose; while another one is looked at the chip is about that. No words: no chip.
+    void showVerdict(ui::VerdictTone tone, const QString& words);
     void showFrame(int frame);   ///< of the open run, e.g. while playing; the document is not asked
     int shownFrame() const { return shownFrame_; }
     const std::vector<int>& suggestedMasks() const { return suggestedMasks_; }   ///< of the run; known when measured
@@ -68,6 +71,8 @@ private:
     void followPreview();
     void showPose();
     void showResidualColors();
+    void showChip();
+    bool isOtherPose() const;
     void colorByMotion(double mmPerPx);
     void colorByResiduals(double scalePx, double mmPerPx);
     void showCornerTexts();
@@ -87,7 +92,11 @@ private:
     int shownFrame_ = -1;
     bool isGreyNew_ = false;   ///< the next frame has other grey values than the last
     SharedJudgement judgement_;
-    bool colorsHidden_ = false;
+    bool wasOtherPose_ = false;
+    double otherMedianMm_ = 0.0;   ///< of the pose that is looked at; 0: not known
+    ui::VerdictChip* chip_;
+    ui::VerdictTone tone_ = ui::VerdictTone::Doubtful;
+    QString verdict_;
     bool isMotionColored_ = false;
     bool identityHidden_ = false;
     std::shared_ptr<const core::Angiogram> measuredRun_;

@@ -1,7 +1,9 @@
 #include "app/texts/overlay_picture.h"
 
 #include "app/messages/says.h"
+#include "app/messages/says_report.h"
 #include "app/messages/says_starting.h"
+#include "app/texts/fit_words.h"
 #include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
 #include "app/texts/placed_marks.h"
@@ -10,6 +12,7 @@
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/burn_marks.h"
+#include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/scenes/render_offscreen.h"
 
@@ -35,7 +38,8 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
 }
 
 /// `heading` tells two pictures beside each other apart.
-ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptions& options, const DrawnVessels& drawn,
+ui::CornerTexts exportTexts(const core::Case& theCase, const core::Centerline2d& target,
+                            const OverlayPictureOptions& options, const DrawnVessels& drawn,
                             const std::optional<core::Message>& heading)
 {
     CornerLines lines = cornerLines(theCase, options.identity);
@@ -51,6 +55,10 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const OverlayPictureOptio
         const core::Message pose = result->trustworthy ? says::poseOfMethod(result->method, median)
                                                        : says::poseNotTrustworthy(result->method, median);
         lines.bottomLeft.push_back(drawn.shape == VesselShape::Bent ? says::ofRigidVessels(pose) : pose);
+        if (const auto basis = core::fitBasis(theCase, *result, target)) {
+            const core::Messages words = fitWords(*basis, theCase.vessels);
+            lines.bottomLeft.insert(lines.bottomLeft.end(), words.begin(), words.end());
+        }
     } else if (const auto& elsewhere = theCase.shown().result) {   // its figures are not of this frame
         const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
         if (heading != pose) {
@@ -216,11 +224,17 @@ core::Result<Picture> drawOne(const core::Case& theCase, const core::Centerline2
         scene.setRadiograph(radiograph.value());
     }
     auto rendered = drawScene<Picture>(scene, width, height, wholeImage(frame),
-                                       exportTexts(theCase, options, drawn, heading), scale.px, scale.mm);
+                                       exportTexts(theCase, target, options, drawn, heading), scale.px, scale.mm);
     if (!rendered) {
         return rendered.error();
     }
     Picture picture = std::move(rendered).value();
+    if (const auto& result = theCase.shown().result; result && !result->trustworthy) {
+        const std::string words =
+            options.texts({.topLeft = {says::notReliable()}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
+                .topLeft.front();
+        ui::burnVerdict(picture, words, ui::burnSizes(width, height));
+    }
     ui::burnMarks(picture, marksIn(theCase, options), wholeImage(frame), ui::burnSizes(width, height),
                   drawnPoints(scene));
     return picture;

@@ -150,7 +150,7 @@ void SvgWriter::addFill(const ui::VectorFill& fill)
 void SvgWriter::addText(const ui::VectorText& text)
 {
     svg_ += "<text" + attribute("x", px(text.at.x())) + attribute("y", px(text.at.y())) +
-            attribute("font-size", std::to_string(text.sizePx)) +
+            attribute("font-size", std::to_string(text.sizePx)) + attribute("fill", text.tone.hex()) +
             (text.align == ui::TextAlign::Right ? attribute("text-anchor", "end") : std::string()) + ">" +
             escapedForSvg(text.text) + "</text>\n";
 }
@@ -175,8 +175,7 @@ std::string SvgWriter::write(const SvgFacts& facts)
     for (const ui::VectorFill& fill : picture_.fills) {
         addFill(fill);
     }
-    svg_ += "<g font-family=\"Inter, 'Noto Sans CJK SC', sans-serif\"" +
-            attribute("fill", ui::palette(ui::ThemeMode::Dark).textStrong.hex()) + ">\n";
+    svg_ += "<g font-family=\"Inter, 'Noto Sans CJK SC', sans-serif\">\n";
     for (const ui::VectorText& text : picture_.texts) {
         addText(text);
     }

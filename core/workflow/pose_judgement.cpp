@@ -1,8 +1,67 @@
 #include "core/workflow/pose_judgement.h"
 
 #include "core/evaluation/trial/branch_distances.h"
+#include "core/registration/judging/unfilled_branches.h"
+
+#include <algorithm>
 
 namespace angiopose::core {
+namespace {
+
+/// The value that so many of all lie below; `values` are put in another order.
+double quantile(std::vector<double>& values, double share)
+{
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    std::ranges::nth_element(values, values.begin() + place);
+    return values[static_cast<std::size_t>(place)];
+}
+
+std::vector<double> together(const std::map<int, std::vector<double>>& residualPx)
+{
+    std::vector<double> all;
+    for (const auto& [branchId, distancesPx] : residualPx) {
+        all.insert(all.end(), distancesPx.begin(), distancesPx.end());
+    }
+    return all;
+}
+
+}   // namespace
+
+double medianOf(const std::map<int, std::vector<double>>& residualPx)
+{
+    std::vector<double> all = together(residualPx);
+    return all.empty() ? 0.0 : quantile(all, 0.5);
+}
+
+std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result,
+                                 const std::map<int, std::vector<double>>& residualPx)
+{
+    const View& view = theCase.shown();
+    const auto camera = cameraOf(view);
+    std::vector<double> all = together(residualPx);
+    if (!camera || all.empty() || !theCase.vessels.tree) {
+        return std::nullopt;
+    }
+    const double depthMm = (view.cameraFromPatient * centroidInPatient(*theCase.vessels.tree)).z();
+    const double mmPerPx = millimetresPerPixel(camera.value(), std::max(depthMm, minProjectableDepthMm));
+    FitBasis basis{judgedShare(result), mmPerPx * quantile(all, 0.5), mmPerPx * quantile(all, 0.95), {}};
+    for (const int branchId : theCase.vessels.excludedBranchIds) {
+        if (const auto found = residualPx.find(branchId); found != residualPx.end() && !found->second.empty()) {
+            std::vector<double> own = found->second;
+            basis.excludedMm.emplace_back(branchId, mmPerPx * quantile(own, 0.5));
+        }
+    }
+    return basis;
+}
+
+std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result, const Centerline2d& target)
+{
+    const auto camera = cameraOf(theCase.shown());
+    return camera && theCase.vessels.tree ? fitBasis(theCase, result,
+                                                     branchDistances(*theCase.vessels.tree, target, camera.value(),
+                                                                     theCase.shown().cameraFromPatient))
+                                          : std::nullopt;
+}
 
 Result<PoseJudgement> judgementOf(const RegistrationInput& input, const RigidTransform& cameraFromPatient)
 {

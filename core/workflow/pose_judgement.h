@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/registration/registration.h"
+#include "core/case/case.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace angiopose::core {
@@ -12,6 +13,24 @@ struct PoseJudgement {
     RegistrationResult result;   ///< of evaluatePose
     std::map<int, std::vector<double>> residualPx;   ///< per branch id, one value per tree point, see branchDistances
 };
+
+/// What the distances of a result are about, and what they leave out.
+struct FitBasis {
+    double judgedShare = 1.0;   ///< of the tree, 0…1: the rest is judged unopacified
+    double wholeMedianMm = 0.0,
+           wholeP95Mm = 0.0;   ///< over every point of the tree, whatever is excluded or unopacified
+    std::vector<std::pair<int, double>> excludedMm;   ///< branches that the user left out, and their medians
+
+    bool isPartial() const { return judgedShare < 1.0 || !excludedMm.empty(); }
+};
+
+/// The basis of `result` of the shown view, whose distances `residualPx` are (see branchDistances); none of them: none.
+std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result,
+                                 const std::map<int, std::vector<double>>& residualPx);
+std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result, const Centerline2d& target);
+
+/// Over every point of the tree, px; 0 where there is none.
+double medianOf(const std::map<int, std::vector<double>>& residualPx);
 
 /// Judges a pose without moving it. Fails as evaluatePose.
 Result<PoseJudgement> judgementOf(const RegistrationInput& input, const RigidTransform& cameraFromPatient);

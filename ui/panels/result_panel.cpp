@@ -1,14 +1,17 @@
 #include "ui/panels/result_panel.h"
 
+#include "core/registration/bending_doubt.h"
 #include "ui/controls/lingering_height.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
 #include "ui/words/language.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 #include "ui/words/terms.h"
 
+#include <QGraphicsOpacityEffect>
 #include <QHBoxLayout>
 #include <QTimer>
 
@@ -69,7 +72,51 @@ QString sourceWords(const JudgedPose& judged)
     return ResultPanel::tr("%1 · start pose").arg(median);
 }
 
+/// "median 0.26 mm", of a part of the tree with the value over all of it.
+QString medianWords(const JudgedPose& judged)
+{
+    const QString median = numberText(judged.result.metrics.medianMm, 2);
+    return judged.judgedShare < 1.0
+               ? ResultPanel::tr("median %1 mm over %2 % judged opacified, whole tree %3 mm")
+                     .arg(median, numberText(100.0 * judged.judgedShare, 0), numberText(judged.wholeMedianMm, 2))
+               : ResultPanel::tr("median %1 mm").arg(median);
+}
+
+/// What a pose is that a run did not just find; empty of one that it did.
+QString originWords(PoseSource source)
+{
+    switch (source) {
+        case PoseSource::Edited:
+            return ResultPanel::tr("Moved by hand, not registered");
+        case PoseSource::EarlierRun:
+            return ResultPanel::tr("Inputs changed since this registration");
+        case PoseSource::Start:
+            return ResultPanel::tr("Start pose, not registered");
+        case PoseSource::Run:
+        case PoseSource::Followed:
+            break;
+    }
+    return {};
+}
+
 }   // namespace
+
+FitVerdict verdictOf(const JudgedPose& judged)
+{
+    const QString origin = originWords(judged.source);
+    if (judged.source == PoseSource::Start) {
+        return {VerdictTone::Doubtful, origin};
+    }
+    const QString median = medianWords(judged);
+    if (!judged.result.trustworthy) {
+        const QString told = ResultPanel::tr("NOT RELIABLE · %1").arg(median);
+        return {VerdictTone::Bad, origin.isEmpty() ? told : told + QStringLiteral(" · ") + origin};
+    }
+    if (!origin.isEmpty()) {
+        return {VerdictTone::Doubtful, origin + QStringLiteral(" · ") + median};
+    }
+    return {VerdictTone::Good, ResultPanel::tr("No check speaks against it · %1").arg(median)};
+}
 
 ResultPanel::ResultPanel(QWidget* parent)
     : QWidget(parent),
@@ -82,6 +129,7 @@ ResultPanel::ResultPanel(QWidget* parent)
           "convergence", [] { return tr("Convergence"); }, Folding::Foldable)),
       motionSection_(new Section(
           "motion", [] { return tr("Motion"); }, Folding::Foldable)),
+      verdict_(sentenceBox("errorBox")),
       certain_(sentenceBox("fineBox")),
       doubtful_(sentenceBox("attentionBox")),
       histogram_(new HistogramPlot),
@@ -92,16 +140,17 @@ ResultPanel::ResultPanel(QWidget* parent)
     rest_->setSingleShot(true);
     rest_->setInterval(restBeforeShrinkingMs);
     connect(rest_, &QTimer::timeout, this, [this] { keepRooms(false); });
+    section_->contentLayout()->addWidget(verdict_);
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(4);
     numbers->addWidget(makeNumber(
                            median_, [] { return tr("median, mm"); },
-                           [] { return tr("Half of the vessel points lie nearer than this."); }),
+                           [] { return tr("Half of the vessel points judged opacified lie nearer than this."); }),
                        1);
-    numbers->addWidget(
-        makeNumber(
-            p95_, [] { return tr("95 %, mm"); }, [] { return tr("95 of 100 vessel points lie nearer than this."); }),
-        1);
+    numbers->addWidget(makeNumber(
+                           p95_, [] { return tr("95 %, mm"); },
+                           [] { return tr("95 of 100 vessel points judged opacified lie nearer than this."); }),
+                       1);
     numbers->addWidget(makeNumber(
                            coverage_, [] { return tr("covered"); },
                            [] { return tr("Share of the traced vessels that the tree explains within 3 px."); }),
@@ -113,7 +162,7 @@ ResultPanel::ResultPanel(QWidget* parent)
     withTip(doubtful_, [] { return tr("± is one standard deviation."); });
 
     speak(this, [this] {
-        residualSection_->setHint(tr("mm, all points"));
+        residualSection_->setHint(tr("mm, points judged opacified"));
         motionSection_->setHint(tr("mm across, by frame"));
     });
     residualSection_->contentLayout()->addWidget(histogram_);
@@ -156,6 +205,11 @@ void ResultPanel::showJudgement(const JudgedPose& judged, const core::VesselTree
     median_->setText(numberText(metrics.medianMm, 2));
     p95_->setText(numberText(metrics.p95Mm, 2));
     coverage_->setText(tr("%1 %").arg(numberText(100.0 * metrics.coverage, 0)));
+    const bool isLow = judged.source != PoseSource::Start && !judged.result.trustworthy;
+    for (QLabel* number : {median_, p95_, coverage_}) {
+        setRole(number, isLow ? "bigNumberDoubtful" : "bigNumber");
+    }
+    showIn(verdict_, isLow ? QStringList{verdictOf(judged).words} : QStringList());
     section_->setHint(sourceWords(judged));
     showSentences(judged, tree);
     histogram_->showValues(judged.residualsMm, judged.scaleMaximumMm);
@@ -171,10 +225,16 @@ void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree
     }
     const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetresPerPixel);
     showIn(certain_, sentences.certain);
+    QStringList doubtful;
+    for (const core::Message& words : judged.basis) {
+        doubtful << messageText(words);
+    }
+    const auto against = std::ranges::count_if(judged.result.warnings, core::speaksAgainstTrust);
+    doubtful = sentences.doubtful.first(against) + doubtful + sentences.doubtful.sliced(against);
     const bool isOld = judged.source == PoseSource::EarlierRun;
-    showIn(doubtful_, isOld ? sentences.doubtful + QStringList{tr("What this pose was fitted to has changed since the "
-                                                                  "run that found it. R registers again.")}
-                            : sentences.doubtful);
+    showIn(doubtful_, isOld ? doubtful + QStringList{tr("What this pose was fitted to has changed since the "
+                                                        "run that found it. R registers again.")}
+                            : doubtful);
 }
 
 void ResultPanel::keepRooms(bool areKept)
@@ -192,9 +252,23 @@ void ResultPanel::showNothing(const QString& why)
     }
     section_->setHint(why);
     keepRooms(false);
+    showIn(verdict_, {});
     showIn(certain_, {});
     showIn(doubtful_, {});
     histogram_->showValues({}, 0.0);
+}
+
+void ResultPanel::setDimmed(bool dimmed)
+{
+    for (QWidget* part : {static_cast<QWidget*>(section_), static_cast<QWidget*>(residualSection_)}) {
+        if (dimmed != (part->graphicsEffect() != nullptr)) {
+            auto* const effect = dimmed ? new QGraphicsOpacityEffect : nullptr;
+            if (effect) {
+                effect->setOpacity(0.35);
+            }
+            part->setGraphicsEffect(effect);
+        }
+    }
 }
 
 void ResultPanel::startRun()

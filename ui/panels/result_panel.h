@@ -5,6 +5,7 @@
 #include "ui/controls/section.h"
 #include "ui/panels/solution_strip.h"
 #include "ui/plots/motion_plot.h"
+#include "ui/views/verdict_chip.h"
 
 class QTimer;
 
@@ -29,7 +30,17 @@ struct JudgedPose {
     std::vector<double> residualsMm;   ///< every used tree point
     double scaleMaximumMm = 0.0;
     double millimetresPerPixel = 0.0;   ///< at the vessels
+    double judgedShare = 1.0;   ///< of the tree, that the distances are over
+    double wholeMedianMm = 0.0;   ///< over all of it
+    core::Messages basis;   ///< of the distances, where that is not the whole tree; excluded and auxiliary branches
 };
+
+/// How far a pose is to be trusted, in one line: on the image, above the numbers and in the status.
+struct FitVerdict {
+    VerdictTone tone = VerdictTone::Doubtful;
+    QString words;
+};
+FitVerdict verdictOf(const JudgedPose& judged);
 
 /// Three numbers, what they mean in words, and the two plots. Shows what it is told.
 class ResultPanel : public QWidget {
@@ -39,6 +50,7 @@ public:
 
     void showJudgement(const JudgedPose& judged, const core::VesselTree& tree);
     void showNothing(const QString& why);
+    void setDimmed(bool dimmed);   ///< while another pose is looked at
     void startRun();   ///< empties the convergence plot
     void showProgress(const core::IterationReport& report);
     void showHistory(const std::vector<core::IterationReport>& history);
@@ -59,6 +71,7 @@ private:
     QLabel* median_ = nullptr;
     QLabel* p95_ = nullptr;
     QLabel* coverage_ = nullptr;
+    QLabel* verdict_;
     QLabel* certain_;
     QLabel* doubtful_;
     HistogramPlot* histogram_;

@@ -1,6 +1,7 @@
 #include "ui/panels/result_sentences.h"
 
 #include "core/messages/says.h"
+#include "core/registration/bending_doubt.h"
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/judging/disagreeing_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
@@ -44,10 +45,10 @@ QString certainPose(const core::PoseUncertainty& uncertainty)
     const QString shiftMm = resultNumber(std::max(0.05, sigmas.inPlaneMm));
     const QString turnDeg = resultNumber(std::max(0.05, sigmas.rotationDeg.maxCoeff()));
     if (inPlane && turns) {
-        return ResultWords::tr("In plane ±%1 mm, rotation ±%2°.").arg(shiftMm, turnDeg);
+        return ResultWords::tr("In plane ±%1 mm, rotation ±%2° (image noise only).").arg(shiftMm, turnDeg);
     }
-    return inPlane ? ResultWords::tr("In plane ±%1 mm.").arg(shiftMm)
-           : turns ? ResultWords::tr("Rotation ±%1°.").arg(turnDeg)
+    return inPlane ? ResultWords::tr("In plane ±%1 mm (image noise only).").arg(shiftMm)
+           : turns ? ResultWords::tr("Rotation ±%1° (image noise only).").arg(turnDeg)
                    : QString();
 }
 
@@ -69,13 +70,16 @@ QString percentText(double probability)
     return numberText(std::clamp(100.0 * probability, 1.0, 99.0), 0);
 }
 
-/// Of a run that knows it.
+/// Of a run that knows it; results of earlier versions may contradict themselves.
 QString likelihood(const core::RegistrationResult& result)
 {
-    return result.probabilityWithin2Mm ? ResultWords::tr("Within 2 mm of the vessels with a probability of %1 %.")
-                                             .arg(percentText(*result.probabilityWithin2Mm))
-                                             .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // on one line
-                                       : QString();
+    constexpr double trusted = 0.8;
+    const bool agrees = result.trustworthy || result.probabilityWithin2Mm.value_or(0.0) < trusted;
+    return result.probabilityWithin2Mm && agrees
+               ? ResultWords::tr("Within 2 mm of the vessels with a probability of %1 %.")
+                     .arg(percentText(*result.probabilityWithin2Mm))
+                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // on one line
+               : QString();
 }
 
 /// The geometry makes depth clearly less certain than the image does.
@@ -88,7 +92,7 @@ bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 QString geometryWords(const core::PoseUncertainty& uncertainty)
 {
     return dependsOnGeometry(uncertainty)
-               ? ResultWords::tr("In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.")
+               ? ResultWords::tr("With the errors of the geometry: depth ±%1 mm, sideways ±%2 mm.")
                      .arg(resultNumber(uncertainty.depthMm), resultNumber(uncertainty.inPlaneMm))
                : QString();
 }
@@ -152,12 +156,16 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
         QStringList parts{pose, branches, likely};
         parts.removeAll(QString());
         sentences.certain << joinedSentences(parts);
-    } else {
-        const QString look = ResultWords::tr("Look closely: this fit is not trustworthy.");
-        sentences.doubtful << (likely.isEmpty() ? look : joinedSentences({look, likely}));
     }
-    for (const core::Message& warning : result.warnings) {
+    core::Messages worstFirst = result.warnings;
+    std::ranges::stable_partition(worstFirst, [](const core::Message& said) {
+        return core::speaksAgainstTrust(said) || said.id().starts_with("patient.");
+    });
+    for (const core::Message& warning : worstFirst) {
         sentences.doubtful << messageText(warning);
+    }
+    if (!result.trustworthy && !likely.isEmpty()) {
+        sentences.doubtful << likely;
     }
     for (const QString& sentence :
          {depthWords(result), geometryWords(result.uncertainty), disagreement(result, tree, millimetresPerPixel)}) {

@@ -63,6 +63,7 @@ struct TextBlock {
     int sizePx;
     TextAlign align;
     core::Mask2d mask;
+    Color tone = palette(ThemeMode::Dark).textStrong;
 };
 
 void drawText(VectorPicture& picture, const TextBlock& text, int left, int top)
@@ -77,7 +78,8 @@ void drawText(VectorPicture& picture, const TextBlock& text, int left, int top)
         picture.texts.push_back({text.lines[i],
                                  {start, top + lineHeight * static_cast<double>(i) + baselineShare * text.sizePx},
                                  text.align,
-                                 text.sizePx});
+                                 text.sizePx,
+                                 text.tone});
     }
 }
 
@@ -91,7 +93,7 @@ void drawText(core::ColorImage& picture, const TextBlock& text, int left, int to
     fill(picture, {left - 4, top - 3, mask.width + 8, mask.height + 6}, tones.canvas, 0.4);
     for (int y = 0; y < mask.height; ++y) {
         for (int x = 0; x < mask.width; ++x) {
-            blend(picture, left + x, top + y, tones.textStrong, mask.at(x, y) / 255.0);
+            blend(picture, left + x, top + y, text.tone, mask.at(x, y) / 255.0);
         }
     }
 }
@@ -134,6 +136,14 @@ void drawLabelAt(auto& picture, const std::string& text, const Eigen::Vector2d& 
     };
     drawText(picture, block, inside(at.x(), picture.width - block.mask.width),
              inside(at.y(), picture.height - block.mask.height));
+}
+
+void drawVerdict(auto& picture, const std::string& text, const BurnSizes& sizes)
+{
+    TextBlock block({text}, 2 * sizes.textPx, TextAlign::Left);
+    block.tone = palette(ThemeMode::Dark).attention;
+    drawText(picture, block, std::max(4, (picture.width - block.mask.width) / 2),
+             sizes.marginPx + 6 * sizes.textPx);   // below the texts of the corners
 }
 
 void drawScale(auto& picture, const BurnScale& scale, const BurnSizes& sizes)
@@ -179,6 +189,16 @@ void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::
 void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes)
 {
     drawLabelAt(picture, text, at, sizes);
+}
+
+void burnVerdict(core::ColorImage& picture, const std::string& text, const BurnSizes& sizes)
+{
+    drawVerdict(picture, text, sizes);
+}
+
+void burnVerdict(VectorPicture& picture, const std::string& text, const BurnSizes& sizes)
+{
+    drawVerdict(picture, text, sizes);
 }
 
 Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes)

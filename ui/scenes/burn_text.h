@@ -22,6 +22,10 @@ void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes
 void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
+/// A line that nobody overlooks, in the tone of attention: at the top, in the middle.
+void burnVerdict(core::ColorImage& picture, const std::string& text, const BurnSizes& sizes);
+void burnVerdict(VectorPicture& picture, const std::string& text, const BurnSizes& sizes);
+
 /// How much of a picture such a line takes, px; zero where there is none.
 Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes);
 

@@ -5,6 +5,7 @@
 #include "ui/scenes/stroke_mesh.h"
 #include "ui/scenes/text_mask.h"
 #include "ui/scenes/view_rect.h"
+#include "ui/theme/theme.h"
 
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct VectorText {
     Eigen::Vector2d at;
     TextAlign align = TextAlign::Left;
     int sizePx = 14;
+    Color tone = palette(ThemeMode::Dark).textStrong;
 };
 
 /// What an exported picture shows, as shapes instead of pixels, lowest first: backdrops, shapes, fills, texts. In px of

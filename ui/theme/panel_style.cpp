@@ -17,9 +17,11 @@ QLabel[role="label"] { color: @label@; }
 QLabel[role="hint"] { color: @hint@; font-size: 12px; }
 QLabel[role="attention"] { color: @attention@; }
 QLabel[role="bigNumber"] { color: @textStrong@; font-size: 24px; font-weight: 600; }
-QLabel[role="fineBox"], QLabel[role="attentionBox"] { border-radius: 4px; padding: 8px 10px; }
+QLabel[role="bigNumberDoubtful"] { color: @attention@; font-size: 24px; font-weight: 600; }
+QLabel[role="fineBox"], QLabel[role="attentionBox"], QLabel[role="errorBox"] { border-radius: 4px; padding: 8px 10px; }
 QLabel[role="fineBox"] { background: @fineBack@; border: 1px solid @fineLine@; color: @fineText@; }
 QLabel[role="attentionBox"] { background: @attentionBack@; border: 1px solid @attentionLine@; color: @attentionText@; }
+QLabel[role="errorBox"] { background: @errorBack@; border: 1px solid @errorLine@; color: @errorText@; font-weight: 600; }
 QListView { background: transparent; border: none; }
 QProgressBar, QProgressBar::chunk { border-radius: 2px; }
 QSplitter::handle:horizontal { width: 1px; }
@@ -74,7 +76,7 @@ void replaceAll(std::string& text, const std::string& name, const Color& color)
 
 std::string panelStyleSheet(const Palette& tones)
 {
-    const std::array<std::pair<const char*, Color>, 21> named{{
+    const std::array<std::pair<const char*, Color>, 24> named{{
         {"title", tones.title},
         {"window", tones.window},
         {"panel", tones.panel},
@@ -96,6 +98,9 @@ std::string panelStyleSheet(const Palette& tones)
         {"attentionLine", mixed(tones.panel, tones.attention, 0.35)},
         {"attentionText", mixed(tones.text, tones.attention, 0.60)},
         {"fine", tones.fine},
+        {"errorBack", mixed(tones.panel, tones.error, 0.10)},
+        {"errorLine", mixed(tones.panel, tones.error, 0.35)},
+        {"errorText", mixed(tones.text, tones.error, 0.60)},
     }};
     std::string sheet = panelStylePattern;
     for (const auto& [name, color] : named) {

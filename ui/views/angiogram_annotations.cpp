@@ -148,18 +148,28 @@ QFont modeFont(const QPainter& painter)
     return sized(painter.font(), 11);
 }
 
-/// Where the words of a mode go: at the top, in the middle; empty without a mode.
-QRectF modeBox(const QPainter& painter, const QSizeF& size, const ModeLabel& mode)
+/// The bars at the top edge, in the middle; empty where there are none.
+QRectF barsOnTop(const QSizeF& size, const std::vector<QRectF>& bars)
+{
+    QRectF all;
+    for (const QRectF& bar : bars) {
+        all = bar.bottom() < 0.5 * size.height() ? all.united(bar) : all;
+    }
+    return all;
+}
+
+/// Where the words of a mode go: at the top, in the middle, below the bars there; empty without a mode.
+QRectF modeBox(const QPainter& painter, const QSizeF& size, const ModeLabel& mode, const QRectF& bars)
 {
     if (mode.text.isEmpty()) {
         return {};
     }
     const double width =
         std::min(QFontMetricsF(modeFont(painter)).horizontalAdvance(mode.text) + 16.0, size.width() - 12.0);
-    return {0.5 * (size.width() - width), 6.0, width, 20.0};
+    return {0.5 * (size.width() - width), std::max(0.0, bars.bottom()) + 6.0, width, 20.0};
 }
 
-void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
+void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode, const QRectF& box)
 {
     constexpr double border = 3.0;
     const QColor tone = colorOf(mode.tone);
@@ -167,7 +177,6 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode)
     painter.fillRect(QRectF(0.0, size.height() - border, size.width(), border), tone);
     painter.fillRect(QRectF(0.0, 0.0, border, size.height()), tone);
     painter.fillRect(QRectF(size.width() - border, 0.0, border, size.height()), tone);
-    const QRectF box = modeBox(painter, size, mode);
     painter.setFont(modeFont(painter));
     painter.fillRect(box, colorOf(annotationTones().canvas, 0.65));
     drawShadowedText(painter, box, Qt::AlignHCenter | Qt::AlignVCenter,
@@ -228,21 +237,22 @@ void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnno
 {
     const Ground ground(viewport, scene, annotations.taken);
     const CornerTexts& texts = annotations.texts;
-    const QRectF mode = modeBox(painter, size, annotations.mode);
+    const QRectF bars = barsOnTop(size, annotations.taken);
+    const QRectF mode = modeBox(painter, size, annotations.mode, bars);
     const CornerLines lines{toLines(texts.topLeft), toLines(texts.topRight), ownLines(annotations, viewport.zoom()),
                             toLines(texts.bottomRight)};
-    const auto [topLeft, topRight, below, beside] = paintCorners(painter, size, lines, ground, mode);
+    const auto [topLeft, topRight, below, beside] = paintCorners(painter, size, lines, ground, mode.united(bars));
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
     const bool hasScale = annotations.scaleMaximumPx > 0.0 && !annotations.hidesScale;
     const QRectF scale = hasScale ? scaleBar(size, ground, {topRight, beside}) : QRectF();
-    paintSides(painter, size, annotations, scale, {topLeft, topRight, beside, below});
+    paintSides(painter, size, annotations, scale, {topLeft, topRight, beside, below, mode.united(bars)});
     if (hasScale) {
         paintScale(painter, scale, annotations);
     }
     if (!annotations.mode.text.isEmpty()) {
-        paintMode(painter, size, annotations.mode);
+        paintMode(painter, size, annotations.mode, mode);
     }
 }
 

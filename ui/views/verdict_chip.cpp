@@ -1,0 +1,71 @@
+#include "ui/views/verdict_chip.h"
+
+#include "ui/theme/active_theme.h"
+
+#include <QEvent>
+
+#include <algorithm>
+
+namespace angiopose::ui {
+namespace {
+
+constexpr int edgePx = 6;   // from the border of the image
+constexpr int padPx = 10;
+
+}   // namespace
+
+VerdictChip::VerdictChip(QWidget& image) : QLabel(&image)
+{
+    setObjectName(QStringLiteral("verdict"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAlignment(Qt::AlignCenter);
+    setTextFormat(Qt::PlainText);
+    hide();
+    image.installEventFilter(this);
+}
+
+void VerdictChip::showVerdict(VerdictTone tone, const QString& words)
+{
+    if (tone == tone_ && words == words_) {
+        return;
+    }
+    tone_ = tone;
+    words_ = words;
+    const Palette& tones = ui::palette(ThemeMode::Dark);   // images are dark in every theme
+    const Color& color = tone == VerdictTone::Good       ? tones.fine
+                         : tone == VerdictTone::Doubtful ? tones.attention
+                                                         : tones.error;
+    setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; border: 1px solid %2; border-radius: 4px; "
+                                 "font-weight: 600; padding: 0px; }")
+                      .arg(QString::fromStdString(tones.canvas.hex()), QString::fromStdString(color.hex())));
+    setAccessibleName(words);
+    place();
+    setVisible(!words.isEmpty());
+}
+
+void VerdictChip::place()
+{
+    const int room = std::max(1, parentWidget()->width() - 2 * edgePx);
+    ensurePolished();
+    const int width = std::min(room, fontMetrics().horizontalAdvance(words_) + 2 * padPx);
+    setText(fontMetrics().elidedText(words_, Qt::ElideRight, std::max(1, width - padPx)));
+    setGeometry((parentWidget()->width() - width) / 2, edgePx, width, fontMetrics().height() + padPx);
+}
+
+bool VerdictChip::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize) {
+        place();
+    }
+    return QLabel::eventFilter(watched, event);
+}
+
+void VerdictChip::changeEvent(QEvent* event)
+{
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::FontChange) {
+        place();
+    }
+}
+
+}   // namespace angiopose::ui
