@@ -158,6 +158,7 @@ void CaseController::connectNotes()
 void CaseController::connectTracing()
 {
     connect(&tracing_, &TracingController::traced, &notices_, &Notices::showNote);
+    connect(&session_.opening(), &OpenController::tookIn, &tracing_, &TracingController::knowWarnings);
     connect(&tracing_, &TracingController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
     connect(&mask_, &MaskController::told, &notices_, &Notices::showNote);

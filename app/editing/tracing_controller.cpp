@@ -1,7 +1,9 @@
 #include "app/editing/tracing_controller.h"
 
 #include "app/document/edit_case.h"
+#include "core/messages/says.h"
 #include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/tracing_warnings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/slices/slice_model.h"
@@ -11,6 +13,7 @@
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace angiopose::app {
@@ -121,6 +124,12 @@ void TracingController::connectPanel()
     connect(&panel, &ui::TracingPanel::placeChosen, &ui_.slices, &ui::SliceModel::setCrosshair);
     connect(&panel, &ui::TracingPanel::traceRequested, this, &TracingController::start);
     connect(&panel, &ui::TracingPanel::stopRequested, this, &TracingController::stop);
+    connect(&panel, &ui::TracingPanel::otherLumenWanted, this, [this] {
+        if (otherLumen_) {
+            ui_.slices.setCrosshair(*otherLumen_);
+        }
+    });
+    connect(&panel, &ui::TracingPanel::otherLumenSeedWanted, this, &TracingController::seedOtherLumen);
     connect(&ui_.strip, &ui::BottomStrip::stopRequested, this, &TracingController::stop);
     for (const core::BodyPlane plane : core::bodyPlanes) {
         connect(&ui_.slicesPage.view(plane), &ui::SliceView::pointPicked, this,
@@ -159,8 +168,47 @@ void TracingController::followDocument()
         shownInput_ = current.vessels.input;
         setDraft(shownInput_.tracing);
     }
+    if (current.vessels.tree != warnedOf_) {   // what was said of another tree
+        ui_.panel.showOtherLumen({});
+    } else if (otherLumen_) {
+        ui_.panel.showOtherLumen(ui::messagesText(warnings_));
+    }
     showWhyNot();
     showPreview();
+}
+
+void TracingController::knowWarnings(const core::Messages& warnings)
+{
+    const auto about =
+        std::ranges::find_if(warnings, [](const core::Message& each) { return each.is(core::says::otherLumenBeside); });
+    warnings_ = about == warnings.end() ? core::Messages() : core::Messages{*about};
+    otherLumen_ = core::otherLumenOf(warnings_);
+    warnedOf_ = document_.current().vessels.tree;
+    ui_.panel.showOtherLumen(ui::messagesText(warnings_));
+}
+
+/// Seeds say what is traced and what is not: the traced lumen needs one, too.
+void TracingController::seedOtherLumen()
+{
+    const auto& tree = document_.current().vessels.tree;
+    if (!otherLumen_ || !tree) {
+        return;
+    }
+    core::VesselTracingOptions draft = draft_;
+    if (draft.seedsInPatient.empty()) {
+        Eigen::Vector3d nearest = tree->branches.front().pointsInPatient.front();
+        for (const core::VesselBranch& branch : tree->branches) {
+            for (const Eigen::Vector3d& point : branch.pointsInPatient) {
+                nearest = (point - *otherLumen_).norm() < (nearest - *otherLumen_).norm() ? point : nearest;
+            }
+        }
+        draft.seedsInPatient.push_back(nearest);
+    }
+    draft.seedsInPatient.push_back(*otherLumen_);
+    setDraft(draft);
+    ui_.slices.setCrosshair(*otherLumen_);
+    otherLumen_.reset();
+    ui_.panel.showOtherLumen({});
 }
 
 void TracingController::showWhyNot()
@@ -253,6 +301,7 @@ void TracingController::finish(const VesselTrace& result)
                                   [] { return tr("Trace vessels"); }))) {
         return;
     }
+    knowWarnings(result.warnings);
     const int count = static_cast<int>(result.tree->branches.size());
     QStringList notes{count == 1 ? tr("Traced: 1 branch.") : tr("Traced: %1 branches.").arg(count)};
     for (const core::Message& warning : result.warnings) {

@@ -38,6 +38,7 @@ public:
     void stop() { job_.stop(); }
     void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< a click in a slice sets no point any more
     void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
+    void knowWarnings(const core::Messages& warnings);   ///< of tracing the scan of the case
 
 signals:
     void traced(const QString& note);
@@ -53,6 +54,7 @@ private:
     void findThreshold();   ///< that "automatic" comes to, on a worker
     void finish(const VesselTrace& result);
     void ended();
+    void seedOtherLumen();
     QString whyNot() const;
 
     CaseDocument& document_;
@@ -64,6 +66,9 @@ private:
     std::shared_ptr<const core::Volume> shownVolume_;   ///< that the vessels are traced from
     CaseState startedFrom_;
     core::InputFile source_;   ///< of the trace under way
+    core::Messages warnings_;
+    std::optional<Eigen::Vector3d> otherLumen_;   ///< that the warnings tell of
+    std::shared_ptr<const core::VesselTree> warnedOf_;
     std::optional<VesselTrace> waiting_;   ///< for the end of a registration
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
     Job<double> level_;

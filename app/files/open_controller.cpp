@@ -349,6 +349,9 @@ void OpenController::carryOut(const Opening& opening)
 {
     const auto notes = takeIn(document_, opening);
     if (notes) {
+        if (opening.inputs.tree) {
+            emit tookIn(opening.inputs.warnings);
+        }
         emit opened(notes.value());
         openNextRun();
     } else {

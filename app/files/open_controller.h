@@ -52,6 +52,7 @@ public:
     bool isLoading() const { return job_ != nullptr; }
 
 signals:
+    void tookIn(const core::Messages& warnings);   ///< said of files that are in the case now
     void started(const QString& what);
     void advanced(const QString& what, double fraction);
     /// A DICOM folder holds several series; answer with `openSeries` or nothing.

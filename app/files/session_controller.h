@@ -64,6 +64,7 @@ public:
     SaveController& saving() { return save_; }
     ExportController& exporting() { return export_; }
     AuditController& audit() { return audit_; }
+    OpenController& opening() { return open_; }
 
 signals:
     void startedAnew();   ///< for the first time, the notice read and no file given

@@ -1,3 +1,5 @@
+#include "core/messages/says.h"
+#include "core/tracing/volume/tracing_warnings.h"
 #include "tests/app/scan_window.h"
 #include "tests/support/temporary_folder.h"
 
@@ -43,6 +45,33 @@ TEST_F(WindowTracing, TraceWithThresholdAndSeedsAsOneStep)
     EXPECT_EQ(w.current().vessels.tree, before);
     EXPECT_FALSE(w.current().vessels.input.tracing.threshold);
     EXPECT_EQ(w.window.tracing().findChild<QListWidget*>()->count(), 0);
+}
+
+TEST_F(WindowTracing, ShowsTheFalseLumenOfADissectionOnACardThatPlacesItsSeeds)
+{
+    const auto button = [this](const char* words) {
+        for (auto* each : w.window.tracing().findChildren<QPushButton*>()) {
+            if (each->text() == QLatin1String(words)) {
+                return each;
+            }
+        }
+        return static_cast<QPushButton*>(nullptr);
+    };
+    ASSERT_TRUE(button("Show") && button("Add seed"));
+    EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
+    w.controller.tracing().knowWarnings(
+        {core::says::perhapsNoHounsfield(),
+         core::besideWarning(core::OtherLumen{.besideMm = 120.0, .placeInPatient = {3.0, 4.0, 25.0}})});
+    EXPECT_TRUE(button("Show")->isVisibleTo(&w.window.tracing()));
+    QTest::mouseClick(button("Show"), Qt::LeftButton);
+    EXPECT_LT((model().crosshair() - Eigen::Vector3d(3.0, 4.0, 25.0)).norm(), 1.0);
+    QTest::mouseClick(button("Add seed"), Qt::LeftButton);
+    const auto& seeds = w.controller.tracing().draft().seedsInPatient;
+    ASSERT_EQ(seeds.size(), 2u) << "one in each lumen";
+    EXPECT_EQ(seeds.back(), Eigen::Vector3d(3.0, 4.0, 25.0));
+    EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
+    w.controller.tracing().knowWarnings({core::says::perhapsNoHounsfield()});
+    EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
 }
 
 TEST_F(WindowTracing, RemoveSeedsFromTheList)

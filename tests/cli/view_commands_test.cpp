@@ -1,4 +1,6 @@
+#include "io/angiogram_file.h"
 #include "io/case/case_file.h"
+#include "io/pose_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -38,6 +40,59 @@ TEST(Cli, RegistersTwoViewsTogether)
     for (const char* name : {"joint.json", "result.json", "overlay.png", "view-2/result.json", "view-2/pose.tfm"}) {
         EXPECT_TRUE(fs::exists(fs::path(folder.file("joint")) / name)) << name;
     }
+}
+
+void setPatient(const std::string& imagePath, const std::string& number)
+{
+    core::Angiogram run = io::readAngiogram(imagePath).value();
+    run.identity.patientId = number;
+    ASSERT_TRUE(io::writeAngiogram(run, imagePath));
+}
+
+TEST(Cli, TrustsNoFitWithTheViewOfAnotherPatientUnlessSomebodyMadeSure)
+{
+    const TemporaryFolder folder;
+    for (const char* view : {"a", "b"}) {
+        ASSERT_EQ(runCli({"simulate", "--seed", "5", "--branches", "8", "--output", folder.file(view)}).exitCode, 0);
+    }
+    setPatient(folder.file("a/angiogram.dcm"), "0815");
+    setPatient(folder.file("b/angiogram.dcm"), "4711");
+    const std::vector<std::string> command{"register", folder.file("a/case.angiopose"),
+                                           "--view",   folder.file("b/case.angiopose"),
+                                           "--output", folder.file("out")};
+    const auto outcome = runCli(command);
+    EXPECT_EQ(outcome.exitCode, 4) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("different patients"), std::string::npos) << outcome.messages;
+    EXPECT_TRUE(outcome.output.starts_with("trustworthy    NO: NOT RELIABLE")) << outcome.output;
+    EXPECT_LT(outcome.output.find("different patients"), outcome.output.find("method"));
+    for (const char* name : {"out/joint.json", "out/result.json", "out/view-2/result.json"}) {
+        EXPECT_FALSE(nlohmann::json::parse(test::readText(folder.file(name)))["trustworthy"].get<bool>()) << name;
+    }
+    std::vector<std::string> sure = command;
+    sure.emplace_back("--same-patient");
+    const auto made = runCli(sure);
+    EXPECT_EQ(made.exitCode, 0) << made.output;
+    EXPECT_NE(made.messages.find("different patients"), std::string::npos) << "still told";
+}
+
+TEST(Cli, RefusesToDrawVesselsBehindTheSource)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(runCli({"simulate", "--seed", "5", "--branches", "8", "--output", folder.file("demo")}).exitCode, 0);
+    const auto drawn = [&folder](double x, double z) {
+        core::RigidTransform pose;
+        pose.translation = {x, 0.0, z};
+        EXPECT_TRUE(io::writePose(pose, folder.file("pose.json")));
+        return runCli({"project", folder.file("demo/case.angiopose"), "--pose", folder.file("pose.json"), "--output",
+                       folder.file("seen.png")});
+    };
+    const auto behind = drawn(0.0, -2000.0);
+    EXPECT_EQ(behind.exitCode, 3);
+    EXPECT_NE(behind.messages.find("behind the X-ray source"), std::string::npos) << behind.messages;
+    EXPECT_FALSE(fs::exists(folder.file("seen.png")));
+    const auto aside = drawn(5000.0, 2000.0);
+    EXPECT_EQ(aside.exitCode, 0) << aside.messages;
+    EXPECT_NE(aside.messages.find("no vessel lies inside the image"), std::string::npos) << aside.messages;
 }
 
 TEST(Cli, BendsTheVesselsOnRequest)

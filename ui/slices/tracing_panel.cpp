@@ -48,9 +48,12 @@ TracingPanel::TracingPanel(QWidget* parent)
       keepLoops_(withText(new QCheckBox, [] { return tr("Keep loops"); })),
       trace_(withText(new QPushButton, [] { return tr("Trace"); })),
       stop_(withText(new QPushButton, [] { return tr("Stop"); })),
-      note_(roleLabel("hint"))
+      note_(roleLabel("hint")),
+      lumenWarning_(roleLabel("attentionBox")),
+      lumenCard_(lumenCard())
 {
     contentLayout()->setSpacing(8);
+    contentLayout()->addWidget(lumenCard_);
     contentLayout()->addWidget(labels_);
     contentLayout()->addWidget(threshold_);
     contentLayout()->addLayout(seedRows());
@@ -66,6 +69,35 @@ TracingPanel::TracingPanel(QWidget* parent)
     showOptions({});
     showRange(std::nullopt);
     speak(this, [this] { updateButtons(); });
+}
+
+/// A warning that says what to do, with the buttons that do it.
+QWidget* TracingPanel::lumenCard()
+{
+    auto* card = new QWidget;
+    auto* rows = new QVBoxLayout(card);
+    rows->setContentsMargins(0, 0, 0, 0);
+    lumenWarning_->setWordWrap(true);
+    rows->addWidget(lumenWarning_);
+    auto* buttons = new QHBoxLayout;
+    auto* show = withText(new QPushButton, [] { return tr("Show"); });
+    auto* seed = withText(new QPushButton, [] { return tr("Add seed"); });
+    withTip(show, [] { return tr("Moves the slices to the vessel that was not traced."); });
+    withTip(seed, [] { return tr("Places a seed in this vessel, and one in the traced vessel beside it."); });
+    buttons->addWidget(show);
+    buttons->addWidget(seed);
+    buttons->addStretch(1);
+    rows->addLayout(buttons);
+    connect(show, &QPushButton::clicked, this, &TracingPanel::otherLumenWanted);
+    connect(seed, &QPushButton::clicked, this, &TracingPanel::otherLumenSeedWanted);
+    card->hide();
+    return card;
+}
+
+void TracingPanel::showOtherLumen(const QString& warning)
+{
+    lumenWarning_->setText(warning);
+    lumenCard_->setVisible(!warning.isEmpty());
 }
 
 QLayout* TracingPanel::seedRows()

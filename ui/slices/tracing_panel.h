@@ -33,6 +33,7 @@ public:
     void bindPath(QAction& action);   ///< one vessel by two clicks
     void showFound(std::optional<double> threshold);   ///< what "automatic" comes to, when known
     void showPick(TracingPick pick);
+    void showOtherLumen(const QString& warning);   ///< empty: none
     void showWhyNot(const QString& reason);   ///< empty: can be traced
     void setRunning(bool running);
     bool isPreviewWanted() const;
@@ -45,8 +46,11 @@ signals:
     void placeChosen(const Eigen::Vector3d& pointInPatient);
     void traceRequested();
     void stopRequested();
+    void otherLumenWanted();   ///< to be seen
+    void otherLumenSeedWanted();
 
 private:
+    QWidget* lumenCard();
     QLayout* seedRows();
     QLayout* limitRows();
     QLayout* shapeRows();
@@ -71,6 +75,8 @@ private:
     QPushButton* trace_;
     QPushButton* stop_;
     QLabel* note_;
+    QLabel* lumenWarning_;
+    QWidget* lumenCard_;
 };
 
 }   // namespace angiopose::ui

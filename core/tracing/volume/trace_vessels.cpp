@@ -207,8 +207,8 @@ void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vec
                 const BloodLevel& level)
 {
     vessels.threshold = level.threshold;
-    if (const double besideMm = besideLumenMm(lumen.lumen, great); besideMm >= leastBesideMm) {
-        vessels.warnings.push_back(besideWarning(besideMm));
+    if (const OtherLumen other = otherLumenBeside(lumen.lumen, great); other.besideMm >= leastBesideMm) {
+        vessels.warnings.push_back(besideWarning(other));
     }
     if (!level.isHu) {
         vessels.warnings.push_back(unitWarning());

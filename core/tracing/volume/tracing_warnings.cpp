@@ -33,9 +33,21 @@ Message dimWarning(int parts)
     return parts == 1 ? says::oneDimPartLeftOut() : says::dimPartsLeftOut(parts);
 }
 
-Message besideWarning(double besideMm)
+Message besideWarning(const OtherLumen& other)
 {
-    return says::otherLumenBeside(Quantity{besideMm / 10.0, 0, "cm"});
+    return says::otherLumenBeside(Quantity{other.besideMm / 10.0, 0, "cm"}, placeInMessage(other.placeInPatient));
+}
+
+std::optional<Eigen::Vector3d> otherLumenOf(const Messages& warnings)
+{
+    for (const Message& warning : warnings) {
+        if (warning.is(says::otherLumenBeside)) {
+            const std::vector<MessageArgument>& at = std::get<Messages>(warning.arguments()[1]).front().arguments();
+            return Eigen::Vector3d(std::get<Quantity>(at[0]).value, std::get<Quantity>(at[1]).value,
+                                   std::get<Quantity>(at[2]).value);
+        }
+    }
+    return std::nullopt;
 }
 
 Message startWarning(const std::optional<Eigen::Vector3d>& foundStart)

@@ -46,20 +46,25 @@ bool isBeside(const Trunk& trunk, std::size_t at, const Trunk& other)
     return false;
 }
 
-double besideMm(const Trunk& trunk, const std::vector<const Trunk*>& traced)
+OtherLumen besideTraced(const std::vector<const Trunk*>& trunks, const std::vector<const Trunk*>& traced)
 {
-    double mm = 0.0;
-    for (std::size_t n = 1; n < trunk.radiusMm.size(); ++n) {
-        const bool isBesideTraced =
-            std::ranges::any_of(traced, [&](const Trunk* other) { return isBeside(trunk, n, *other); });
-        mm += isBesideTraced ? (trunk.pointsInPatient[n] - trunk.pointsInPatient[n - 1]).norm() : 0.0;
+    OtherLumen found;
+    std::vector<Eigen::Vector3d> beside;
+    for (const Trunk* trunk : trunks) {
+        for (std::size_t n = 1; n < trunk->radiusMm.size(); ++n) {
+            if (std::ranges::any_of(traced, [&](const Trunk* other) { return isBeside(*trunk, n, *other); })) {
+                beside.push_back(trunk->pointsInPatient[n]);
+                found.besideMm += (beside.back() - trunk->pointsInPatient[n - 1]).norm();
+            }
+        }
     }
-    return mm;
+    found.placeInPatient = beside.empty() ? Eigen::Vector3d::Zero() : beside[beside.size() / 2];
+    return found;
 }
 
 }   // namespace
 
-double besideLumenMm(const VoxelMask& lumen, const std::vector<GreatVessel>& greatVessels)
+OtherLumen otherLumenBeside(const VoxelMask& lumen, const std::vector<GreatVessel>& greatVessels)
 {
     std::vector<const Trunk*> traced;
     std::vector<std::vector<const Trunk*>> others;
@@ -71,15 +76,12 @@ double besideLumenMm(const VoxelMask& lumen, const std::vector<GreatVessel>& gre
             }
         }
     }
-    double longestMm = 0.0;
+    OtherLumen longest;
     for (const std::vector<const Trunk*>& other : others) {
-        double mm = 0.0;
-        for (const Trunk* trunk : other) {
-            mm += besideMm(*trunk, traced);
-        }
-        longestMm = std::max(longestMm, mm);
+        const OtherLumen found = besideTraced(other, traced);
+        longest = found.besideMm > longest.besideMm ? found : longest;
     }
-    return longestMm;
+    return longest;
 }
 
 }   // namespace angiopose::core

@@ -2,6 +2,7 @@
 #include "core/messages/says.h"
 
 #include "core/tracing/volume/trace_vessels.h"
+#include "core/tracing/volume/tracing_warnings.h"
 #include "tests/support/drawn_tubes.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ double besideMm(const Tube& traced, const std::vector<Tube>& others)
     for (const Tube& other : others) {
         great.push_back(vesselAlong(other));
     }
-    return core::besideLumenMm(test::drawnMask(grid, {traced}), great);
+    return core::otherLumenBeside(test::drawnMask(grid, {traced}), great).besideMm;
 }
 
 const Tube trueLumen{{0, 0, -90}, {0, 0, 90}, 6.0};
@@ -75,6 +76,20 @@ TEST(OtherLumen, IsWarnedAboutUnlessItIsTracedToo)
     EXPECT_TRUE(warnsOfOtherLumen({one, other}, {{8, 0, 0}}));
     EXPECT_FALSE(warnsOfOtherLumen({one, other}, {{8, 0, 0}, {-10, 0, 0}}));
     EXPECT_FALSE(warnsOfOtherLumen({one}));
+}
+
+TEST(OtherLumen, IsToldWithAPlaceInIt)
+{
+    const Tube one{{-10, 0, -90}, {-10, 0, 90}, 8.0};
+    const Tube other{{8, 0, -90}, {8, 0, 90}, 7.0};
+    const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {70, 60, 200}, {1.0, 1.0, 1.0});
+    const auto traced = core::traceVessels(test::tubesInTissue(grid, {one, other}), {.seedsInPatient = {{-10, 0, 0}}});
+    ASSERT_TRUE(traced);
+    const auto place = core::otherLumenOf(traced.value().warnings);
+    ASSERT_TRUE(place);
+    EXPECT_LT((place->head<2>() - Eigen::Vector2d(8, 0)).norm(), 4.0) << *place;
+    EXPECT_LT(std::abs(place->z()), 60.0);
+    EXPECT_FALSE(core::otherLumenOf({}));
 }
 
 }   // namespace
