@@ -45,10 +45,10 @@ QString certainPose(const core::PoseUncertainty& uncertainty)
     const QString shiftMm = resultNumber(std::max(0.05, sigmas.inPlaneMm));
     const QString turnDeg = resultNumber(std::max(0.05, sigmas.rotationDeg.maxCoeff()));
     if (inPlane && turns) {
-        return ResultWords::tr("In plane ±%1 mm, rotation ±%2° (image noise only).").arg(shiftMm, turnDeg);
+        return ResultWords::tr("In plane ±%1 mm, rotation ±%2°.").arg(shiftMm, turnDeg);
     }
-    return inPlane ? ResultWords::tr("In plane ±%1 mm (image noise only).").arg(shiftMm)
-           : turns ? ResultWords::tr("Rotation ±%1° (image noise only).").arg(turnDeg)
+    return inPlane ? ResultWords::tr("In plane ±%1 mm.").arg(shiftMm)
+           : turns ? ResultWords::tr("Rotation ±%1°.").arg(turnDeg)
                    : QString();
 }
 
