@@ -1,5 +1,7 @@
 #include "app/report/case_report.h"
 #include "app/step_states.h"
+#include "core/registration/judging/unfilled_branches.h"
+#include "core/workflow/pose_judgement.h"
 #include "core/workflow/register_case.h"
 #include "io/results/result_file.h"
 #include "tests/support/simulated_views.h"
