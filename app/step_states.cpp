@@ -64,7 +64,7 @@ StepState angiogram(const core::Case& current, const StepFacts& facts)
 
 bool isAssumed(const core::CArm& cArm)
 {
-    for (const auto* value : {&cArm.sourceToDetectorMm, &cArm.sourceToPatientMm, &cArm.columnSpacingMm,
+    for (const auto* value : {&cArm.sourceToDetectorMm, &vesselDepthOf(cArm), &cArm.columnSpacingMm,
                               &cArm.primaryAngleDeg, &cArm.secondaryAngleDeg}) {
         if (value->origin == core::Origin::Assumed) {
             return true;

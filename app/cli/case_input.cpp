@@ -59,7 +59,7 @@ core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, c
     }
     core::View& shown = theCase.shown();
     if (core::findFrame(shown.followed, *frame) && *frame != shown.frame) {
-        shown = core::withFrame(std::move(shown), theCase.vessels, *frame);
+        shown = core::withFrame(std::move(shown), *frame);
     }
     shown.frame = *frame;
     return theCase;

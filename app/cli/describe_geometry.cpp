@@ -56,7 +56,8 @@ nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogra
 {
     Json json{
         {"sourceToDetectorMm", sourcedJson(cArm.sourceToDetectorMm)},
-        {"sourceToPatientMm", sourcedJson(cArm.sourceToPatientMm)},
+        {"sourceToIsocenterMm", sourcedJson(cArm.sourceToIsocenterMm)},
+        {"sourceToObjectMm", sourcedJson(cArm.sourceToObjectMm)},
         {"columnSpacingMm", sourcedJson(cArm.columnSpacingMm)},
         {"rowSpacingMm", sourcedJson(cArm.rowSpacingMm)},
         {"primaryAngleDeg", sourcedJson(cArm.primaryAngleDeg)},
@@ -64,10 +65,11 @@ nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogra
         {"rollDeg", sourcedJson(cArm.rollDeg)},
         {"principalPointPx", sourcedJson(cArm.principalPointPx)},
         {"isocentreInPatientMm", sourcedJson(cArm.isocentreInPatientMm)},
+        {"mirrored", cArm.mirrored.value.value_or(false)},
         {"shown", shownFrom(cArm)},
     };
-    if (cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
-        json["magnification"] = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
+    if (const auto& depth = vesselDepthOf(cArm).value; cArm.sourceToDetectorMm.value && depth) {
+        json["magnification"] = *cArm.sourceToDetectorMm.value / *depth;
     }
     const auto camera = core::cameraFromCArm(cArm, angiogram.width(), angiogram.height());
     if (camera) {
@@ -86,6 +88,11 @@ nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogra
             json["messages"].push_back(Json::parse(io::messageJson(message)));
         }
     }
+    if (const auto& table = angiogram.gantry.table) {
+        const Eigen::Vector3d& isocenter = table->isocenterInPatientMm;
+        json["isocenterByTableMm"] = {isocenter.x(), isocenter.y(), isocenter.z()};
+    }
+    json["tableMovesDuringRun"] = angiogram.gantry.tableMoves;
     json["turnsDuringRun"] = !angiogram.gantry.angleIncrementsDeg.empty();
     Json& header = json["header"] = Json::object();
     for (const core::HeaderTag& tag : angiogram.gantry.tags) {

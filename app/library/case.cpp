@@ -82,7 +82,7 @@ void Case::setFrame(int frame)
                                             std::to_string(count) + " frames, the first is 0.");
     }
     core::View& view = content_->values.shown();
-    view = core::withFrame(std::move(view), content_->values.vessels, frame);
+    view = core::withFrame(std::move(view), frame);
 }
 
 ProjectionCamera Case::camera() const

@@ -36,7 +36,7 @@ core::CArm toCore(const CArm& cArm)
 {
     core::CArm converted;
     converted.sourceToDetectorMm = givenBy(cArm.sourceToDetectorMm);
-    converted.sourceToPatientMm = givenBy(cArm.sourceToPatientMm);
+    converted.sourceToIsocenterMm = givenBy(cArm.sourceToPatientMm);
     converted.columnSpacingMm = givenBy(cArm.columnSpacingMm);
     converted.rowSpacingMm = givenBy(cArm.rowSpacingMm);
     converted.primaryAngleDeg = givenBy(cArm.primaryAngleDeg);
@@ -67,9 +67,10 @@ ProjectionCamera toPublic(const core::ProjectionCamera& camera)
 
 CArm toPublic(const core::CArm& cArm)
 {
-    const auto& [detector, patient, column, row, primary, secondary, roll, centre, mirrored, isocentre] = cArm;
-    CArm converted{detector.value,  patient.value, column.value, row.value, primary.value,
-                   secondary.value, roll.value,    {},           {},        mirrored.value.value_or(false),
+    const auto& [detector, isocenter, object, column, row, primary, secondary, roll, centre, mirrored, isocentre] =
+        cArm;
+    CArm converted{detector.value,  isocenter.value, column.value, row.value, primary.value,
+                   secondary.value, roll.value,      {},           {},        mirrored.value.value_or(false),
                    isocentre.value};
     if (centre.value) {
         converted.principalPointUPx = centre.value->x();

@@ -119,7 +119,7 @@ void ReviewController::showFrame(int frame)
         ++frameBurst_;
     }
     lastFrameMs_ = now;
-    const core::View turned = core::withFrame(document_.current().shown(), document_.current().vessels, frame);
+    const core::View turned = core::withFrame(document_.current().shown(), frame);
     document_.push(std::make_unique<ShowFrame>(
         document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
         [] { return tr("Choose another frame"); }, frameBursts + frameBurst_));

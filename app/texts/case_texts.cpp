@@ -70,14 +70,18 @@ void addAngles(core::Messages& lines, const core::CArm& cArm)
 void addDistances(core::Messages& lines, const core::CArm& cArm)
 {
     const auto& sid = cArm.sourceToDetectorMm.value;
-    const auto& sod = cArm.sourceToPatientMm.value;
-    const core::Message origin = originWord(cArm.sourceToDetectorMm.origin);
-    if (sid && sod) {
-        lines.push_back(says::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), origin));
-    } else if (sid) {
-        lines.push_back(says::sidAlone(core::inMm(*sid, 0), origin));
-    } else if (sod) {
-        lines.push_back(says::sodAlone(core::inMm(*sod, 0), origin));
+    const auto& sod = cArm.sourceToIsocenterMm.value;
+    const core::Origin sidOrigin = cArm.sourceToDetectorMm.origin, sodOrigin = cArm.sourceToIsocenterMm.origin;
+    if (sid && sod && sidOrigin == sodOrigin) {
+        lines.push_back(says::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), originWord(sidOrigin)));
+        return;
+    }
+    const auto sidLine = sid ? std::optional(says::sidAlone(core::inMm(*sid, 0), originWord(sidOrigin))) : std::nullopt;
+    const auto sodLine = sod ? std::optional(says::sodAlone(core::inMm(*sod, 0), originWord(sodOrigin))) : std::nullopt;
+    if (sidLine && sodLine) {
+        lines.push_back(says::twoParts(*sidLine, *sodLine));
+    } else if (sidLine || sodLine) {
+        lines.push_back(sidLine ? *sidLine : *sodLine);
     }
 }
 

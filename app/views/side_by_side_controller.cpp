@@ -262,7 +262,7 @@ void SideBySideController::changeFrame(const OtherView& other, int frame)
     lastFrameMs_ = now;
     burstPlace_ = place;
     std::vector<core::View> views = current.views;
-    views[place] = core::withFrame(std::move(views[place]), current.vessels, frame);
+    views[place] = core::withFrame(std::move(views[place]), frame);
     views[place].caseFile = {};   // its file says something else now
     on_.document.push(std::make_unique<ChangeViews>(
         on_.document, ChangeViews::Values{std::move(views)}, [] { return tr("Choose another frame"); },

@@ -1,5 +1,6 @@
 #include "core/case/registration_input.h"
 
+#include "core/case/view_step.h"
 #include "core/messages/says.h"
 #include "core/registration/problem/in_view.h"
 #include "core/registration/problem/registration_problem.h"
@@ -67,27 +68,32 @@ Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d 
     return wanted;
 }
 
-Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views, const Vessels& vessels,
-                                                     std::span<const Centerline2d> targets,
-                                                     const MultiViewOptions& multiView)
+Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
+                                  std::span<const Centerline2d> targets, MultiViewOptions multiView)
 {
     assert(views.size() == targets.size());
-    std::vector<RegistrationInput> inputs;
+    JointInputs inputs;
+    multiView.steps.assign(views.size(), {});
     for (std::size_t k = 0; k < views.size(); ++k) {
         View view = views[k];
         if (k > 0) {
-            const auto fromFirst = viewFromView(views.front(), view, vessels);
-            if (!fromFirst) {
-                return inView(multiView.numberOf(k), fromFirst.error());
+            const auto step = stepToView(views.front(), view, vessels);
+            if (!step) {
+                return inView(multiView.numberOf(k), step.error());
             }
-            view.cameraFromPatient = fromFirst.value() * views.front().cameraFromPatient;
+            view.cameraFromPatient = step.value().viewFromFirst * views.front().cameraFromPatient;
+            multiView.steps[k] = step.value().spread;
+            for (const Message& note : step.value().notes) {
+                inputs.notes.push_back(says::inView(multiView.numberOf(k), note).as(note.severity()));
+            }
         }
         auto input = registrationInputOf(view, vessels, targets[k]);
         if (!input) {
             return inView(multiView.numberOf(k), input.error());
         }
-        inputs.push_back(std::move(input).value());
+        inputs.views.push_back(std::move(input).value());
     }
+    inputs.multiView = std::move(multiView);
     return inputs;
 }
 

@@ -15,11 +15,16 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
 /// Likewise of the shown view.
 Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d target);
 
-/// What registerViews needs of several views: for each its camera, its target and a start pose. The first starts where
-/// it is; the others where the geometry between the views then puts them, see viewFromView. Fails naming the view, by
-/// what `multiView` calls it, and what it lacks.
-Result<std::vector<RegistrationInput>> jointInputsOf(std::span<const View> views, const Vessels& vessels,
-                                                     std::span<const Centerline2d> targets,
-                                                     const MultiViewOptions& multiView = {});
+/// What registerViews needs of several views.
+struct JointInputs {
+    std::vector<RegistrationInput> views;   ///< each with its camera, its target and a start pose
+    MultiViewOptions multiView;   ///< as given, with how well the steps between them are known
+    Messages notes{};   ///< what is not known of these, naming the view
+};
+
+/// The first view starts where it is; the others where the geometry between the views then puts them, see stepToView.
+/// Fails naming the view, by what `multiView` calls it, and what it lacks.
+Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
+                                  std::span<const Centerline2d> targets, MultiViewOptions multiView = {});
 
 }   // namespace angiopose::core

@@ -11,7 +11,12 @@ Result<RigidTransform> poseFromAngles(const View& view, const Vessels& vessels)
     if (!isocentre && !vessels.tree) {
         return Error(says::noVesselTree());
     }
-    return cameraFromPatient(cArmOfFrame(view), isocentre ? *isocentre : centroidInPatient(*vessels.tree));
+    CArm cArm = cArmOfFrame(view);
+    if (isocentre) {
+        return cameraFromPatient(cArm, *isocentre);
+    }
+    cArm.sourceToIsocenterMm = vesselDepthOf(cArm);
+    return cameraFromPatient(cArm, centroidInPatient(*vessels.tree));
 }
 
 }   // namespace
@@ -30,9 +35,10 @@ bool isAtStart(const View& view, const Vessels& vessels)
     return !view.result && start && view.cameraFromPatient.matrix().isApprox(start.value().matrix(), 1e-9);
 }
 
-View withFrame(View view, const Vessels& vessels, int frame)
+View withFrame(View view, int frame)
 {
-    const auto before = poseFromAngles(view, vessels);
+    const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // the same for both: it cancels
+    const auto before = cameraFromPatient(cArmOfFrame(view), anyIsocenter);
     view.frame = frame;
     if (const FollowedFrame* followed = findFrame(view.followed, frame)) {
         view.cameraFromPatient = followed->tracked.cameraFromPatient;
@@ -40,7 +46,7 @@ View withFrame(View view, const Vessels& vessels, int frame)
         return view;
     }
     const bool turns = view.angiogram && !view.angiogram->gantry.angleIncrementsDeg.empty();
-    const auto after = poseFromAngles(view, vessels);
+    const auto after = cameraFromPatient(cArmOfFrame(view), anyIsocenter);
     if (!turns || !before || !after) {
         return view;
     }
@@ -51,21 +57,6 @@ View withFrame(View view, const Vessels& vessels, int frame)
     }
     forgetFindings(view);
     return view;
-}
-
-Result<RigidTransform> viewFromView(const View& first, const View& view, const Vessels& vessels)
-{
-    const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // the same for both: it cancels
-    const auto gantryOfFirst = cameraFromPatient(cArmOfFrame(first), anyIsocentre);
-    const auto gantry = cameraFromPatient(cArmOfFrame(view), anyIsocentre);
-    if (gantryOfFirst && gantry) {
-        return gantry.value() * gantryOfFirst.value().inverse();
-    }
-    const auto startOfFirst = startPoseOf(first, vessels);
-    const auto start = startPoseOf(view, vessels);
-    return startOfFirst && start ? Result<RigidTransform>(start.value() * startOfFirst.value().inverse())
-           : start               ? startOfFirst.error()
-                                 : start.error();
 }
 
 }   // namespace angiopose::core

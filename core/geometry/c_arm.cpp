@@ -67,7 +67,7 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 
 Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient)
 {
-    if (!isPositive(cArm.sourceToPatientMm)) {
+    if (!isPositive(cArm.sourceToIsocenterMm)) {
         return missing(says::theSod());
     }
     if (!isKnown(cArm.primaryAngleDeg) || !isKnown(cArm.secondaryAngleDeg)) {
@@ -85,8 +85,31 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
     Eigen::Matrix3d rotation;
     rotation << -imageRight.transpose(), -imageUp.transpose(), direction.transpose();
     rotation = rollRotation(cArm.rollDeg.value.value_or(0.0), cArm.mirrored.value.value_or(false)) * rotation;
-    const Eigen::Vector3d source = isocentreInPatient - *cArm.sourceToPatientMm.value * direction;
+    const Eigen::Vector3d source = isocentreInPatient - *cArm.sourceToIsocenterMm.value * direction;
     return RigidTransform{rotation, -(rotation * source)};
+}
+
+void assumeIsocenter(CArm& cArm)
+{
+    if (!cArm.sourceToIsocenterMm.value && cArm.sourceToObjectMm.value) {
+        cArm.sourceToIsocenterMm = {cArm.sourceToObjectMm.value, Origin::Assumed, cArm.sourceToObjectMm.basis};
+    }
+}
+
+const Sourced<double>& vesselDepthOf(const CArm& cArm)
+{
+    return isPositive(cArm.sourceToObjectMm) ? cArm.sourceToObjectMm : cArm.sourceToIsocenterMm;
+}
+
+ImageAxes imageAxesOf(CArm cArm)
+{
+    for (Sourced<double>* angle : {&cArm.primaryAngleDeg, &cArm.secondaryAngleDeg}) {
+        angle->value = isKnown(*angle) ? *angle->value : 0.0;
+    }
+    cArm.sourceToIsocenterMm.value = 1.0;
+    const Eigen::Matrix3d rotation = cameraFromPatient(cArm, Eigen::Vector3d::Zero()).value().rotation;
+    const double rightward = cArm.mirrored.value.value_or(false) ? 1.0 : -1.0;   // the sign of fx
+    return {rightward * rotation.row(0).transpose(), rotation.row(1).transpose()};
 }
 
 CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)

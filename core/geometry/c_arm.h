@@ -23,16 +23,32 @@ struct Sourced {
 /// C-arm geometry as DICOM describes it (PS3.3 C.8.7.5; ALGORITHMS §5). Lengths mm, angles degrees.
 struct CArm {
     Sourced<double> sourceToDetectorMm;   ///< SID
-    Sourced<double> sourceToPatientMm;   ///< SOD, source to isocentre
+    Sourced<double> sourceToIsocenterMm;   ///< SOD: the gantry turns about what lies there
+    Sourced<double> sourceToObjectMm;   ///< plane of the object that the device assumes, see vesselDepthOf
     Sourced<double> columnSpacingMm;   ///< detector pixel pitch along u
     Sourced<double> rowSpacingMm;   ///< detector pixel pitch along v
     Sourced<double> primaryAngleDeg;   ///< LAO +, RAO −
     Sourced<double> secondaryAngleDeg;   ///< CRA +, CAU −
-    Sourced<double> rollDeg;   ///< image turned clockwise on screen; no DICOM tag, 0 unless the user says
+    Sourced<double> rollDeg;   ///< image turned clockwise on screen; missing: 0
     Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); missing: image centre
     Sourced<bool> mirrored;   ///< true: shown as seen from the source, fx > 0
     Sourced<Eigen::Vector3d> isocentreInPatientMm;   ///< in the vessels' coordinates; missing: their centroid
 };
+
+/// Takes the object plane for the isocenter where nothing else is known of that; as assumed.
+void assumeIsocenter(CArm& cArm);
+
+/// Where the vessels lie along the beam before anything is known of them: in the object plane, else at the isocenter.
+const Sourced<double>& vesselDepthOf(const CArm& cArm);
+
+/// Directions of an image in patient LPS, unit vectors.
+struct ImageAxes {
+    Eigen::Vector3d right;
+    Eigen::Vector3d down;
+};
+
+/// How the image of a C-arm lies, its roll and mirror included; angles that are missing count as 0.
+ImageAxes imageAxesOf(CArm cArm);
 
 /// The C-arm when it has turned by (primary, secondary) degrees since its angles were noted.
 CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);

@@ -58,9 +58,10 @@ private:
     bool hasSpacing() const { return isKnownPositive(cArm_.columnSpacingMm) && isKnownPositive(cArm_.rowSpacingMm); }
     bool hasDistances() const
     {
-        return isKnownPositive(cArm_.sourceToDetectorMm) && isKnownPositive(cArm_.sourceToPatientMm);
+        return isKnownPositive(cArm_.sourceToDetectorMm) && isKnownPositive(vesselDepthOf(cArm_));
     }
-    double magnification() const { return *cArm_.sourceToDetectorMm.value / *cArm_.sourceToPatientMm.value; }
+    /// At the vessels.
+    double magnification() const { return *cArm_.sourceToDetectorMm.value / *vesselDepthOf(cArm_).value; }
 
     void checkDistances()
     {
@@ -69,8 +70,9 @@ private:
             say(sid < leastSidMm || sid > mostSidMm, says::sidUnusual(inMm(sid, 0)));
         }
         if (hasDistances()) {
-            say(magnification() <= 1.0,
-                says::sodBeyondSid(inMm(*cArm_.sourceToPatientMm.value, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
+            const double sod = std::max(*vesselDepthOf(cArm_).value, cArm_.sourceToIsocenterMm.value.value_or(0.0));
+            say(sod >= *cArm_.sourceToDetectorMm.value,
+                says::sodBeyondSid(inMm(sod, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
             say(magnification() > mostMagnification, says::magnificationUnusual(Quantity{magnification(), 2}));
         }
     }
@@ -79,7 +81,7 @@ private:
     {
         // Who types a distance knows better than the header.
         const bool areTyped =
-            cArm_.sourceToDetectorMm.origin == Origin::User || cArm_.sourceToPatientMm.origin == Origin::User;
+            cArm_.sourceToDetectorMm.origin == Origin::User || vesselDepthOf(cArm_).origin == Origin::User;
         if (hasDistances() && header_.magnification && !areTyped) {
             say(differ(magnification(), *header_.magnification, sameMagnification),
                 says::magnificationStale(Quantity{*header_.magnification, 3}, Quantity{magnification(), 3}));
@@ -180,7 +182,7 @@ Messages findMissing(const CArm& cArm)
         }
     };
     ask(isKnownPositive(cArm.sourceToDetectorMm), says::askSid);
-    ask(isKnownPositive(cArm.sourceToPatientMm), says::askSod);
+    ask(isKnownPositive(cArm.sourceToIsocenterMm), says::askSod);
     ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm), says::askSpacing);
     ask(cArm.primaryAngleDeg.value.has_value(), says::askPrimaryAngle);
     ask(cArm.secondaryAngleDeg.value.has_value(), says::askSecondaryAngle);

@@ -40,7 +40,7 @@ Eigen::Vector3d vectorOf(const std::array<int, 3>& axis)
 Eigen::Matrix3d rotationAt(const CArm& anyDistance, const PatientAngles& angles)
 {
     CArm cArm = anyDistance;
-    cArm.sourceToPatientMm = {1.0, Origin::Assumed, ""};
+    cArm.sourceToIsocenterMm = {1.0, Origin::Assumed, ""};
     cArm.primaryAngleDeg.value = angles.primaryDeg;
     cArm.secondaryAngleDeg.value = angles.secondaryDeg;
     cArm.rollDeg.value = angles.rollDeg;

@@ -12,10 +12,16 @@
 #include "core/registration/problem/in_view.h"
 #include "core/registration/problem/method_solution.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace angiopose::core {
 namespace {
 
 constexpr double clearlyLess = 0.9;   // of the agreement that the views reach each by itself
+constexpr double knownTurnReachDeg = 3.0;   // of a search in a view whose turn another view tells
+constexpr std::size_t mostSearchedAgain = 3;
+constexpr double widestForBendingMm = 8.0;   // what corrected a wider step was no bend
 constexpr double aloneShare = 0.9;   // of the progress of a view; the rest is its joint refinement
 
 Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
@@ -89,7 +95,8 @@ private:
     Verdict pass(std::size_t view, IterationReport report)
     {
         report.iteration = ++iterations_;
-        report.progress = (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_);
+        report.progress =
+            std::max(told_.progress, (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_));
         told_ = report;
         isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
         return isStopped_ ? Verdict::Stop : Verdict::Continue;
@@ -116,54 +123,179 @@ std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
     return poses;
 }
 
-/// Where the geometry is wrong no view's answer fits the others: how they contradict shows with each at its own.
-JointPose refinedAtItsOwn(JointSolve& solve, const JointPose& each, std::size_t lastView, JointProgress& progress)
-{
-    return solve.refine(each, [&](const JointPose& reached, double scalePx, double) {
-        return progress.report(lastView, reached, scalePx, 1.0);
-    });
-}
+/// The best joint pose so far.
+struct BestJoint {
+    JointPose pose;
+    double score = -1.0;
 
-/// Every view's own answers, carried to the first view, are where the joint solve starts from; the best score wins.
-Result<JointPose> bestJointPose(JointSolve& solve, std::span<const RegistrationInput> inputs,
-                                const RegistrationOptions& options, const MultiViewOptions& multiView,
-                                JointProgress& progress)
-{
-    JointPose best{solve.inFirst(inputs.front().initialCameraFromPatient, 0),
-                   std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
-    double bestScore = -1.0;
-    std::vector<RigidTransform> aloneBest;
-    RegistrationOptions ofOneView = options;
-    ofOneView.geometry.otherFrames = false;   // all views together tell
-    ofOneView.bending = Bending::Off;
-    for (std::size_t k = 0; k < inputs.size() && !progress.isStopped(); ++k) {
-        const auto alone = registerVessels(inputs[k], ofOneView,
-                                           [&](const IterationReport& report) { return progress.report(k, report); });
-        if (!alone) {
-            return inView(multiView.numberOf(k), alone.error());
-        }
-        aloneBest.push_back(alone.value().cameraFromPatient);
-        const std::vector<RigidTransform> starts = posesOf(alone.value());
-        for (std::size_t i = 0; i < starts.size(); ++i) {
-            const JointPose joint =
-                solve.refine(solve.inFirst(starts[i], k), [&](const JointPose& reached, double scalePx, double done) {
-                    const double share = (static_cast<double>(i) + done) / static_cast<double>(starts.size());
-                    return progress.report(k, reached, scalePx, share);
-                });
-            if (const double score = solve.scoreOf(joint); score > bestScore) {
-                best = joint;
-                bestScore = score;
-            }
+    void offer(const JointSolve& solve, const JointPose& joint)
+    {
+        if (const double reached = solve.scoreOf(joint); reached > score) {
+            pose = joint;
+            score = reached;
         }
     }
-    if (aloneBest.size() == inputs.size() && !progress.isStopped()) {
-        const JointPose each = solve.ofEach(aloneBest);
-        if (bestScore < clearlyLess * solve.scoreOf(each)) {
-            best = refinedAtItsOwn(solve, each, inputs.size() - 1, progress);
+};
+
+/// Of the poses that each view explains: with one of a view's, those of the others that contradict the geometry least.
+JointPose withLikeliestOthers(const JointSolve& solve, const std::vector<std::vector<RigidTransform>>& poses,
+                              std::size_t view, const RigidTransform& pose)
+{
+    std::vector<RigidTransform> chosen;
+    for (const auto& each : poses) {
+        chosen.push_back(each.front());
+    }
+    chosen[view] = pose;
+    JointPose best = solve.ofEach(chosen);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+        for (std::size_t i = 0; k != view && i < poses[k].size(); ++i) {
+            std::vector<RigidTransform> changed = chosen;
+            changed[k] = poses[k][i];
+            const JointPose joint = solve.ofEach(changed);
+            if (solve.contradiction(joint) < solve.contradiction(best)) {
+                chosen = std::move(changed);
+                best = joint;
+            }
         }
     }
     return best;
 }
+
+/// Finds the joint pose from poses of single views.
+class JointSearch {
+public:
+    JointSearch(JointSolve& solve, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
+                const MultiViewOptions& multiView, JointProgress& progress)
+        : solve_(solve), inputs_(inputs), ofOneView_(options), multiView_(multiView), progress_(progress)
+    {
+        ofOneView_.geometry.otherFrames = false;   // all views together tell
+        ofOneView_.bending = Bending::Off;
+        best_.pose = {solve.inFirst(inputs.front().initialCameraFromPatient, 0),
+                      std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
+        for (std::size_t k = 1; k < inputs.size(); ++k) {
+            tellsShift_ = tellsShift_ && multiView.stepTo(k).tellsShift();
+            isTight_ = isTight_ && multiView.stepTo(k).shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
+        }
+    }
+
+    Result<JointPose> find()
+    {
+        for (std::size_t k = 0; k < inputs_.size() && !progress_.isStopped(); ++k) {
+            auto alone = posesAlone(k, inputs_[k], ofOneView_);
+            if (!alone) {
+                return alone.error();
+            }
+            poses_.push_back(std::move(alone).value());
+            if (tellsShift_ || best_.score < 0.0) {   // otherwise the first stands for who stops early
+                refineFrom(k);
+            }
+        }
+        if (poses_.size() < inputs_.size() || progress_.isStopped()) {
+            return best_.pose;
+        }
+        if (!tellsShift_) {
+            best_.score = -1.0;
+        }
+        if (!isTight_) {
+            refineTogether();
+        }
+        if (!tellsShift_ && best_.score < 0.0) {
+            if (const auto again = searchTurnedAlike(); !again) {
+                return again.error();
+            }
+            refineTogether();
+        }
+        return orEachAtItsOwn();
+    }
+
+private:
+    /// Its answer and the others nearly as good.
+    Result<std::vector<RigidTransform>> posesAlone(std::size_t view, const RegistrationInput& input,
+                                                   const RegistrationOptions& options)
+    {
+        const auto alone = registerVessels(
+            input, options, [&](const IterationReport& report) { return progress_.report(view, report); });
+        if (!alone) {
+            return inView(multiView_.numberOf(view), alone.error());
+        }
+        return posesOf(alone.value());
+    }
+
+    JointPose refined(const JointPose& start, std::size_t view, double first, double share)
+    {
+        return solve_.refine(start, [&](const JointPose& reached, double scalePx, double done) {
+            return progress_.report(view, reached, scalePx, first + share * done);
+        });
+    }
+
+    /// A view's poses, carried to the first view.
+    void refineFrom(std::size_t view)
+    {
+        const double share = 1.0 / static_cast<double>(poses_[view].size());
+        for (std::size_t i = 0; i < poses_[view].size(); ++i) {
+            const JointPose start{solve_.inFirst(poses_[view][i], view),
+                                  std::vector<Vector6d>(inputs_.size(), Vector6d::Zero())};
+            best_.offer(solve_, refined(start, view, share * static_cast<double>(i), share));
+        }
+    }
+
+    /// Where the geometry leaves room, no view's pose fits another's image by itself: every view starts at its own, as
+    /// far as the geometry admits that.
+    void refineTogether()
+    {
+        for (std::size_t view = 0; view < poses_.size(); ++view) {
+            for (const RigidTransform& pose : poses_[view]) {
+                const JointPose joint = withLikeliestOthers(solve_, poses_, view, pose);
+                if (solve_.isPlausible(joint) && !progress_.isStopped()) {
+                    best_.offer(solve_, refined(joint, inputs_.size() - 1, 1.0, 0.0));
+                }
+            }
+        }
+    }
+
+    /// No two poses are turned as the gantries were: the views are searched again, turned like each pose of the first.
+    Status searchTurnedAlike()
+    {
+        RegistrationOptions turned = ofOneView_;
+        turned.angiopose.searchTiltDeg = turned.angiopose.searchRollDeg = knownTurnReachDeg;
+        const std::vector<RigidTransform> ofFirst = poses_.front();
+        for (std::size_t k = 1; k < inputs_.size(); ++k) {
+            turned.angiopose.priorRotationDeg = multiView_.stepTo(k).rotationDeg;
+            for (std::size_t i = 0; i < std::min(ofFirst.size(), mostSearchedAgain) && !progress_.isStopped(); ++i) {
+                RegistrationInput input = inputs_[k];
+                input.initialCameraFromPatient = solve_.turnedLike(ofFirst[i], k);
+                auto found = posesAlone(k, input, turned);
+                if (!found) {
+                    return found.error();
+                }
+                poses_[k].insert(poses_[k].end(), found.value().begin(), found.value().end());
+            }
+        }
+        return Done{};
+    }
+
+    /// Where the geometry is wrong no view's answer fits the others: how they contradict shows with each at its own.
+    JointPose orEachAtItsOwn()
+    {
+        std::vector<RigidTransform> own;
+        for (const auto& each : poses_) {
+            own.push_back(each.front());
+        }
+        const JointPose each = solve_.ofEach(own);
+        return best_.score < clearlyLess * solve_.scoreOf(each) ? refined(each, inputs_.size() - 1, 1.0, 0.0)
+                                                                : best_.pose;
+    }
+
+    JointSolve& solve_;
+    std::span<const RegistrationInput> inputs_;
+    RegistrationOptions ofOneView_;
+    const MultiViewOptions& multiView_;
+    JointProgress& progress_;
+    bool tellsShift_ = true;   ///< see StepSpread, of all steps
+    bool isTight_ = true;   ///< taken together
+    std::vector<std::vector<RigidTransform>> poses_;   ///< that each view explains
+    BestJoint best_;
+};
 
 /// Judges one view at the joint pose; what speaks against it is added to the result's warnings.
 void addView(MultiViewResult& result, std::size_t number, const JointView& view, MethodSolution solution,
@@ -200,14 +332,18 @@ void hearBending(MultiViewResult& result, std::span<const RegistrationInput> inp
                  const MultiViewOptions& multiView, JointProgress& progress)
 {
     std::vector<DeformableView> views;
+    DeformableOptions bending = bendingOptions(options);
     const RigidTransform fromStart =
         inputs.front().initialCameraFromPatient.inverse() * result.views.front().cameraFromPatient;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-        views.push_back({inputs[k], inputs[k].initialCameraFromPatient * fromStart, multiView.numberOf(k)});
+        const StepSpread spread = multiView.stepTo(k);
+        const bool isToldByHeader = spread.shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
+        const RigidTransform& found = result.views[k].cameraFromPatient;
+        views.push_back({inputs[k], isToldByHeader ? inputs[k].initialCameraFromPatient * fromStart : found,
+                         multiView.numberOf(k)});
+        bending.geometryDeg = std::max(bending.geometryDeg, spread.rotationDeg);
+        bending.geometryMm = std::max(bending.geometryMm, std::min(spread.shiftMm.maxCoeff(), widestForBendingMm));
     }
-    DeformableOptions bending = bendingOptions(options);
-    bending.geometryDeg = multiView.relativeRotationStdDeg;
-    bending.geometryMm = multiView.relativeShiftStdMm;
     result.bent = judgeByBending(views, bending, {result.uncertainty, result.trustworthy, result.warnings},
                                  [&](const IterationReport&) { return progress.askAgain("bending"); });
     for (RegistrationResult& view : result.views) {
@@ -226,12 +362,15 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     }
     const auto& views = made.value();
     const RegistrationProblem& first = views.front()->problem;
-    Vector6d correctionStd;
-    correctionStd.head<3>().setConstant(multiView.relativeRotationStdDeg / degreesPerRadian);
-    correctionStd.tail<3>().setConstant(multiView.relativeShiftStdMm);
-    JointSolve solve(views, startPrior(aboutCentroid(first.start, first.tree.centroid), options), correctionStd);
+    std::vector<Vector6d> correctionStd(views.size());
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        const StepSpread spread = multiView.stepTo(k);
+        correctionStd[k] << Eigen::Vector3d::Constant(spread.rotationDeg / degreesPerRadian), spread.shiftMm;
+    }
+    JointSolve solve(views, startPrior(aboutCentroid(first.start, first.tree.centroid), options),
+                     std::move(correctionStd));
     JointProgress progress(*views.front(), views.size(), observe);
-    const auto best = bestJointPose(solve, inputs, options, multiView, progress);
+    const auto best = JointSearch(solve, inputs, options, multiView, progress).find();
     if (!best) {
         return best.error();
     }
@@ -248,7 +387,7 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
         MethodSolution solution;
         solution.cameraFromPatient = cameraFromPatient(solve.inView(pose, k), views[k]->problem.tree.centroid);
         solution.stopReason = progress.isStopped() ? StopReason::StoppedByUser : StopReason::Converged;
-        addView(result, multiView.numberOf(k), *views[k], std::move(solution), solve.isPlausible(pose.corrections[k]),
+        addView(result, multiView.numberOf(k), *views[k], std::move(solution), k == 0 || solve.isPlausible(pose, k),
                 options);
     }
     for (std::size_t k = 0; k < result.cameras.size(); ++k) {

@@ -8,12 +8,21 @@
 
 namespace angiopose::core {
 
-/// How well the geometry between two views is known: their headers are rounded, the gantries sag (ALGORITHMS §5.5).
+/// How well the step from the first view to another is known, 1-σ per axis (ALGORITHMS §5.5). As it stands: of planes
+/// that were taken together, whose headers are rounded and whose gantries sag.
+struct StepSpread {
+    double rotationDeg = 0.5;
+    Eigen::Vector3d shiftMm = Eigen::Vector3d::Constant(1.5);   ///< of the tree's centroid, in that view's camera axes
+
+    /// Whether a pose in one view says where about the vessels lie in the other.
+    bool tellsShift() const { return shiftMm.maxCoeff() < 20.0; }
+};
+
 struct MultiViewOptions {
-    double relativeRotationStdDeg = 0.5;   ///< 1-σ per axis
-    double relativeShiftStdMm = 1.5;   ///< 1-σ per axis, of the tree's centroid
+    std::vector<StepSpread> steps{};   ///< to each view; the first's does not matter. Empty: taken together
     std::vector<std::size_t> numbers{};   ///< what the views are called in messages; empty: 1, 2, … in the order given
 
+    StepSpread stepTo(std::size_t index) const { return steps.empty() ? StepSpread() : steps[index]; }
     std::size_t numberOf(std::size_t index) const { return numbers.empty() ? index + 1 : numbers[index]; }
 };
 

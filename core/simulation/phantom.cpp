@@ -22,7 +22,7 @@ double lengthMm(const VesselTree& tree)
 RigidTransform clinicalPose(const VesselTree& tree, CounterRandom random)
 {
     CArm cArm;
-    cArm.sourceToPatientMm.value = depthMm;
+    cArm.sourceToIsocenterMm.value = depthMm;
     cArm.primaryAngleDeg.value = random.uniform(-45.0, 45.0);
     cArm.secondaryAngleDeg.value = random.uniform(-30.0, 30.0);
     return cameraFromPatient(cArm, centroidInPatient(tree)).value();

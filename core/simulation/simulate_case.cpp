@@ -42,7 +42,7 @@ CArm drawCArm(double extentMm, const DsaOptions& dsa, CounterRandom& random)
     const double fieldMm = random.uniform(1.1, 1.25) * extentMm * sidMm / sodMm;
     const double spacingMm = roundedTo(fieldMm / std::min(dsa.width, dsa.height), 0.001);
     cArm.sourceToDetectorMm = fromHeader(sidMm, "(0018,1110)");
-    cArm.sourceToPatientMm = fromHeader(sodMm, "(0018,1111)");
+    cArm.sourceToIsocenterMm = fromHeader(sodMm, "(0018,9402)");
     cArm.columnSpacingMm = fromHeader(spacingMm, "(0018,1164)");
     cArm.rowSpacingMm = fromHeader(spacingMm, "(0018,1164)");
     cArm.primaryAngleDeg = fromHeader(roundedTo(random.uniform(-45.0, 45.0), 0.1), "(0018,1510)");
@@ -70,16 +70,10 @@ Eigen::Vector3d drawOffset(const CArm& cArm, double lateralStdMm, double depthSt
     return pose.value().rotation.transpose() * Eigen::Vector3d(x, y, z);
 }
 
-struct Geometry {
-    CArm header;
-    ProjectionCamera camera;
-    RigidTransform trueCameraFromPatient;
-    RigidTransform initialCameraFromPatient;
-};
-
-Geometry drawGeometry(const Eigen::Vector3d& centroid, double extentMm, const DsaOptions& dsa, CounterRandom random)
+ViewGeometryTruth drawGeometry(const Eigen::Vector3d& centroid, double extentMm, const DsaOptions& dsa,
+                               CounterRandom random)
 {
-    Geometry geometry;
+    ViewGeometryTruth geometry;
     geometry.header = drawCArm(extentMm, dsa, random);
     const CArm truth = withTrueAngles(geometry.header, random);
     const Eigen::Vector3d isocentre = centroid + drawOffset(truth, centringErrorMm, 0.5 * depthErrorMm, random);
@@ -172,9 +166,15 @@ SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const
 
 SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint64_t viewSeed, const DsaOptions& dsa)
 {
-    const CounterRandom random(viewSeed);
-    const Geometry geometry = drawGeometry(centroidInPatient(grown.tree), extentMm, dsa, random.fork(GeometryStream));
+    const ViewGeometryTruth geometry =
+        drawGeometry(centroidInPatient(grown.tree), extentMm, dsa, CounterRandom(viewSeed).fork(GeometryStream));
+    return simulateViewOf(grown, geometry, viewSeed, dsa);
+}
 
+SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& geometry, std::uint64_t viewSeed,
+                             const DsaOptions& dsa)
+{
+    const CounterRandom random(viewSeed);
     GrownTree bent = grown;
     CounterRandom deformation = random.fork(DeformationStream);
     if (dsa.nonRigidStdMm > 0.0) {

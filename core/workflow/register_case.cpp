@@ -152,15 +152,16 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     if (!asked) {
         return asked.error();
     }
-    std::vector<RegistrationInput> inputs = std::move(asked).value();
+    JointInputs inputs = std::move(asked).value();
     for (std::size_t k = 0; k < spreads.size(); ++k) {
-        inputs[k].cameraSpread = spreads[k];
+        inputs.views[k].cameraSpread = spreads[k];
     }
-    auto joint = registerViews(inputs, run.theCase.options, multiView, observe);
+    auto joint = registerViews(inputs.views, run.theCase.options, inputs.multiView, observe);
     if (!joint) {
         return joint.error();
     }
     run.joint = std::move(joint).value();
+    run.joint->warnings.insert(run.joint->warnings.begin(), inputs.notes.begin(), inputs.notes.end());
     const double totalMs = watch.lapMs();   // one run found them all
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];

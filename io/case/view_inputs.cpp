@@ -160,7 +160,9 @@ core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, co
 void fillFromHeader(core::CArm& cArm, const core::CArm& header)
 {
     fillFrom(cArm.sourceToDetectorMm, header.sourceToDetectorMm);
-    fillFrom(cArm.sourceToPatientMm, header.sourceToPatientMm);
+    fillFrom(cArm.sourceToIsocenterMm, header.sourceToIsocenterMm);
+    fillFrom(cArm.sourceToObjectMm, header.sourceToObjectMm);
+    assumeIsocenter(cArm);
     fillFrom(cArm.columnSpacingMm, header.columnSpacingMm);
     fillFrom(cArm.rowSpacingMm, header.rowSpacingMm);
     fillFrom(cArm.primaryAngleDeg, header.primaryAngleDeg);

@@ -1,11 +1,15 @@
 #include "io/dicom/c_arm_tags.h"
 
 #include "io/dicom/functional_groups.h"
+#include "io/dicom/siemens_tags.h"
 #include "io/messages/says.h"
 #include "io/support/numbers.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <tuple>
 
 namespace angiopose::io {
 namespace {
@@ -19,7 +23,7 @@ constexpr DicomTag sharedGroups = 0x52009229;
 constexpr DicomTag sidTag = 0x00181110;
 constexpr DicomTag sodTag = 0x00181111;
 constexpr DicomTag magnificationTag = 0x00181114;
-constexpr DicomTag enhancedSodTag = 0x00189402;
+constexpr DicomTag isocenterTag = 0x00189402;
 constexpr DicomTag primaryAngleTag = 0x00181510;
 constexpr DicomTag secondaryAngleTag = 0x00181511;
 constexpr DicomTag imagerSpacingTag = 0x00181164;
@@ -56,20 +60,42 @@ bool isPositive(std::optional<double> value)
     return value && *value > 0.0;
 }
 
-void readDistances(const DicomDataset& data, CArm& cArm)
+/// As Siemens rooms write it; nothing where no C-arm is like that.
+std::optional<double> privateIsocenterMm(const DicomDataset& data, const CArm& cArm, DicomTag tag)
+{
+    const auto value = data.number(tag);
+    const bool isOne = value && *value >= 500.0 && *value <= 1000.0 &&
+                       *value < cArm.sourceToDetectorMm.value.value_or(std::numeric_limits<double>::infinity());
+    return isOne ? value : std::nullopt;
+}
+
+/// The isocenter has tags of its own. What (0018,1111) holds is where the device assumes the object, some way above its
+/// table (PS3.3 C.8.19.6.9.1): of old the isocenter, in rooms of today often another plane.
+void readDistances(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (isPositive(data.number(sidTag))) {
         cArm.sourceToDetectorMm = fromHeader(data, sidTag, "(0018,1110) Distance Source to Detector");
     }
     const auto magnification = data.number(magnificationTag);
     if (isPositive(data.number(sodTag))) {
-        cArm.sourceToPatientMm = fromHeader(data, sodTag, "(0018,1111) Distance Source to Patient");
-    } else if (isPositive(data.number(enhancedSodTag))) {
-        cArm.sourceToPatientMm = fromHeader(data, enhancedSodTag, "(0018,9402) Distance Source to Isocenter");
+        cArm.sourceToObjectMm = fromHeader(data, sodTag, "(0018,1111) Distance Source to Patient");
     } else if (magnification && *magnification > 1.0 && cArm.sourceToDetectorMm.value) {
-        cArm.sourceToPatientMm = {*cArm.sourceToDetectorMm.value / *magnification, Origin::Derived,
-                                  "SID / (0018,1114) magnification " + toText(std::round(*magnification * 1e4) / 1e4)};
+        cArm.sourceToObjectMm = {*cArm.sourceToDetectorMm.value / *magnification, Origin::Derived,
+                                 "SID / (0018,1114) magnification " + toText(std::round(*magnification * 1e4) / 1e4)};
     }
+    if (isPositive(data.number(isocenterTag))) {
+        cArm.sourceToIsocenterMm = fromHeader(data, isocenterTag, "(0018,9402) Distance Source to Isocenter");
+    } else if (const auto tag = siemensTag(data, siemensIsocenter)) {
+        if (const auto isocenter = privateIsocenterMm(data, cArm, *tag)) {
+            cArm.sourceToIsocenterMm = {isocenter, Origin::Header, tagText(*tag) + " Siemens, source to isocenter"};
+        }
+    }
+    const auto& [isocenter, object] = std::tie(cArm.sourceToIsocenterMm, cArm.sourceToObjectMm);
+    if (isocenter.value && object.value && std::abs(*isocenter.value - *object.value) > 1.0) {
+        warnings.push_back(says::objectOffIsocenter(millimetres(*object.value), millimetres(*isocenter.value))
+                               .as(core::Severity::Note));
+    }
+    assumeIsocenter(cArm);
 }
 
 void setSpacing(CArm& cArm, const Eigen::Vector2d& rowColumnMm, Origin origin, const std::string& basis)
@@ -109,8 +135,8 @@ void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
     }
     const auto pixel = positivePair(data, pixelSpacingTag);
     const std::string_view calibration = data.text(0x00280a02);
-    if (pixel && !calibration.empty() && cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
-        const double magnification = *cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value;
+    if (pixel && !calibration.empty() && cArm.sourceToDetectorMm.value && vesselDepthOf(cArm).value) {
+        const double magnification = *cArm.sourceToDetectorMm.value / *vesselDepthOf(cArm).value;
         setSpacing(cArm, *pixel * magnification, Origin::Derived,
                    "(0028,0030) Pixel Spacing (" + std::string(calibration.substr(0, 16)) + ") times SID/SOD");
         warnings.push_back(says::spacingFromCalibration(millimetres(*cArm.columnSpacingMm.value)));
@@ -174,20 +200,67 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     }
 }
 
-/// Whether the image is shown as seen from the source. Patient orientation says it outright; the flip tag hints at it.
-void readMirror(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
+/// The direction that letters of Patient Orientation name, the first the most: "LA". Zero where they name none.
+Eigen::Vector3d directionOf(std::string_view letters)
 {
-    const std::string_view row = data.text(0x00200020, 0);
-    const double alpha = cArm.primaryAngleDeg.value.value_or(0.0) * std::numbers::pi / 180.0;
-    if (std::abs(std::cos(alpha)) > 0.5 && (row.starts_with('L') || row.starts_with('R'))) {
-        // Image right is (cos α, sin α, 0) in LPS when seen from the detector (ALGORITHMS §5.3).
-        const bool pointsLeft = row.starts_with('L');
-        cArm.mirrored = {pointsLeft != (std::cos(alpha) > 0.0), Origin::Header, "(0020,0020) Patient Orientation"};
-    } else if (data.text(0x00187034) == "YES") {
-        cArm.mirrored = {true, Origin::Derived, "(0018,7034) Field of View Horizontal Flip"};
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    double weight = 1.0;
+    for (const char letter : letters) {
+        constexpr std::string_view positive = "LPH", negative = "RAF";
+        const auto axis = std::min(positive.find(letter), negative.find(letter));
+        if (axis == std::string_view::npos) {
+            return Eigen::Vector3d::Zero();   // of a limb, or of another species
+        }
+        direction[static_cast<Eigen::Index>(axis)] += positive.find(letter) == axis ? weight : -weight;
+        weight *= 0.6;
+    }
+    return direction.stableNormalized();
+}
+
+/// Whether the image is shown as seen from the source, and by which quarter it is turned: of all eight ways in which an
+/// image may lie, the one whose rows and columns run as the letters of Patient Orientation say. The flip tag only
+/// hints.
+void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
+{
+    constexpr DicomTag orientationTag = 0x00200020;
+    constexpr double leastLikeness = 0.45;   // letters are coarse, but not as coarse as that
+    const Eigen::Vector3d row = directionOf(data.text(orientationTag, 0));
+    const Eigen::Vector3d column = directionOf(data.text(orientationTag, 1));
+    CArm likeliest = cArm;
+    double most = 0.0;
+    for (const bool mirrored : {false, true}) {
+        for (const double rollDeg : {0.0, 90.0, 180.0, -90.0}) {
+            CArm candidate = cArm;
+            candidate.mirrored = {mirrored, Origin::Header, "(0020,0020) Patient Orientation"};
+            if (rollDeg != 0.0) {
+                candidate.rollDeg = {rollDeg, Origin::Header, "(0020,0020) Patient Orientation"};
+            }
+            const core::ImageAxes axes = imageAxesOf(candidate);
+            const bool isUpright = rollDeg == 0.0;
+            const double alongRow = row.dot(axes.right);
+            const double alongColumn = column.isZero() ? (isUpright ? 1.0 : 0.0) : column.dot(axes.down);
+            const double likeness = std::min(alongRow, alongColumn) >= leastLikeness ? alongRow + alongColumn : 0.0;
+            if (likeness > most + 1e-9) {
+                most = likeness;
+                likeliest = std::move(candidate);
+            }
+        }
+    }
+    if (most > 0.0) {
+        cArm = std::move(likeliest);
+    } else {
+        if (!row.isZero() && cArm.primaryAngleDeg.value) {
+            warnings.push_back(says::orientationUnlikeAngles(std::string(data.text(orientationTag))));
+        }
+        if (data.text(0x00187034) == "YES") {
+            cArm.mirrored = {true, Origin::Derived, "(0018,7034) Field of View Horizontal Flip"};
+        }
     }
     if (cArm.mirrored.value.value_or(false)) {
         warnings.push_back(says::imageMirrored(cArm.mirrored.basis));
+    }
+    if (cArm.rollDeg.value) {
+        warnings.push_back(says::imageTurned(core::Quantity{*cArm.rollDeg.value, 0, "°"}, cArm.rollDeg.basis));
     }
 }
 
@@ -205,11 +278,11 @@ core::CArm cArmOf(const DicomDataset& data, core::Messages& warnings)
 {
     const DicomDataset flat = withFunctionalGroups(data);
     CArm cArm;
-    readDistances(flat, cArm);
+    readDistances(flat, cArm, warnings);
     readSpacing(flat, cArm, warnings);
     readAngles(flat, cArm, warnings);
     readPrincipalPoint(flat, cArm);
-    readMirror(flat, cArm, warnings);
+    readOrientation(flat, cArm, warnings);
     return cArm;
 }
 

@@ -7,7 +7,9 @@
 // DCMTK's macros first.
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace angiopose::io {
 namespace {
@@ -55,6 +57,42 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
     }
 }
 
+/// One of several values, `\` between them; empty beyond the last.
+std::string_view valueAt(std::string_view values, std::size_t index)
+{
+    for (; index > 0; --index) {
+        const std::size_t separator = values.find('\\');
+        if (separator == std::string_view::npos) {
+            return {};
+        }
+        values.remove_prefix(separator + 1);
+    }
+    return trimmed(values.substr(0, values.find('\\')));
+}
+
+/// A private element whose VR nobody told: text, or what its length makes likely (little endian, PS3.5 §6.2.2).
+std::optional<double> unknownNumber(DcmElement& element, std::size_t index)
+{
+    Uint8* bytes = nullptr;
+    if (!element.getUint8Array(bytes).good() || !bytes) {
+        return std::nullopt;
+    }
+    const std::string_view content(reinterpret_cast<const char*>(bytes), element.getLength());
+    if (content.find_first_not_of("0123456789+-.eE \\") == std::string_view::npos) {
+        return parseNumber(valueAt(content, index));
+    }
+    const auto byteAt = [&](std::size_t at) { return static_cast<std::uint32_t>(bytes[at]); };
+    if (content.size() == 2 && index == 0) {
+        return byteAt(0) | byteAt(1) << 8U;
+    }
+    const std::size_t at = 4 * index;
+    if (content.size() % 4 != 0 || at + 4 > content.size()) {
+        return std::nullopt;
+    }
+    const std::uint32_t bits = byteAt(at) | byteAt(at + 1) << 8U | byteAt(at + 2) << 16U | byteAt(at + 3) << 24U;
+    return static_cast<std::int32_t>(bits);
+}
+
 bool isBinaryVr(DcmEVR vr)
 {
     return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_up || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
@@ -73,6 +111,13 @@ void appendItems(DcmElement& element, const std::shared_ptr<DcmItem>& owner, std
 }
 
 }   // namespace
+
+std::string tagText(DicomTag tag)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "(%04x,%04x)", tag >> 16U, tag & 0xffffU);
+    return text.data();
+}
 
 DcmElement* DicomDataset::find(DicomTag tag) const
 {
@@ -96,22 +141,17 @@ std::string_view DicomDataset::text(DicomTag tag) const
 
 std::string_view DicomDataset::text(DicomTag tag, std::size_t index) const
 {
-    std::string_view rest = text(tag);
-    for (; index > 0; --index) {
-        const std::size_t separator = rest.find('\\');
-        if (separator == std::string_view::npos) {
-            return {};
-        }
-        rest.remove_prefix(separator + 1);
-    }
-    return trimmed(rest.substr(0, rest.find('\\')));
+    return valueAt(text(tag), index);
 }
 
 std::optional<double> DicomDataset::number(DicomTag tag, std::size_t index) const
 {
     DcmElement* element = find(tag);
     const bool isBinary = element && isBinaryVr(element->ident());
-    const auto value = isBinary ? binaryNumber(*element, index) : parseNumber(text(tag, index));
+    const bool isUnknown = element && (tag >> 16U) % 2 == 1 && text(tag).empty() && !isBinary;
+    const auto value = isBinary    ? binaryNumber(*element, index)
+                       : isUnknown ? unknownNumber(*element, index)
+                                   : parseNumber(text(tag, index));
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 

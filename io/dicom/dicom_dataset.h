@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,8 @@ class DcmItem;
 namespace angiopose::io {
 
 using DicomTag = std::uint32_t;   ///< group in the upper half: 0x00281053
+
+std::string tagText(DicomTag tag);   ///< "(0028,1053)"
 
 /// How elements are written; fixed by the transfer syntax.
 struct DicomEncoding {
@@ -31,7 +34,8 @@ public:
     bool has(DicomTag tag) const { return find(tag) != nullptr; }
     std::string_view text(DicomTag tag) const;   ///< trimmed bytes as stored; empty when absent or no text
     std::string_view text(DicomTag tag, std::size_t index) const;   ///< one of several values (`\` between them)
-    std::optional<double> number(DicomTag tag, std::size_t index = 0) const;   ///< finite, text or binary by VR
+    std::optional<double> number(DicomTag tag,
+                                 std::size_t index = 0) const;   ///< finite, by VR; of unknown private ones by content
     std::optional<int> integer(DicomTag tag, std::size_t index = 0) const;
     bool isBinaryNumber(DicomTag tag) const;
     std::vector<DicomDataset> items(DicomTag tag) const;   ///< of a sequence; empty when absent

@@ -2,13 +2,13 @@
 
 #include "io/dicom/c_arm_tags.h"
 #include "io/dicom/functional_groups.h"
+#include "io/dicom/siemens_tags.h"
 #include "io/messages/says.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace angiopose::io {
 namespace {
@@ -62,25 +62,24 @@ constexpr std::array geometryTags{
     GeometryTag{0x00189467, "Table Y Position to Isocenter"},
     GeometryTag{0x00189468, "Table Z Position to Isocenter"},
     GeometryTag{0x00189469, "Table Horizontal Rotation Angle"},
-    GeometryTag{0x0018946a, "Table Head Tilt Angle"},
-    GeometryTag{0x0018946b, "Table Cradle Tilt Angle"},
+    GeometryTag{0x00189470, "Table Head Tilt Angle"},
+    GeometryTag{0x00189471, "Table Cradle Tilt Angle"},
     GeometryTag{0x00200020, "Patient Orientation"},
     GeometryTag{0x00280030, "Pixel Spacing"},
     GeometryTag{0x00280034, "Pixel Aspect Ratio"},
     GeometryTag{0x00280a02, "Pixel Spacing Calibration Type"},
 };
 
-std::string tagText(DicomTag tag)
-{
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), "(%04x,%04x)", tag >> 16U, tag & 0xffffU);
-    return text.data();
-}
+constexpr std::array siemensGeometryTags{
+    GeometryTag{siemensIsocenter, "Siemens, Source to Isocenter"},
+    GeometryTag{siemensTableMoves, "Siemens, Table Movement Flag"},
+    GeometryTag{siemensTable, "Siemens, Table Position"},
+};
 
 /// The values as people write them: "200, 200"; long lists end with their length.
 std::string valueText(const DicomDataset& data, DicomTag tag)
 {
-    const bool isBinary = data.isBinaryNumber(tag);
+    const bool isBinary = data.isBinaryNumber(tag) || tag >> 16U == siemensBlock >> 16U;
     std::string text;
     std::size_t count = 0;
     for (;; ++count) {
@@ -104,6 +103,12 @@ void readTags(const DicomDataset& data, GantryHeader& header)
             header.tags.push_back({tagText(known.tag), known.name, value.empty() ? "(empty)" : std::move(value)});
         }
     }
+    for (const GeometryTag& known : siemensGeometryTags) {
+        if (const auto tag = siemensTag(data, known.tag)) {
+            header.tags.push_back({tagText(*tag), known.name, valueText(data, *tag)});
+        }
+    }
+    std::ranges::stable_sort(header.tags, {}, &core::HeaderTag::tag);
 }
 
 std::optional<double> positive(const DicomDataset& data, DicomTag tag, std::size_t index = 0)
@@ -233,15 +238,77 @@ double farthest(const DicomDataset& data, DicomTag increments, std::size_t frame
     return farthestMm;
 }
 
-void readTableMotion(const DicomDataset& data, int frameCount, core::Messages& warnings)
+void readTableMotion(const DicomDataset& data, int frameCount, GantryHeader& header, core::Messages& warnings)
 {
     double farthestMm = 0.0;
     for (const DicomTag increments : {0x00181135U, 0x00181136U, 0x00181137U}) {
         farthestMm = std::max(farthestMm, farthest(data, increments, static_cast<std::size_t>(frameCount)));
     }
-    if (farthestMm > 0.0 || data.text(0x00181134) == "DYNAMIC") {
+    const auto flag = siemensTag(data, siemensTableMoves);
+    header.tableMoves =
+        farthestMm > 0.0 || data.text(0x00181134) == "DYNAMIC" || (flag && data.number(*flag).value_or(0.0) == 1.0);
+    if (header.tableMoves) {
         warnings.push_back(farthestMm > 0.0 ? says::tableMoved(core::inMm(farthestMm, 0))
                                             : says::tableMoved(says::tableMovedUnknown()));
+    }
+}
+
+std::optional<Eigen::Vector3d> tableNumbers(const DicomDataset& data, const std::array<DicomTag, 3>& tags,
+                                            const std::array<std::size_t, 3>& indices)
+{
+    Eigen::Vector3d numbers;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto number = data.number(tags[axis], indices[axis]);
+        if (!number) {
+            return {};
+        }
+        numbers[static_cast<Eigen::Index>(axis)] = *number;
+    }
+    return numbers;
+}
+
+/// Where the isocenter lies in the patient whom the table carries past it (PS3.3 C.8.19.6.13.1.3: the table's axes are
+/// the LPS of somebody head first and supine). Nothing of a table that is turned or tilted.
+void readTable(const DicomDataset& data, GantryHeader& header)
+{
+    constexpr double mostTurnDeg = 0.1;
+    for (const DicomTag turn : {0x00181138U, 0x00189469U, 0x00189470U, 0x00189471U}) {
+        if (std::abs(data.number(turn).value_or(0.0)) > mostTurnDeg) {
+            return;
+        }
+    }
+    if (!header.patientPosition && !data.text(0x00185100).empty()) {
+        return;   // who lies in another way
+    }
+    const Eigen::Matrix3d patientFromTable =
+        core::patientFromTable(header.patientPosition.value_or(core::PatientPosition::HFS));
+    const auto table = tableNumbers(data, {0x00189466, 0x00189467, 0x00189468}, {0, 0, 0});
+    const auto tag = siemensTag(data, siemensTable);
+    if (table) {
+        header.table = core::TablePosition{patientFromTable * -*table, core::TablePosition::Tags::Standard};
+    } else if (const auto tenths = tag ? tableNumbers(data, {*tag, *tag, *tag}, {0, 1, 2}) : std::nullopt) {
+        const Eigen::Vector3d onTable = 0.1 * Eigen::Vector3d(tenths->y(), -tenths->z(), -tenths->x());
+        header.table = core::TablePosition{patientFromTable * onTable, core::TablePosition::Tags::Siemens};
+    }
+}
+
+/// Seconds of a time as DICOM writes it, hhmmss.ffff.
+double secondsOf(std::string_view time)
+{
+    const double number = parseNumber(time).value_or(0.0);
+    const double hours = std::floor(number / 10000.0), minutes = std::floor(number / 100.0) - 100.0 * hours;
+    return 3600.0 * hours + 60.0 * minutes + std::fmod(number, 100.0);
+}
+
+/// Both planes of a bi-plane acquisition say so in the image type.
+void readBiplane(const DicomDataset& data, GantryHeader& header)
+{
+    const std::string_view type = data.text(0x00080008, 2);
+    const std::string_view both = data.text(0x0008002a).substr(0, 18);
+    const std::string_view date = both.size() >= 14 ? both.substr(0, 8) : data.text(0x00080022);
+    const std::string_view time = both.size() >= 14 ? both.substr(8) : data.text(0x00080032);
+    if ((type == "BIPLANE A" || type == "BIPLANE B") && !date.empty() && !time.empty()) {
+        header.biplane = core::BiplaneMoment{type.back(), std::string(date), secondsOf(time)};
     }
 }
 
@@ -256,8 +323,10 @@ GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Mess
     readFieldOfView(flat, header);
     readSpacings(flat, header);
     readIncrements(data, frameCount, header, warnings);
-    readPatientPosition(data, header, warnings);
-    readTableMotion(data, frameCount, warnings);
+    readPatientPosition(flat, header, warnings);
+    readTableMotion(flat, frameCount, header, warnings);
+    readTable(flat, header);
+    readBiplane(data, header);
     return header;
 }
 

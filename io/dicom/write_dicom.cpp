@@ -2,14 +2,16 @@
 
 #include "io/dicom/dicom_item.h"
 #include "io/dicom/new_uid.h"
+#include "io/dicom/siemens_tags.h"
 #include "io/dicom/source_image.h"
 #include "io/dicom/stored_values.h"
 #include "io/messages/says.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
-#include <numbers>
+#include <functional>
 #include <optional>
 
 namespace angiopose::io {
@@ -89,16 +91,70 @@ void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const Stor
     out.text(0x00200060, "CS", identity.laterality);   // empty where it is not known (type 2C)
 }
 
-/// Row direction as seen on screen: image right is (cos α, sin α, 0) in LPS when not mirrored (ALGORITHMS §5.3).
+/// The anatomical directions that a direction in LPS has, the first the most: "LA".
+std::string lettersOf(const Eigen::Vector3d& direction)
+{
+    constexpr double leastShare = 0.2;
+    std::array<Eigen::Index, 3> axes{0, 1, 2};
+    std::ranges::stable_sort(axes, std::greater(), [&](Eigen::Index axis) { return std::abs(direction[axis]); });
+    std::string letters;
+    for (const Eigen::Index axis : axes) {
+        if (std::abs(direction[axis]) > leastShare) {
+            letters += (direction[axis] > 0.0 ? "LPH" : "RAF")[axis];
+        }
+    }
+    return letters;
+}
+
+/// How rows and columns run in the patient: that is where a mirror and a quarter turn are told.
 void addOrientation(DicomItem& out, const CArm& cArm)
 {
-    if (!cArm.mirrored.value) {
-        out.text(0x00200020, "CS", "");
-        return;
+    const core::ImageAxes axes = imageAxesOf(cArm);
+    out.text(0x00200020, "CS", cArm.mirrored.value ? lettersOf(axes.right) + "\\" + lettersOf(axes.down) : "");
+}
+
+/// Where isocenter and table are known to be, in the tags that they came from.
+void addTable(DicomItem& out, const Angiogram& angiogram)
+{
+    const core::GantryHeader& gantry = angiogram.gantry;
+    const auto& isocenter = angiogram.cArm.sourceToIsocenterMm;
+    const bool isSiemens = gantry.table && gantry.table->tags == core::TablePosition::Tags::Siemens;
+    if (isSiemens) {
+        out.text(siemensBlock, "LO", siemensCreator);
     }
-    const double alpha = cArm.primaryAngleDeg.value.value_or(0.0) * std::numbers::pi / 180.0;
-    const bool pointsLeft = (std::cos(alpha) > 0.0) != *cArm.mirrored.value;
-    out.text(0x00200020, "CS", pointsLeft ? "L\\F" : "R\\F");
+    const auto siemens = [](DicomTag number) { return 0x00211000U | number; };
+    if (isocenter.value && isocenter.origin != core::Origin::Assumed) {
+        if (isSiemens) {
+            out.signedLongs(siemens(siemensIsocenter), {static_cast<std::int32_t>(std::lround(*isocenter.value))});
+        } else {
+            out.floats(0x00189402, {static_cast<float>(*isocenter.value)});
+        }
+    }
+    const auto position = gantry.patientPosition.value_or(core::PatientPosition::HFS);
+    if (gantry.patientPosition) {
+        out.text(0x00185100, "CS", std::string(toText(position)));
+    }
+    if (gantry.table) {
+        const Eigen::Vector3d onTable = patientFromTable(position).transpose() * gantry.table->isocenterInPatientMm;
+        const auto tenths = [](double mm) { return static_cast<std::int32_t>(std::lround(10.0 * mm)); };
+        if (isSiemens) {
+            out.signedLongs(siemens(siemensTable), {tenths(-onTable.z()), tenths(onTable.x()), tenths(-onTable.y())});
+        }
+        for (DicomTag axis = 0; axis < 3 && !isSiemens; ++axis) {
+            out.floats(0x00189466U + axis, {static_cast<float>(-onTable[axis])});
+        }
+    }
+    if (gantry.tableMoves) {
+        out.text(0x00181134, "CS", "DYNAMIC");
+    }
+    if (const auto& biplane = gantry.biplane) {
+        const auto seconds = static_cast<int>(biplane->timeS);
+        const int time = 10000 * (seconds / 3600) + 100 * (seconds / 60 % 60) + seconds % 60;
+        out.text(0x00080008, "CS", std::string("DERIVED\\PRIMARY\\BIPLANE ") + biplane->plane);
+        out.text(0x00080022, "DA", biplane->date);
+        out.text(0x00080032, "TM",
+                 std::string(6 - std::min<std::size_t>(6, std::to_string(time).size()), '0') + std::to_string(time));
+    }
 }
 
 /// The principal point has no tag of its own: it follows from where the field of view lies on the detector.
@@ -129,7 +185,7 @@ void addGeometry(DicomItem& out, const Angiogram& angiogram)
     }
     out.text(0x00181155, "CS", "GR");
     addDecimal(out, 0x00181110, cArm.sourceToDetectorMm);
-    addDecimal(out, 0x00181111, cArm.sourceToPatientMm);
+    addDecimal(out, 0x00181111, vesselDepthOf(cArm));
     if (cArm.rowSpacingMm.value && cArm.columnSpacingMm.value) {
         out.text(0x00181164, "DS",
                  decimalString(*cArm.rowSpacingMm.value) + "\\" + decimalString(*cArm.columnSpacingMm.value));
@@ -140,6 +196,7 @@ void addGeometry(DicomItem& out, const Angiogram& angiogram)
     addDecimal(out, 0x00181510, cArm.primaryAngleDeg);
     addDecimal(out, 0x00181511, cArm.secondaryAngleDeg);
     addOrientation(out, cArm);
+    addTable(out, angiogram);
     addPrincipalPoint(out, angiogram);
 }
 

@@ -1,5 +1,6 @@
 #include "io/opening/view_from_inputs.h"
 
+#include "core/case/view_step.h"
 #include "io/messages/says.h"
 #include "io/opening/assemble_case.h"
 
@@ -36,10 +37,10 @@ core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs&
     }
     const core::View& shown = theCase.shown();
     core::View view = viewWithImage(theCase, inputs);
-    if (const auto fromShown = core::viewFromView(shown, view, theCase.vessels)) {
-        view.cameraFromPatient = fromShown.value() * shown.cameraFromPatient;
+    if (const auto fromShown = core::stepToView(shown, view, theCase.vessels)) {
+        view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
         if (shown.initialCameraFromPatient) {   // vessels may have axes of their own, which angles know nothing about
-            view.initialCameraFromPatient = fromShown.value() * *shown.initialCameraFromPatient;
+            view.initialCameraFromPatient = fromShown.value().viewFromFirst * *shown.initialCameraFromPatient;
         }
     }
     return view;

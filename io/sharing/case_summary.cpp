@@ -98,7 +98,8 @@ void writeCamera(std::ostream& out, const core::View& view)
 {
     const core::CArm& arm = view.geometry.cArm;
     writeNumber(out, "source to detector, mm", arm.sourceToDetectorMm);
-    writeNumber(out, "source to isocentre, mm", arm.sourceToPatientMm);
+    writeNumber(out, "source to isocenter, mm", arm.sourceToIsocenterMm);
+    writeNumber(out, "source to object, mm", arm.sourceToObjectMm);
     writeNumber(out, "column spacing, mm", arm.columnSpacingMm);
     writeNumber(out, "primary angle, degrees", arm.primaryAngleDeg);
     writeNumber(out, "secondary angle, degrees", arm.secondaryAngleDeg);

@@ -48,7 +48,7 @@ core::Result<PhantomView> registerView(const std::filesystem::path& path, const 
     view.name = path.stem().string();
     view.primaryDeg = theCase.shown().geometry.cArm.primaryAngleDeg.value.value_or(0.0);
     view.secondaryDeg = theCase.shown().geometry.cArm.secondaryAngleDeg.value.value_or(0.0);
-    view.sourceToPatientMm = theCase.shown().geometry.cArm.sourceToPatientMm.value.value_or(0.0);
+    view.sourceToPatientMm = theCase.shown().geometry.cArm.sourceToIsocenterMm.value.value_or(0.0);
     view.headerRotation = headerPose.value().rotation;
     view.result = std::move(result).value();
     view.depthMm = (view.result.cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();

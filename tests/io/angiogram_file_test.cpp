@@ -27,7 +27,7 @@ TEST(ReadAngiogram, ReadsEveryPhantomView)
         EXPECT_EQ(angiogram.cArm.primaryAngleDeg.value, wanted.primaryDeg);
         EXPECT_EQ(angiogram.cArm.secondaryAngleDeg.value, wanted.secondaryDeg);
         EXPECT_EQ(angiogram.cArm.sourceToDetectorMm.value, wanted.sidMm);
-        EXPECT_EQ(angiogram.cArm.sourceToPatientMm.value, 720.0);
+        EXPECT_EQ(angiogram.cArm.sourceToIsocenterMm.value, 720.0);
         EXPECT_EQ(angiogram.cArm.sourceToDetectorMm.origin, core::Origin::Header);
         EXPECT_EQ(angiogram.cArm.sourceToDetectorMm.basis, "(0018,1110) Distance Source to Detector");
         EXPECT_EQ(angiogram.polarity, core::Polarity::VesselsDark);
@@ -64,7 +64,7 @@ core::Angiogram smallRun()
     }
     angiogram.frameTimeMs = 66.6;
     angiogram.cArm.sourceToDetectorMm = {1063.25, core::Origin::Header, ""};
-    angiogram.cArm.sourceToPatientMm = {765.5, core::Origin::Header, ""};
+    angiogram.cArm.sourceToIsocenterMm = {765.5, core::Origin::Header, ""};
     angiogram.cArm.rowSpacingMm = {0.308, core::Origin::Header, ""};
     angiogram.cArm.columnSpacingMm = {0.309, core::Origin::Header, ""};
     angiogram.cArm.primaryAngleDeg = {-31.4, core::Origin::Header, ""};
@@ -76,12 +76,57 @@ core::Angiogram smallRun()
 
 }   // namespace
 
+TEST(WriteAngiogram, WritesWhatARoomTells)
+{
+    const test::TemporaryFolder folder;
+    core::Angiogram original = smallRun();
+    original.cArm.primaryAngleDeg.value = 88.0;   // lateral
+    original.cArm.mirrored = {true, core::Origin::Header, ""};
+    original.cArm.sourceToIsocenterMm.value = 750.0;
+    original.cArm.sourceToObjectMm = {683.0, core::Origin::Header, ""};
+    original.gantry.table = core::TablePosition{{-4.5, 7.8, 123.4}, core::TablePosition::Tags::Siemens};
+    original.gantry.tableMoves = true;
+    original.gantry.biplane = core::BiplaneMoment{'B', "20240229", 36900.0};
+    ASSERT_TRUE(io::writeAngiogram(original, folder.file("run.dcm")));
+    const auto copy = io::readAngiogram(folder.file("run.dcm"));
+    ASSERT_TRUE(copy) << copy.error().message;
+    EXPECT_EQ(copy.value().cArm.mirrored.value, true);
+    EXPECT_EQ(copy.value().cArm.sourceToIsocenterMm.value, 750.0);
+    EXPECT_NE(copy.value().cArm.sourceToIsocenterMm.basis.find("(0021,1017)"), std::string::npos);
+    EXPECT_EQ(copy.value().cArm.sourceToObjectMm.value, 683.0);
+    const core::GantryHeader& gantry = copy.value().gantry;
+    ASSERT_TRUE(gantry.table);
+    EXPECT_EQ(gantry.table->tags, core::TablePosition::Tags::Siemens);
+    EXPECT_LT((gantry.table->isocenterInPatientMm - Eigen::Vector3d(-4.5, 7.8, 123.4)).norm(), 1e-9);
+    EXPECT_TRUE(gantry.tableMoves);
+    ASSERT_TRUE(gantry.biplane);
+    EXPECT_EQ(gantry.biplane->plane, 'B');
+    EXPECT_EQ(gantry.biplane->timeS, 36900.0);
+}
+
+TEST(WriteAngiogram, KeepsAnAssumedIsocenterAssumed)
+{
+    const test::TemporaryFolder folder;
+    core::Angiogram original = smallRun();
+    original.cArm.sourceToIsocenterMm = {};
+    original.cArm.sourceToObjectMm = {683.0, core::Origin::Header, ""};
+    assumeIsocenter(original.cArm);
+    ASSERT_TRUE(io::writeAngiogram(original, folder.file("run.dcm")));
+    const auto copy = io::readAngiogram(folder.file("run.dcm"));
+    ASSERT_TRUE(copy);
+    EXPECT_EQ(copy.value().cArm.sourceToIsocenterMm.value, 683.0);
+    EXPECT_EQ(copy.value().cArm.sourceToIsocenterMm.origin, core::Origin::Assumed);
+}
+
 TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
 {
     const test::TemporaryFolder folder;
     core::Angiogram original = smallRun();
     original.cArm.principalPointPx = {Eigen::Vector2d(9.25, 8.5), core::Origin::Derived, ""};
     original.cArm.mirrored = {true, core::Origin::User, ""};
+    original.cArm.sourceToObjectMm = {683.0, core::Origin::Header, ""};
+    original.gantry.patientPosition = core::PatientPosition::FFS;
+    original.gantry.table = core::TablePosition{{12.5, -7.25, 130.0}, core::TablePosition::Tags::Standard};
     original.polarity = core::Polarity::VesselsBright;
     original.rWaveFrames = {0, 2};
     const auto written = io::writeAngiogram(original, folder.file("run.dcm"));
@@ -97,7 +142,11 @@ TEST(WriteAngiogram, RoundTripsPixelsAndGeometry)
     EXPECT_EQ(copy.rWaveFrames, (std::vector<int>{0, 2}));
     EXPECT_EQ(copy.polarity, core::Polarity::VesselsBright);
     EXPECT_EQ(copy.cArm.sourceToDetectorMm.value, 1063.25);
-    EXPECT_EQ(copy.cArm.sourceToPatientMm.value, 765.5);
+    EXPECT_EQ(copy.cArm.sourceToIsocenterMm.value, 765.5);
+    EXPECT_EQ(copy.cArm.sourceToObjectMm.value, 683.0);
+    ASSERT_TRUE(copy.gantry.table);
+    EXPECT_LT((copy.gantry.table->isocenterInPatientMm - Eigen::Vector3d(12.5, -7.25, 130.0)).norm(), 1e-6);
+    EXPECT_FALSE(copy.gantry.tableMoves);
     EXPECT_EQ(copy.cArm.rowSpacingMm.value, 0.308);
     EXPECT_EQ(copy.cArm.columnSpacingMm.value, 0.309);
     EXPECT_EQ(copy.cArm.primaryAngleDeg.value, -31.4);

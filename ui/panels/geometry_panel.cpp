@@ -177,7 +177,8 @@ void GeometryPanel::showRow(GeometryValue value)
 {
     const core::Sourced<double> sourced = shownValue(state_, value);
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
-    const bool isLooked = needsLook(value, origin);
+    const bool isOfHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // does as a start
+    const bool isLooked = needsLook(value, origin) && !isOfHeader;
     row(value).field->showValue(sourced.value);
     row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);
     row(value).origin->setText(sourced.value || kindOf(value).isNeeded ? originWord(origin) : QString());
@@ -243,9 +244,8 @@ QString GeometryPanel::summary() const
     if (cArm.sourceToDetectorMm.value) {
         parts << tr("SID %1").arg(numberText(*cArm.sourceToDetectorMm.value, 0));
     }
-    if (cArm.sourceToDetectorMm.value && cArm.sourceToPatientMm.value) {
-        parts << QStringLiteral("× %1").arg(
-            numberText(*cArm.sourceToDetectorMm.value / *cArm.sourceToPatientMm.value, 2));
+    if (const auto& depth = vesselDepthOf(cArm).value; cArm.sourceToDetectorMm.value && depth) {
+        parts << QStringLiteral("× %1").arg(numberText(*cArm.sourceToDetectorMm.value / *depth, 2));
     }
     if (state_.vesselMmPerPx) {
         parts << tr("%1 mm/px").arg(numberText(*state_.vesselMmPerPx, 3));

@@ -118,7 +118,7 @@ Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
         case GeometryValue::Sid:
             return cArm.sourceToDetectorMm;
         case GeometryValue::Sod:
-            return cArm.sourceToPatientMm;
+            return cArm.sourceToIsocenterMm;
         case GeometryValue::Spacing:
             return cArm.columnSpacingMm;
         case GeometryValue::FieldWidth: {
@@ -158,7 +158,7 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
             cArm.sourceToDetectorMm = typed;
             break;
         case GeometryValue::Sod:
-            cArm.sourceToPatientMm = typed;
+            cArm.sourceToIsocenterMm = typed;
             break;
         case GeometryValue::FieldWidth:
             if (state.imageSizePx.x() > 0) {

@@ -6,6 +6,7 @@
 #include "core/support/symmetric.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace angiopose::core {
 namespace {
@@ -39,11 +40,8 @@ public:
     using Equations = StackedEquations;
 
     JointAtScale(const JointSolve::Views& views, const std::vector<PlacedCamera>& geometry, const StartPrior& prior,
-                 const Vector6d& correctionStd)
-        : views_(views),
-          geometry_(geometry),
-          prior_(prior),
-          correctionInformation_(correctionStd.cwiseAbs2().cwiseInverse())
+                 const std::vector<Vector6d>& correctionStd)
+        : views_(views), geometry_(geometry), prior_(prior), correctionStd_(correctionStd)
     {
     }
 
@@ -89,7 +87,7 @@ private:
     const JointSolve::Views& views_;
     const std::vector<PlacedCamera>& geometry_;
     const StartPrior& prior_;
-    Vector6d correctionInformation_;
+    const std::vector<Vector6d>& correctionStd_;
     double scalePx_ = jointStartScalePx;
 };
 
@@ -101,8 +99,8 @@ void JointAtScale::addPriors(const JointPose& joint, JointLook& look) const
     look.equations.hessian.topLeftCorner<6, 6>() += Matrix6d(start.hessian.selfadjointView<Eigen::Lower>());
     look.equations.gradient.head<6>() += start.gradient;
     look.loss += variance * prior_.cost(joint.first);
-    const Vector6d weight = variance * correctionInformation_;
     for (std::size_t k = 1; k < views_.size(); ++k) {
+        const Vector6d weight = variance * correctionStd_[k].cwiseAbs2().cwiseInverse();
         const auto at = static_cast<Eigen::Index>(6 * k);
         look.equations.hessian.block<6, 6>(at, at).diagonal() += weight;
         look.equations.gradient.segment<6>(at) += weight.cwiseProduct(joint.corrections[k]);
@@ -130,8 +128,8 @@ JointView::JointView(RegistrationProblem given)
 {
 }
 
-JointSolve::JointSolve(const Views& views, const StartPrior& prior, const Vector6d& correctionStd)
-    : views_(views), prior_(prior), correctionStd_(correctionStd)
+JointSolve::JointSolve(const Views& views, const StartPrior& prior, std::vector<Vector6d> correctionStd)
+    : views_(views), prior_(prior), correctionStd_(std::move(correctionStd))
 {
     const RigidTransform firstInverse = views.front()->problem.start.inverse();
     for (const auto& view : views) {
@@ -144,6 +142,14 @@ CentroidPose JointSolve::inFirst(const RigidTransform& pose, std::size_t view) c
     return aboutCentroid(geometry_[view].cameraFromFirst.inverse() * pose, views_.front()->problem.tree.centroid);
 }
 
+RigidTransform JointSolve::turnedLike(const RigidTransform& poseInFirst, std::size_t view) const
+{
+    const Eigen::Vector3d& centroid = views_.front()->problem.tree.centroid;
+    CentroidPose turned = aboutCentroid(views_[view]->problem.start, centroid);
+    turned.rotation = geometry_[view].cameraFromFirst.rotation * poseInFirst.rotation;
+    return cameraFromPatient(turned, centroid);
+}
+
 JointPose JointSolve::ofEach(std::span<const RigidTransform> poses) const
 {
     const Eigen::Vector3d& centroid = views_.front()->problem.tree.centroid;
@@ -152,11 +158,6 @@ JointPose JointSolve::ofEach(std::span<const RigidTransform> poses) const
         joint.corrections[k] = stepBetween(inView(joint, k), aboutCentroid(poses[k], centroid));
     }
     return joint;
-}
-
-JointPose JointSolve::refine(const CentroidPose& first, const JointObserver& observe)
-{
-    return refine(JointPose{first, std::vector<Vector6d>(views_.size(), Vector6d::Zero())}, observe);
 }
 
 JointPose JointSolve::refine(const JointPose& start, const JointObserver& observe)
@@ -204,8 +205,8 @@ StackedEquations JointSolve::equations(const JointPose& joint) const
         perView.push_back(tolerantInformation(views_[k]->alignment, prior, pose, views_[k]->problem.cameraSpread));
     }
     StackedEquations all = stacked(perView, joint, geometry_);
-    const Vector6d weight = correctionStd_.cwiseAbs2().cwiseInverse();
     for (std::size_t k = 1; k < views_.size(); ++k) {
+        const Vector6d weight = correctionStd_[k].cwiseAbs2().cwiseInverse();
         const auto at = static_cast<Eigen::Index>(6 * k);
         all.hessian.block<6, 6>(at, at).diagonal() += weight;
         all.gradient.segment<6>(at) += weight.cwiseProduct(joint.corrections[k]);
@@ -239,9 +240,28 @@ JointKnowledge JointSolve::knowledge(const JointPose& joint) const
     return knowledge;
 }
 
-bool JointSolve::isPlausible(const Vector6d& correction) const
+bool JointSolve::isPlausible(const JointPose& joint, std::size_t view) const
 {
-    return correction.cwiseQuotient(correctionStd_).cwiseAbs().maxCoeff() < implausibleSigmas;
+    return joint.corrections[view].cwiseQuotient(correctionStd_[view]).cwiseAbs().maxCoeff() < implausibleSigmas;
+}
+
+double JointSolve::contradiction(const JointPose& joint) const
+{
+    double sum = 0.0;
+    for (std::size_t k = 1; k < views_.size(); ++k) {
+        sum += joint.corrections[k].cwiseQuotient(correctionStd_[k]).squaredNorm();
+    }
+    return sum;
+}
+
+bool JointSolve::isPlausible(const JointPose& joint) const
+{
+    for (std::size_t k = 1; k < views_.size(); ++k) {
+        if (!isPlausible(joint, k)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 double jointStepLengthMm(const Eigen::VectorXd& step, double spreadMm)

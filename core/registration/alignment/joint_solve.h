@@ -34,16 +34,18 @@ class JointSolve {
 public:
     using Views = std::vector<std::unique_ptr<JointView>>;
 
-    /// Geometry between the views from their start poses, off by `correctionStd` (rad, mm) at 1-σ.
-    JointSolve(const Views& views, const StartPrior& prior, const Vector6d& correctionStd);
+    /// Geometry between the views from their start poses, off by `correctionStd` of each (rad, mm) at 1-σ.
+    JointSolve(const Views& views, const StartPrior& prior, std::vector<Vector6d> correctionStd);
 
     /// Pose in the first view that a pose found in view `view` means.
     CentroidPose inFirst(const RigidTransform& pose, std::size_t view) const;
 
+    /// The start of a view, turned as a pose in the first view and the geometry say.
+    RigidTransform turnedLike(const RigidTransform& poseInFirst, std::size_t view) const;
+
     /// Every view at a pose of its own, whatever that asks of the geometry between them.
     JointPose ofEach(std::span<const RigidTransform> poses) const;
 
-    JointPose refine(const CentroidPose& first, const JointObserver& observe);
     JointPose refine(const JointPose& start, const JointObserver& observe);
 
     /// Mean agreement of the views, 0…1.
@@ -55,8 +57,12 @@ public:
     /// the cameras.
     JointKnowledge knowledge(const JointPose& joint) const;
 
-    /// In no direction farther than 4 σ.
-    bool isPlausible(const Vector6d& correction) const;
+    /// Sum over all corrections, in squares of their σ.
+    double contradiction(const JointPose& joint) const;
+
+    /// The correction of every view in no direction farther than 4 σ.
+    bool isPlausible(const JointPose& joint) const;
+    bool isPlausible(const JointPose& joint, std::size_t view) const;
 
     const StartPrior& prior() const { return prior_; }
 
@@ -66,7 +72,7 @@ private:
     const Views& views_;
     std::vector<PlacedCamera> geometry_;
     StartPrior prior_;
-    Vector6d correctionStd_;
+    std::vector<Vector6d> correctionStd_;   ///< of each view
 };
 
 /// What a step of all parameters moves, mm: the tree in the first view, or what a correction adds in another,

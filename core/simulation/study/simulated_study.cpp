@@ -46,9 +46,9 @@ void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, Count
 {
     CArm& header = simulated.angiogram.cArm;
     const Eigen::Vector3d isocentre =
-        simulated.initialCameraFromPatient.inverse() * Eigen::Vector3d(0.0, 0.0, *header.sourceToPatientMm.value);
+        simulated.initialCameraFromPatient.inverse() * Eigen::Vector3d(0.0, 0.0, *header.sourceToIsocenterMm.value);
     disturb(header.sourceToDetectorMm, 1.0 + percent * errors.distancePercent * random.normal());
-    disturb(header.sourceToPatientMm, 1.0 + percent * errors.distancePercent * random.normal());
+    disturb(header.sourceToIsocenterMm, 1.0 + percent * errors.distancePercent * random.normal());
     const double spacing = 1.0 + percent * errors.spacingPercent * random.normal();
     disturb(header.columnSpacingMm, spacing);
     disturb(header.rowSpacingMm, spacing);

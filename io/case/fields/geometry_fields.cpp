@@ -123,6 +123,22 @@ StoredField<ViewGeometry> cameraField()
             }};
 }
 
+/// Older files have one distance for both: what a header said of the patient is the plane of the object.
+StoredField<ViewGeometry> formerDistanceField()
+{
+    return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "Of older files: sourceToIsocenterMm."),
+            [](const Json& value, ViewGeometry& geometry, Reading&) {
+                const auto former = sourcedFrom<double>(value);
+                const bool isOfHeader = former.origin == Origin::Header || former.origin == Origin::Derived;
+                const bool isObject = isOfHeader && !former.basis.starts_with("(0018,9402)");
+                auto& distance = isObject ? geometry.cArm.sourceToObjectMm : geometry.cArm.sourceToIsocenterMm;
+                if (!distance.value) {
+                    distance = former;
+                }
+            },
+            [](const ViewGeometry&, const fs::path&) { return Json(); }};
+}
+
 }   // namespace
 
 StoredFields<ViewGeometry> geometryFields()
@@ -130,7 +146,11 @@ StoredFields<ViewGeometry> geometryFields()
     return {
         cameraField(),
         sourcedField("sourceToDetectorMm", numberSchema(), &CArm::sourceToDetectorMm),
-        sourcedField("sourceToPatientMm", numberSchema(), &CArm::sourceToPatientMm),
+        sourcedField("sourceToIsocenterMm", numberSchema(), &CArm::sourceToIsocenterMm,
+                     "SOD: the gantry turns about what lies there."),
+        sourcedField("sourceToObjectMm", numberSchema(), &CArm::sourceToObjectMm,
+                     "Where the device assumes the object along the beam: the start depth of the vessels."),
+        formerDistanceField(),
         spacingField(),
         sourcedField("primaryAngleDeg", numberSchema(), &CArm::primaryAngleDeg, "LAO +, RAO -."),
         sourcedField("secondaryAngleDeg", numberSchema(), &CArm::secondaryAngleDeg, "CRA +, CAU -."),

@@ -14,7 +14,7 @@ CArm cArmAt(double primaryDeg, double secondaryDeg)
 {
     CArm cArm;
     cArm.sourceToDetectorMm = {1000.0, Origin::User, ""};
-    cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    cArm.sourceToIsocenterMm = {750.0, Origin::User, ""};
     cArm.columnSpacingMm = {0.4, Origin::User, ""};
     cArm.rowSpacingMm = {0.4, Origin::User, ""};
     cArm.primaryAngleDeg = {primaryDeg, Origin::User, ""};

@@ -10,7 +10,7 @@ CArm usual()
 {
     CArm cArm;
     cArm.sourceToDetectorMm = {1050.0, Origin::Header, ""};
-    cArm.sourceToPatientMm = {750.0, Origin::Header, ""};
+    cArm.sourceToIsocenterMm = {750.0, Origin::Header, ""};
     cArm.columnSpacingMm = {0.4, Origin::Header, ""};
     cArm.rowSpacingMm = {0.4, Origin::Header, ""};
     cArm.primaryAngleDeg = {-30.0, Origin::Header, ""};
@@ -49,18 +49,18 @@ struct Wrong {
 const Wrong wrongs[] = {
     {"behind the detector",
      [](CArm& c, GantryHeader& h) {
-         c.sourceToPatientMm.value = 1200.0;
+         c.sourceToIsocenterMm.value = 1200.0;
          h = {};
      }},
     {"magnified",
      [](CArm& c, GantryHeader& h) {
-         c.sourceToPatientMm.value = 400.0;
+         c.sourceToIsocenterMm.value = 400.0;
          h = {};
      }},
     {"check its unit",
      [](CArm& c, GantryHeader& h) {
          c.sourceToDetectorMm.value = 105.0;
-         c.sourceToPatientMm.value = 75.0;
+         c.sourceToIsocenterMm.value = 75.0;
          h = {};
      }},
     {"(0018,1114)", [](CArm&, GantryHeader& h) { h.magnification = 1.5; }},
@@ -121,7 +121,7 @@ TEST(GeometryChecks, NameWhatEachWrongValueContradicts)
 TEST(GeometryChecks, ATypedDistanceNeedNotMatchTheHeadersMagnification)
 {
     CArm cArm = usual();
-    cArm.sourceToPatientMm = {700.0, Origin::User, ""};
+    cArm.sourceToIsocenterMm = {700.0, Origin::User, ""};
     GantryHeader header;
     header.magnification = 1.4;
     EXPECT_TRUE(findContradictions(cArm, header, size).empty());

@@ -23,7 +23,7 @@ const Eigen::Vector3d floorward = towardsBack;   // of the table: who lies supin
 CArm cArmAt(double primaryDeg, double secondaryDeg, double rollDeg, bool mirrored)
 {
     CArm cArm;
-    cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    cArm.sourceToIsocenterMm = {750.0, Origin::User, ""};
     cArm.primaryAngleDeg = {primaryDeg, Origin::Header, ""};
     cArm.secondaryAngleDeg = {secondaryDeg, Origin::Header, ""};
     cArm.rollDeg = {rollDeg, Origin::User, ""};

@@ -17,7 +17,7 @@ const Eigen::Vector3d pivot(80.0, 90.0, -550.0);
 CArm isocentricCArm(double primaryDeg, double secondaryDeg)
 {
     CArm cArm;
-    cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    cArm.sourceToIsocenterMm = {750.0, Origin::User, ""};
     cArm.primaryAngleDeg = {primaryDeg, Origin::User, ""};
     cArm.secondaryAngleDeg = {secondaryDeg, Origin::User, ""};
     return cArm;

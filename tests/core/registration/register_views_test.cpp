@@ -209,5 +209,27 @@ TEST(RegisterViews, NamesWhatIsWrong)
     EXPECT_NE(registerViews(two.inputs, {}, called).error().message.text().find("View 1"), std::string::npos);
 }
 
+/// The table travelled, and nobody says how far: the turn alone is known.
+TEST(RegisterViews, FindsTheSecondViewWhereverTheTableLeftIt)
+{
+    TwoViews two;
+    two.startOff(typicalStep());
+    two.inputs[1].initialCameraFromPatient.translation += Eigen::Vector3d(60.0, -35.0, 40.0);
+    MultiViewOptions unknown;
+    unknown.steps = {StepSpread(), StepSpread{0.75, {60.0, 60.0, 30.0}}};
+    const auto joint = registerViews(two.inputs, {}, unknown);
+    ASSERT_TRUE(joint) << joint.error().message;
+    EXPECT_TRUE(joint.value().trustworthy);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const RigidTransform& found = joint.value().views[k].cameraFromPatient;
+        const Eigen::Vector3d centroid = centroidInPatient(two.clean.tree);
+        EXPECT_LT((found * centroid - two.truth[k] * centroid).norm(), 2.0) << k;
+    }
+    EXPECT_GT(joint.value().corrections[1].tail<3>().norm(), 50.0);
+    const auto asTaken = registerViews(two.inputs, {}, {});
+    ASSERT_TRUE(asTaken);
+    EXPECT_FALSE(asTaken.value().trustworthy) << "planes taken together do not lie apart";
+}
+
 }   // namespace
 }   // namespace angiopose::core

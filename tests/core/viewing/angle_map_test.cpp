@@ -12,7 +12,7 @@ namespace {
 View viewAt(const VesselTree& tree, double primaryDeg, double secondaryDeg)
 {
     View view;
-    view.geometry.cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    view.geometry.cArm.sourceToIsocenterMm = {750.0, Origin::User, ""};
     view.geometry.cArm.primaryAngleDeg = {primaryDeg, Origin::User, ""};
     view.geometry.cArm.secondaryAngleDeg = {secondaryDeg, Origin::User, ""};
     view.cameraFromPatient = cameraFromPatient(view.geometry.cArm, centroidInPatient(tree)).value();

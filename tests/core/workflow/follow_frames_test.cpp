@@ -46,7 +46,7 @@ TEST(FollowFrames, FollowsBentVesselsBent)
         const auto known = knownBend(theCase.shown(), theCase.vessels, each.tracked.cameraFromPatient);
         ASSERT_TRUE(known) << each.frame;   // frames that were lost may share a pose
         EXPECT_TRUE(known->cameraFromPatient.matrix().isApprox(each.bent->cameraFromPatient.matrix())) << each.frame;
-        const View there = withFrame(theCase.shown(), theCase.vessels, each.frame);
+        const View there = withFrame(theCase.shown(), each.frame);
         EXPECT_EQ(there.cameraFromPatient.matrix(), each.tracked.cameraFromPatient.matrix()) << each.frame;
         EXPECT_FALSE(there.result);
     }

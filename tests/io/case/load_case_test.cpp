@@ -58,7 +58,24 @@ TEST(LoadCase, FollowsTheAnglesWithoutAStartPose)
     const Eigen::Vector3d centroid = core::centroidInPatient(*loaded.value().vessels.tree);
     EXPECT_NEAR((loaded.value().shown().cameraFromPatient * centroid - Eigen::Vector3d(0, 0, 700)).norm(), 0.0, 1e-9);
     EXPECT_EQ(loaded.value().shown().geometry.cArm.primaryAngleDeg.origin, core::Origin::Assumed);
-    EXPECT_EQ(loaded.value().shown().geometry.cArm.sourceToPatientMm.origin, core::Origin::User);
+    EXPECT_EQ(loaded.value().shown().geometry.cArm.sourceToIsocenterMm.origin, core::Origin::User);
+}
+
+TEST(LoadCase, TakesTheDistanceOfOlderFilesForWhatItWas)
+{
+    SmallCase small;
+    nlohmann::json json = small.json();
+    json["geometry"]["sourceToPatientMm"] = {
+        {"value", 683}, {"origin", "header"}, {"basis", "(0018,1111) Distance Source to Patient"}};
+    auto loaded = small.load(json);
+    ASSERT_TRUE(loaded) << loaded.error().message;
+    const core::CArm object = loaded.value().shown().geometry.cArm;
+    EXPECT_EQ(object.sourceToObjectMm.value, 683.0);
+    EXPECT_EQ(object.sourceToIsocenterMm.origin, core::Origin::Assumed) << "no header calls it the isocenter";
+    json["geometry"]["sourceToPatientMm"]["basis"] = "(0018,9402) Distance Source to Isocenter";
+    loaded = small.load(json);
+    ASSERT_TRUE(loaded);
+    EXPECT_EQ(loaded.value().shown().geometry.cArm.sourceToIsocenterMm.origin, core::Origin::Header);
 }
 
 TEST(LoadCase, MakesRoundedPosesRigidAndRefusesOthers)

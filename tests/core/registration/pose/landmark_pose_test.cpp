@@ -15,7 +15,7 @@ const Eigen::Vector3d centre(15.0, -180.0, 700.0);
 RigidTransform trueCameraFromPatient()
 {
     CArm cArm;
-    cArm.sourceToPatientMm = {750.0, Origin::User, ""};
+    cArm.sourceToIsocenterMm = {750.0, Origin::User, ""};
     cArm.primaryAngleDeg = {-28.0, Origin::User, ""};
     cArm.secondaryAngleDeg = {17.0, Origin::User, ""};
     return cameraFromPatient(cArm, centre).value();

@@ -1,0 +1,132 @@
+#include "core/case/view_step.h"
+
+#include "core/case/start_pose.h"
+#include "core/messages/says.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace angiopose::core {
+namespace {
+
+// 1-σ, DECISIONS says of what.
+constexpr double tableRotationDeg = 0.75, tableShiftMm = 6.0;   // table known: breathing, heart, its own rounding
+constexpr double unknownAcrossMm = 60.0, unknownAlongMm = 30.0;   // table unknown
+constexpr double movingTableMm = 50.0;   // it moved while a view was taken
+constexpr double sameDistanceMm = 1.0;
+constexpr double sameMomentS = 1.0;
+
+const GantryHeader* headerOf(const View& view)
+{
+    return view.angiogram ? &view.angiogram->gantry : nullptr;
+}
+
+bool areOfOneRun(const View& a, const View& b)
+{
+    const bool isOneFile = !a.imageFile.path.empty() && a.imageFile.path == b.imageFile.path;
+    const bool isOneImage = a.angiogram && b.angiogram && !a.angiogram->identity.sopInstanceUid.empty() &&
+                            a.angiogram->identity.sopInstanceUid == b.angiogram->identity.sopInstanceUid;
+    return isOneFile || isOneImage;
+}
+
+bool areOfOneMoment(const View& a, const View& b)
+{
+    const GantryHeader* of[] = {headerOf(a), headerOf(b)};
+    if (!of[0] || !of[1] || !of[0]->biplane || !of[1]->biplane) {
+        return false;
+    }
+    const BiplaneMoment &first = *of[0]->biplane, &second = *of[1]->biplane;
+    return first.plane != second.plane && first.date == second.date &&
+           std::abs(first.timeS - second.timeS) <= sameMomentS;
+}
+
+bool areOfOneStudy(const View& a, const View& b)
+{
+    const std::string &first = a.angiogram->identity.studyUid, &second = b.angiogram->identity.studyUid;
+    return first.empty() || second.empty() || first == second;
+}
+
+/// How far the isocenter went in the patient; nothing where that is not known.
+std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& view)
+{
+    if (areOfOneRun(first, view) || areOfOneMoment(first, view)) {
+        return Eigen::Vector3d(Eigen::Vector3d::Zero());
+    }
+    const GantryHeader *before = headerOf(first), *after = headerOf(view);
+    const bool isTold = before && after && before->table && after->table && before->table->tags == after->table->tags &&
+                        areOfOneStudy(first, view);
+    return isTold ? std::optional<Eigen::Vector3d>(after->table->isocenterInPatientMm -
+                                                   before->table->isocenterInPatientMm)
+                  : std::nullopt;
+}
+
+/// Whether the gantries' distances tell where the isocenter is: an object plane that stands in for it does only where
+/// it is the same in both views.
+bool isIsocenterKnown(const CArm& first, const CArm& view)
+{
+    const auto &a = first.sourceToIsocenterMm, &b = view.sourceToIsocenterMm;
+    const bool isAssumed = (a.origin == Origin::Assumed && first.sourceToObjectMm.value) ||
+                           (b.origin == Origin::Assumed && view.sourceToObjectMm.value);
+    return !isAssumed || std::abs(*a.value - *b.value) <= sameDistanceMm;
+}
+
+/// The turn of the gantries, with the vessels where the view has them by itself.
+RigidTransform turnedInPlace(const RigidTransform& step, const View& first, const View& view, const Vessels& vessels)
+{
+    const auto start = startPoseOf(view, vessels);
+    if (!start || !vessels.tree) {
+        return step;
+    }
+    const Eigen::Vector3d centroid = centroidInPatient(*vessels.tree);
+    return {step.rotation, start.value() * centroid - step.rotation * (first.cameraFromPatient * centroid)};
+}
+
+Result<ViewStep> stepOfGantries(const View& first, const View& view, const Vessels& vessels)
+{
+    const CArm before = cArmOfFrame(first), after = cArmOfFrame(view);
+    const auto step = isocenterStepMm(first, view);
+    const auto gantryOfFirst = cameraFromPatient(before, Eigen::Vector3d::Zero());
+    const auto gantry = cameraFromPatient(after, step.value_or(Eigen::Vector3d::Zero()));
+    if (!gantryOfFirst || !gantry) {
+        return gantry ? gantryOfFirst.error() : gantry.error();
+    }
+    ViewStep found{gantry.value() * gantryOfFirst.value().inverse(), {}};
+    const bool isTogether = areOfOneMoment(first, view) || areOfOneRun(first, view);
+    if (!isTogether) {
+        found.spread = {tableRotationDeg, Eigen::Vector3d::Constant(tableShiftMm)};
+    }
+    const bool isIsocenterTold = isIsocenterKnown(before, after);
+    if (!step || !isIsocenterTold) {
+        const double alongMm = isIsocenterTold ? unknownAlongMm : unknownAcrossMm;
+        found.spread = {tableRotationDeg, {unknownAcrossMm, unknownAcrossMm, alongMm}};
+        found.viewFromFirst = turnedInPlace(found.viewFromFirst, first, view, vessels);
+        found.notes.push_back(isIsocenterTold ? says::tableUnknown()
+                                              : says::isocenterUnknown(inMm(*before.sourceToIsocenterMm.value, 0),
+                                                                       inMm(*after.sourceToIsocenterMm.value, 0)));
+    }
+    const bool moves =
+        (headerOf(first) && headerOf(first)->tableMoves) || (headerOf(view) && headerOf(view)->tableMoves);
+    if (moves && !areOfOneMoment(first, view)) {
+        found.spread.shiftMm = found.spread.shiftMm.cwiseMax(movingTableMm);
+        found.notes.push_back(says::tableMovedInView());
+    }
+    return found;
+}
+
+}   // namespace
+
+Result<ViewStep> stepToView(const View& first, const View& view, const Vessels& vessels)
+{
+    auto byGantries = stepOfGantries(first, view, vessels);
+    if (byGantries) {
+        return byGantries;
+    }
+    const auto startOfFirst = startPoseOf(first, vessels);
+    const auto start = startPoseOf(view, vessels);
+    if (!startOfFirst || !start) {
+        return start ? startOfFirst.error() : start.error();
+    }
+    return ViewStep{start.value() * startOfFirst.value().inverse(), {}};
+}
+
+}   // namespace angiopose::core
