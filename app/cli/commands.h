@@ -113,6 +113,9 @@ struct SimulateArguments {
     double nonRigidMm = 0.0;
     int branches = 24;
     bool withScan = false;   ///< a CT angiogram of the same vessels besides
+    std::string room;   ///< two views of one study, with the headers of such a room; empty: one view
+    bool movesTable = false;   ///< of a room: during the second view
+    bool isMirrored = false;   ///< likewise: the second view
 };
 int runSimulate(const SimulateArguments& arguments);   ///< one case or a study
 

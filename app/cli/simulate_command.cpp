@@ -3,6 +3,7 @@
 #include "app/cli/simulated_files.h"
 #include "app/messages/says_own.h"
 #include "core/simulation/simulate_cta.h"
+#include "core/simulation/study/simulated_room.h"
 #include "core/simulation/study/simulated_study.h"
 #include "core/support/parallel_for.h"
 #include "io/file_hash.h"
@@ -26,6 +27,32 @@ core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const 
     return io::writeVolume(core::simulateCta(seed, tree, cta).volume, (folder / "scan.nii.gz").string());
 }
 
+core::RoomHeader roomHeaderFrom(const std::string& word)
+{
+    return word == "siemens"         ? core::RoomHeader::Siemens
+           : word == "standard"      ? core::RoomHeader::Standard
+           : word == "without-table" ? core::RoomHeader::WithoutTable
+                                     : core::RoomHeader::ObjectPlane;
+}
+
+/// They start where their headers say.
+int runSimulateRoom(const SimulateArguments& arguments, const core::TreeOptions& tree, const core::DsaOptions& dsa)
+{
+    const core::RoomOptions room{roomHeaderFrom(arguments.room), arguments.movesTable, arguments.isMirrored};
+    const auto views = core::simulateRoom(*arguments.seed, room, tree, dsa);
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        const std::string number = std::to_string(k + 1);
+        const fs::path folder = fs::path(arguments.outputFolder) / ("view-" + number);
+        const std::string title = "Simulated room, seed " + std::to_string(*arguments.seed) + ", view " + number;
+        if (const auto status = writeSimulatedCase(views[k], title, folder.string(), SimulatedStart::ByHeader);
+            !status) {
+            return failInput(status.error());
+        }
+        std::printf("%s\n", (folder / "case.angiopose").string().c_str());
+    }
+    return exitDone;
+}
+
 int runSimulateOne(const SimulateArguments& arguments)
 {
     core::TreeOptions tree;
@@ -34,6 +61,9 @@ int runSimulateOne(const SimulateArguments& arguments)
     dsa.nonRigidStdMm = arguments.nonRigidMm;
     if (const auto problem = core::findProblem(tree, dsa)) {
         return failInput(*problem);
+    }
+    if (!arguments.room.empty()) {
+        return runSimulateRoom(arguments, tree, dsa);
     }
     const core::CtaOptions cta;
     if (arguments.withScan) {

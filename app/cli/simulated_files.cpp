@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, const std::string& title)
+core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, const std::string& title,
+                  SimulatedStart start)
 {
     core::Case theCase;
     theCase.title = title;
@@ -29,7 +30,9 @@ core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, 
     view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
     view.frame = simulated.angiogram.suggestedFrame;
     view.geometry.cArm = simulated.angiogram.cArm;
-    view.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    if (start == SimulatedStart::Written) {
+        view.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    }
     view.cameraFromPatient = simulated.initialCameraFromPatient;
     return theCase;
 }
@@ -54,7 +57,7 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
 }   // namespace
 
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
-                                const std::string& folderPath)
+                                const std::string& folderPath, SimulatedStart start)
 {
     const fs::path folder(folderPath);
     const fs::path absolute = fs::absolute(folder);
@@ -76,7 +79,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
     if (auto status = writeTruth(simulated, folder); !status) {
         return status;
     }
-    return io::saveCase(caseOf(simulated, absolute, title), casePath);
+    return io::saveCase(caseOf(simulated, absolute, title, start), casePath);
 }
 
 }   // namespace angiopose::app

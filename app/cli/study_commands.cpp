@@ -53,6 +53,15 @@ void addSimulate(CLI::App& app, int& exitCode)
         ->check(CLI::Range(0.0, 10.0));
     command->add_flag("--scan", arguments->withScan,
                       "Also a CT angiogram of the same vessels, scan.nii.gz, as a scanner would give it");
+    auto* room = command
+                     ->add_option("--room", arguments->room,
+                                  "Two views of one study, view-1 and view-2, as rooms write them: siemens, standard "
+                                  "(isocenter and table told), without-table, object-plane (neither)")
+                     ->check(CLI::IsMember({"siemens", "standard", "without-table", "object-plane"}))
+                     ->needs(seed);
+    command->add_flag("--table-moves", arguments->movesTable, "Of a room: during the second view")->needs(room);
+    command->add_flag("--mirrored", arguments->isMirrored, "Of a room: the second view, as its header says")
+        ->needs(room);
     command->add_option("--threads", arguments->threads, "Of a study; the cases are the same (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->needs(study);
