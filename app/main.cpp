@@ -10,6 +10,8 @@
 #include <QApplication>
 #include <QIcon>
 
+#include <clocale>
+
 using namespace angiopose;
 
 int main(int argc, char** argv)
@@ -24,6 +26,7 @@ int main(int argc, char** argv)
         return app::writeReport(argc, argv, *words.report);
     }
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");   // Qt took it from the system: libraries would read 0.8 as 0
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/angiopose.svg")));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.angiopose.AngioPose"));
 

@@ -92,7 +92,7 @@ std::optional<std::vector<ListedLabel>> labelsIn(const std::string& path, const 
     }
     const auto summary = isSegmentation ? core::Result<VolumeSummary>(VolumeSummary{}) : describeVolume(path);
     const bool isSure = isSegmentation || (summary && summary.value().isDeclaredLabels);
-    if (!isSure && (!summary || summary.value().voxelType.starts_with("float"))) {
+    if (!isSure && !summary) {
         return std::nullopt;
     }
     const auto image = readLabels(path, observe);

@@ -159,7 +159,10 @@ core::Result<LoadedVessels> traceSegmentation(const std::string& path, const cor
                                               const ReadObserver& observe)
 {
     const auto labels = readLabels(path, partOf(observe, 0.0, readShare));
-    return labels ? traceLabelImage(untraced(input, {}), labels.value(), path, observe) : labels.error();
+    const auto header = isVolumeFile(path) ? std::optional(describeVolume(path)) : std::nullopt;
+    return labels ? traceLabelImage(untraced(input, header && *header ? header->value().warnings : core::Messages()),
+                                    labels.value(), path, observe)
+                  : labels.error();
 }
 
 core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInput input, const ReadObserver& observe)

@@ -2,6 +2,7 @@
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
+#include "io/support/numbers.h"
 #include "io/volume/volume_headers.h"
 #include "io/volume_file.h"
 
@@ -165,6 +166,11 @@ std::optional<core::Message> findUnwritable(const core::VolumeGeometry& geometry
 {
     if (voxels == 0 || voxels != geometry.voxelCount()) {
         return says::volumeNothingToWrite();
+    }
+    const Eigen::Vector3d& size = geometry.spacingMm;
+    const bool isPlaced = size.allFinite() && geometry.originInPatient.allFinite() && geometry.direction.allFinite();
+    if (!isPlaced || size.minCoeff() <= 0.0) {
+        return says::volumeNoSizeToWrite(toText(size.x()) + " x " + toText(size.y()) + " x " + toText(size.z()));
     }
     const bool isNifti = extension == ".nii" || extension == ".nii.gz";
     if (!isNifti && extension != ".nrrd" && extension != ".mha") {

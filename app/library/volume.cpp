@@ -57,12 +57,19 @@ core::VesselInput vesselInputOf(const std::string& path, const VesselReadOptions
 
 namespace {
 
-void checkVoxelCount(std::size_t count, const VolumeGeometry& geometry)
+void checkVoxels(std::size_t count, const VolumeGeometry& geometry)
 {
     if (count != geometry.voxelCount()) {
         throw Error("library.voxel-count", "The volume has " + std::to_string(count) +
                                                " voxels, but its size asks for " +
                                                std::to_string(geometry.voxelCount()) + ".");
+    }
+    const core::VolumeGeometry grid = toCore(geometry);
+    if (!grid.spacingMm.allFinite() || grid.spacingMm.minCoeff() <= 0.0 || !grid.originInPatient.allFinite() ||
+        !grid.direction.allFinite()) {
+        throw Error("library.volume-spacing",
+                    "The spacing, origin and directions of a volume must be numbers, and the "
+                    "spacing above 0.");
     }
 }
 
@@ -89,7 +96,7 @@ std::size_t VolumeGeometry::voxelCount() const
 
 Volume::Volume(std::span<const std::int16_t> voxels, const VolumeGeometry& geometry, double slope, double intercept)
 {
-    library::checkVoxelCount(voxels.size(), geometry);
+    library::checkVoxels(voxels.size(), geometry);
     auto content = std::make_shared<core::Volume>();
     content->geometry = library::toCore(geometry);
     content->voxels.assign(voxels.begin(), voxels.end());
@@ -142,7 +149,7 @@ TracedVessels traceVessels(const Volume& volume, const VesselTracingOptions& opt
 TracedVessels traceMask(std::span<const std::uint8_t> mask, const VolumeGeometry& geometry,
                         const VesselTracingOptions& options, const Observer& observe)
 {
-    library::checkVoxelCount(mask.size(), geometry);
+    library::checkVoxels(mask.size(), geometry);
     core::VoxelMask voxels;
     voxels.geometry = library::toCore(geometry);
     voxels.voxels.assign(mask.begin(), mask.end());

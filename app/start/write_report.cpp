@@ -22,6 +22,7 @@
 #include <QApplication>
 #include <QFont>
 
+#include <clocale>
 #include <cstdio>
 #include <utility>
 
@@ -186,6 +187,7 @@ int writeReport(int argc, char** argv, const ReportWords& words)
     keepQtQuiet();
     qputenv("QT_QPA_PLATFORM", "offscreen");   // also where there is a display: nothing is shown
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C");   // Qt took it from the system: libraries would read 0.8 as 0
     if (words.language.isEmpty()) {
         applyChosenLanguage();
     } else {

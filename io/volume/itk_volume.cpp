@@ -2,6 +2,7 @@
 
 #include "io/messages/says.h"
 #include "io/messages/says_readers.h"
+#include "io/support/decimal_point.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
@@ -189,6 +190,7 @@ core::Status ItkVoxels::check() const
 
 core::Status ItkVoxels::read(char* voxels, const ReadObserver& observe) const
 {
+    const DecimalPoint decimalPoint;   // VTK images of text
     const std::size_t layers = reader_->GetDimensions(2);
     const std::size_t layerBytes = static_cast<std::size_t>(reader_->GetImageSizeInBytes()) / layers;
     const std::size_t step = reader_->CanStreamRead() ? std::max<std::size_t>(1, slabBytes / layerBytes) : layers;
@@ -215,6 +217,7 @@ core::Status ItkVoxels::read(char* voxels, const ReadObserver& observe) const
 itk::ImageIOBase::Pointer openedReader(ItkFormat format, const std::string& path)
 {
     quietLibraries();
+    const DecimalPoint decimalPoint;
     itk::ImageIOBase::Pointer reader = makeReader(format);
     try {
         reader->SetFileName(path);
@@ -225,7 +228,7 @@ itk::ImageIOBase::Pointer openedReader(ItkFormat format, const std::string& path
     }
 }
 
-AxesResult placeOf(const itk::ImageIOBase& reader)
+AxesResult placeOf(const itk::ImageIOBase& reader, double unitMm)
 {
     Eigen::Vector3i size;
     Eigen::Matrix3d steps;
@@ -237,7 +240,7 @@ AxesResult placeOf(const itk::ImageIOBase& reader)
         const std::vector<double> direction = reader.GetDirection(axis);
         steps.col(at) = Eigen::Map<const Eigen::Vector3d>(direction.data()) * reader.GetSpacing(axis);
     }
-    return geometryFromSteps(size, steps, origin);
+    return geometryFromSteps(size, unitMm * steps, unitMm * origin);
 }
 
 std::optional<core::Message> findShapeProblem(const itk::ImageIOBase& reader)
@@ -285,11 +288,12 @@ core::Result<StoredVolume> openItkVolume(ItkFormat format, std::string_view cont
         return fileError(path, isMeta ? says::volumeVoxelType(metaValue(content, "ElementType").substr(0, 24))
                                       : says::volumeOtherVoxelType());
     }
-    const AxesResult axes = placeOf(*reader);
+    StoredVolume stored;
+    const AxesResult axes =
+        placeOf(*reader, millimetresPer(isMeta ? metaValue(content, "DistanceUnits") : "", stored.warnings));
     if (axes.problem) {
         return fileError(path, *axes.problem);
     }
-    StoredVolume stored;
     stored.path = path;
     stored.format = nameOf(format);
     stored.geometry = axes.geometry;

@@ -32,6 +32,7 @@ struct NiftiHeader {
     std::array<std::int64_t, 8> dim{};
     std::array<double, 8> pixdim{};
     int datatype = 0;
+    int bitsPerVoxel = 0;
     double dataOffset = 0.0;
     double slope = 0.0;
     double intercept = 0.0;
@@ -55,6 +56,7 @@ NiftiHeader fieldsOf(const Raw& raw)
         header.pixdim[i] = static_cast<double>(raw.pixdim[i]);
     }
     header.datatype = raw.datatype;
+    header.bitsPerVoxel = raw.bitpix;
     header.dataOffset = static_cast<double>(raw.vox_offset);
     header.slope = static_cast<double>(raw.scl_slope);
     header.intercept = static_cast<double>(raw.scl_inter);
@@ -159,14 +161,25 @@ std::optional<core::Message> findUnsupported(const NiftiHeader& header)
     return {};
 }
 
-double millimetresPerUnit(int units)
+/// Where voxels can begin at the earliest: behind the header, and in a single file behind its four bytes of extension.
+std::uint64_t leastOffset(const NiftiHeader& header)
+{
+    const bool isSecond = header.version == "NIfTI-2";
+    return header.isPair ? 0 : (isSecond ? sizeof(nifti_2_header) : sizeof(nifti_1_header)) + 4;
+}
+
+double millimetresPerUnit(int units, core::Messages& warnings)
 {
     switch (units & 7) {
         case 1:
             return 1000.0;
         case 3:
             return 0.001;
+        case 0:
+        case 2:
+            return 1.0;
         default:
+            warnings.push_back(says::volumeUnitUnknown("xyzt_units = " + std::to_string(units)));
             return 1.0;
     }
 }
@@ -198,8 +211,9 @@ NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
     const bool hasSform = header.sformCode > 0 && isInvertible(header.sform);
     if (hasQform && hasSform) {
         const bool isAtlas = header.sformCode > 2 && header.qformCode <= 2;
-        if (largestDifference(qform, header.sform, header) > 0.5) {
-            warnings.push_back(isAtlas ? says::niftiQformUsed() : says::niftiSformUsed());
+        if (const double apart = largestDifference(qform, header.sform, header); apart > 0.5) {
+            const core::Quantity apartMm = core::inMm(apart, 1);
+            warnings.push_back(isAtlas ? says::niftiQformUsed(apartMm) : says::niftiSformUsed(apartMm));
         }
         return isAtlas ? qform : header.sform;
     }
@@ -213,6 +227,26 @@ NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
         return map;
     }
     return qform;
+}
+
+std::string sizeText(const Eigen::Vector3d& size)
+{
+    const auto rounded = [](double length) { return toText(std::round(length * 1e4) / 1e4); };
+    return rounded(size.x()) + " x " + rounded(size.y()) + " x " + rounded(size.z());
+}
+
+/// Where the header says the same twice, and otherwise: both values, and which of them counts.
+void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Messages& warnings)
+{
+    const Eigen::Vector3d stated(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
+    const Eigen::Vector3d used = map.leftCols<3>().colwise().norm();
+    if (((stated.cwiseAbs() - used).array().abs() > 0.01 * used.array()).any()) {
+        warnings.push_back(says::niftiSizes(sizeText(stated), sizeText(used)));
+    }
+    const std::size_t bits = 8 * bytesOf(*typeOf(header.datatype));
+    if (header.bitsPerVoxel > 0 && static_cast<std::size_t>(header.bitsPerVoxel) != bits) {
+        warnings.push_back(says::niftiBits(header.bitsPerVoxel, bits, std::string(nameOf(*typeOf(header.datatype)))));
+    }
 }
 
 /// "scan.hdr" → "scan.img", also packed.
@@ -280,7 +314,9 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     };
     const Eigen::Vector3i size(clamped(header.dim[1]), header.dim[0] > 1 ? clamped(header.dim[2]) : 1,
                                header.dim[0] > 2 ? clamped(header.dim[3]) : 1);
-    const NiftiMap map = mapOf(header, stored.warnings) * millimetresPerUnit(header.units);
+    const NiftiMap ownMap = mapOf(header, stored.warnings);
+    findContradictions(header, ownMap, stored.warnings);
+    const NiftiMap map = ownMap * millimetresPerUnit(header.units, stored.warnings);
     const AxesResult axes = geometryFromSteps(size, lpsFromRas(Eigen::Matrix3d(map.leftCols<3>())),
                                               lpsFromRas(Eigen::Vector3d(map.col(3))));
     if (axes.problem) {
@@ -292,7 +328,11 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     stored.slope = isScaled ? header.slope : 1.0;
     stored.intercept = isScaled ? header.intercept : 0.0;
     stored.isDeclaredLabels = header.intent == NIFTI_INTENT_LABEL;
-    const auto skip = static_cast<std::uint64_t>(header.dataOffset);
+    auto skip = static_cast<std::uint64_t>(header.dataOffset);
+    if (const std::uint64_t least = leastOffset(header); skip < least) {
+        stored.warnings.push_back(says::niftiStartWithinHeader(skip, least));
+        skip = least;
+    }
     if (!header.isPair && skip > head.size()) {
         stored.labelNames = labelTable(headOf(path, std::min(skip, longestExtension)));
     }

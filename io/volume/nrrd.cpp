@@ -1,6 +1,7 @@
 #include "io/volume/nrrd.h"
 
 #include "io/messages/says.h"
+#include "io/support/decimal_point.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
@@ -109,6 +110,7 @@ NrrdHeader parsedHeader(std::string text)
 {
     static std::mutex oneAtATime;   // the library keeps its complaints in one place
     const std::lock_guard lock(oneAtATime);
+    const DecimalPoint decimalPoint;
     NrrdHeader header;
     const std::unique_ptr<std::FILE, FreeNrrd> file(fmemopen(text.data(), text.size(), "r"));
     nrrdIoStateSet(header.state.get(), nrrdIoStateSkipData, 1);
@@ -195,32 +197,38 @@ std::optional<Eigen::Vector3d> lpsSignsOf(int space)
     }
 }
 
-double millimetresPer(const char* unit)
+std::string_view textOf(const char* unit)
 {
-    static const std::map<std::string, double> lengths = {{"m", 1000.0},        {"meters", 1000.0}, {"cm", 10.0},
-                                                          {"\xc2\xb5m", 1e-3},  {"um", 1e-3},       {"microns", 1e-3},
-                                                          {"micrometers", 1e-3}};
-    const auto found = unit ? lengths.find(unit) : lengths.end();
-    return found == lengths.end() ? 1.0 : found->second;
+    return unit ? unit : "";
 }
 
 /// Steps as the file's space gives them, or as plain spacings.
 AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& warnings)
 {
     Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
+    bool isSizeAssumed = false;
     Eigen::Vector3i size;
+    Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // of the space, for directions and origin
+    for (int k = 0; k < 3 && nrrd.spaceDim == 3; ++k) {
+        unitMm[k] = millimetresPer(textOf(nrrd.spaceUnits[k]), warnings);
+    }
     for (int k = 0; k < 3; ++k) {
         const NrrdAxisInfo& axis = *axes.ofSpace[static_cast<std::size_t>(k)];
         size[k] = static_cast<int>(std::min<std::size_t>(axis.size, 1U << 30U));
         if (axes.haveDirections) {
-            steps.col(k) = Eigen::Map<const Eigen::Vector3d>(axis.spaceDirection) * millimetresPer(nrrd.spaceUnits[0]);
+            steps.col(k) = unitMm.cwiseProduct(Eigen::Map<const Eigen::Vector3d>(axis.spaceDirection));
+        } else if (AIR_EXISTS(axis.spacing)) {
+            steps(k, k) = axis.spacing * millimetresPer(textOf(axis.units), warnings);
         } else {
-            steps(k, k) = AIR_EXISTS(axis.spacing) ? axis.spacing : 1.0;
+            isSizeAssumed = true;
         }
     }
     const auto signs = lpsSignsOf(nrrd.space);
     if (!axes.haveDirections || !signs) {
         warnings.push_back(says::volumeAxesAssumed());
+    }
+    if (isSizeAssumed) {
+        warnings.push_back(says::volumeSizeAssumed());
     }
     if (axes.haveDirections && steps.isIdentity(0.0)) {
         warnings.push_back(says::volumeSizeOfOne());
@@ -228,7 +236,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
     const bool hasOrigin = nrrd.spaceDim == 3 && AIR_EXISTS(nrrd.spaceOrigin[0]);
     const Eigen::Vector3d origin = hasOrigin ? Eigen::Vector3d(nrrd.spaceOrigin) : Eigen::Vector3d(0, 0, 0);
     const Eigen::Vector3d turn = signs.value_or(Eigen::Vector3d::Ones());
-    return geometryFromSteps(size, turn.asDiagonal() * steps, turn.cwiseProduct(origin));
+    return geometryFromSteps(size, turn.asDiagonal() * steps, turn.cwiseProduct(unitMm).cwiseProduct(origin));
 }
 
 /// Where the next `count` lines of a file end.

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -19,7 +19,7 @@ inline constexpr double storedLevels = 65535.0;
 struct ValueRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    bool isWhole = true;   ///< every finite value is a whole number
+    bool isWhole = true;   ///< every finite value is a whole number, but for the rounding of floats
     std::size_t missing = 0;   ///< NaN or infinite
 
     void add(double value)
@@ -30,7 +30,8 @@ struct ValueRange {
         }
         low = std::min(low, value);
         high = std::max(high, value);
-        isWhole = isWhole && value == std::floor(value);
+        const double whole = std::round(value);
+        isWhole = isWhole && std::abs(value - whole) <= std::min(2e-7 * std::abs(whole), 1e-3);
     }
 };
 
@@ -65,8 +66,8 @@ inline Quantization quantizationOf(const ValueRange& range)
 inline core::Message roundingNote(double step, const std::string& type)
 {
     std::array<char, 32> text;
-    std::snprintf(text.data(), text.size(), "%.3g", std::abs(step));
-    return says::volumeRounded(type, text.data());
+    const auto end = std::to_chars(text.begin(), text.end(), std::abs(step), std::chars_format::general, 3).ptr;
+    return says::volumeRounded(type, std::string(text.begin(), end));
 }
 
 }   // namespace angiopose::io

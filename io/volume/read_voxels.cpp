@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <type_traits>
 
 namespace angiopose::io {
@@ -164,24 +165,27 @@ core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserv
     return volume;
 }
 
-/// True for what a label may be, once slope and intercept are applied.
-bool isLabel(double value)
+/// The label that a value is, once slope and intercept are applied, but for the rounding of floats; below 0 where it is
+/// none.
+double labelOf(double value)
 {
-    return value >= 0.0 && value <= storedLevels && value == std::floor(value);
+    const double label = std::round(value);
+    return label >= 0.0 && label <= storedLevels && std::abs(value - label) <= 1e-3 ? label : -1.0;
 }
 
 template <class T>
 core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadObserver& observe)
 {
     core::LabelVolume labels(stored.geometry);
-    double wrong = 0.0;
-    const auto labelOf = [&](T raw) {
+    std::optional<double> wrong;
+    const auto voxelOf = [&](T raw) {
         const double value = stored.slope * static_cast<double>(raw) + stored.intercept;
-        wrong = isLabel(value) ? wrong : value;
-        return static_cast<std::uint16_t>(isLabel(value) ? value : 0.0);
+        const double label = labelOf(value);
+        wrong = label < 0.0 ? value : wrong;
+        return static_cast<std::uint16_t>(std::max(label, 0.0));
     };
     if constexpr (sizeof(T) <= 2) {
-        if (const auto filled = readInPlace<T>(stored, labels.voxels, observe, labelOf); !filled) {
+        if (const auto filled = readInPlace<T>(stored, labels.voxels, observe, voxelOf); !filled) {
             return filled.error();
         }
     } else {
@@ -190,11 +194,11 @@ core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadO
             return apart.error();
         }
         for (std::size_t i = labels.voxels.size(); i-- > 0;) {
-            labels.voxels[i] = labelOf(apart.value()[i]);
+            labels.voxels[i] = voxelOf(apart.value()[i]);
         }
     }
-    if (!isLabel(wrong)) {
-        return fileError(stored.path, says::labelsNoWholeNumber(toText(wrong)));
+    if (wrong) {
+        return fileError(stored.path, says::labelsNoWholeNumber(toText(*wrong)));
     }
     return labels;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace angiopose::io {
 namespace {
@@ -41,6 +42,35 @@ Eigen::Matrix3d nearestOrthonormal(const Eigen::Matrix3d& axes)
 }
 
 }   // namespace
+
+double millimetresPer(std::string_view unit, core::Messages& warnings)
+{
+    using Length = std::pair<std::string_view, double>;
+    static constexpr Length prefixes[] = {{"", 1e3},      {"deci", 100.0}, {"centi", 10.0},
+                                          {"milli", 1.0}, {"micro", 1e-3}, {"nano", 1e-6}};
+    static constexpr Length lengths[] = {{"", 1.0},           {"?", 1.0},       {"m", 1e3},        {"dm", 100.0},
+                                         {"cm", 10.0},        {"mm", 1.0},      {"um", 1e-3},      {"\xc2\xb5m", 1e-3},
+                                         {"\xce\xbcm", 1e-3}, {"micron", 1e-3}, {"microns", 1e-3}, {"nm", 1e-6},
+                                         {"in", 25.4},        {"inch", 25.4},   {"inches", 25.4}};
+    unit = trimmed(unit);
+    const std::string name = lowered(unit);
+    for (const auto& [length, mm] : lengths) {
+        if (name == length) {
+            return mm;
+        }
+    }
+    for (const auto& [prefix, mm] : prefixes) {
+        const std::string_view rest = name.starts_with(prefix) ? std::string_view(name).substr(prefix.size()) : "";
+        if (rest == "meter" || rest == "meters" || rest == "metre" || rest == "metres") {
+            return mm;
+        }
+    }
+    const core::Message unknown = says::volumeUnitUnknown(unit.substr(0, 24));
+    if (std::ranges::none_of(warnings, [&](const core::Message& said) { return said.text() == unknown.text(); })) {
+        warnings.push_back(unknown);
+    }
+    return 1.0;
+}
 
 AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d& steps,
                              const Eigen::Vector3d& originInPatient)

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
+#include <string_view>
 
 namespace angiopose::io {
 
@@ -22,6 +22,9 @@ struct AxesResult {
 /// right angle is taken out; more is a problem, as are sizes below 2, steps of no length and numbers that are none.
 AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d& steps,
                              const Eigen::Vector3d& originInPatient);
+
+/// Of the length that a header names. Says so where it is not known, and takes millimetres.
+double millimetresPer(std::string_view unit, core::Messages& warnings);
 
 /// Steps and origin of a RAS file in LPS.
 inline Eigen::Matrix3d lpsFromRas(Eigen::Matrix3d steps)

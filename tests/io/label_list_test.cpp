@@ -7,6 +7,8 @@
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cstring>
 
 using namespace angiopose;
 
@@ -130,6 +132,44 @@ TEST(LabelList, TracingRefusesALabelThatIsNotThere)
     ASSERT_FALSE(traced);
     EXPECT_NE(traced.error().message.text().find("it has no label 5 but 2 hepatic artery, 7 liver"), std::string::npos)
         << traced.error().message;
+}
+
+/// The labels of a fork as floats, some of them but for their rounding.
+TEST(LabelList, LabelsStoredAsFloatAreLabels)
+{
+    const TemporaryFolder folder;
+    const core::LabelVolume labels = test::forkLabels();
+    std::vector<float> values(labels.voxels.begin(), labels.voxels.end());
+    const auto written = [&] {
+        const core::VolumeGeometry& grid = labels.geometry;
+        const auto triple = [](const auto& v) {
+            return std::to_string(v.x()) + " " + std::to_string(v.y()) + " " + std::to_string(v.z());
+        };
+        std::string bytes(values.size() * sizeof(float), '\0');
+        std::memcpy(bytes.data(), values.data(), bytes.size());
+        return folder.write("fork.mha", "ObjectType = Image\nNDims = 3\nOffset = " + triple(grid.originInPatient) +
+                                            "\nElementSpacing = " + triple(grid.spacingMm) +
+                                            "\nDimSize = " + triple(grid.size) +
+                                            "\nElementType = MET_FLOAT\nElementDataFile = LOCAL\n" + bytes);
+    };
+    for (const float factor : {1.0F, 0.9999999F}) {
+        std::ranges::transform(labels.voxels, values.begin(),
+                               [factor](std::uint16_t label) { return factor * static_cast<float>(label); });
+        const auto listed = io::labelsIn(written());
+        ASSERT_TRUE(listed) << factor;
+        ASSERT_EQ(listed->size(), 2U);
+        EXPECT_EQ((*listed)[1].voxels, io::listedLabels(labels, {})[1].voxels);
+        const auto image = io::readLabels(folder.file("fork.mha"));
+        ASSERT_TRUE(image) << image.error().message;
+        EXPECT_EQ(image.value().voxels, labels.voxels) << factor;
+        const auto volume = io::readVolume(folder.file("fork.mha"));
+        ASSERT_TRUE(volume);
+        EXPECT_TRUE(io::looksLikeLabels(volume.value().volume)) << factor;
+    }
+    values[values.size() / 2] = 0.4F;
+    const auto refused = io::readLabels(written());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.text().find("it holds 0.4"), std::string::npos) << refused.error().message;
 }
 
 }   // namespace

@@ -1,4 +1,5 @@
 #include "tests/library/small_case.h"
+#include "tests/support/german_locale.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,35 @@ TEST(Arrays, ACaseAndItsArraysGiveTheSameBits)
     options.set("geometryErrors", "none");   // cases know where their geometry comes from, arrays do not
     theCase.setOptions(options);
     expectSame(registerVessels(input, options), registerCase(theCase));
+}
+
+/// The library reads headers with a decimal point, and leaves the locale of the program around it alone.
+TEST(Arrays, VolumesAreReadAlikeUnderAGermanLocale)
+{
+    const test::TemporaryFolder folder;
+    const std::string path = folder.write(
+        "a.nrrd",
+        "NRRD0005\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\nspace directions: "
+        "(1.5,0,0) (0,1.5,0) (0,0,0.8)\nspace origin: (-36.25,0,0)\nendian: little\nencoding: raw\n\n" +
+            std::string(16, '\0'));
+    const test::GermanLocale german;
+    if (!german.isSet()) {
+        GTEST_SKIP() << "locale de_DE.UTF-8 is neither installed nor can it be made (package locales)";
+    }
+    const VolumeGeometry geometry = readVolume(path).geometry();
+    EXPECT_LT((geometry.spacingMm - Eigen::Vector3d(1.5, 1.5, 0.8)).norm(), 1e-12) << geometry.spacingMm;
+    EXPECT_EQ(geometry.originInPatient.x(), -36.25);
+    EXPECT_TRUE(german.isSet());
+}
+
+TEST(Arrays, AVolumeWithoutASizeIsRefused)
+{
+    const std::vector<std::int16_t> voxels(8);
+    VolumeGeometry geometry{{2, 2, 2}};
+    for (const double spacing : {0.0, std::numeric_limits<double>::quiet_NaN()}) {
+        geometry.spacingMm.y() = spacing;
+        EXPECT_EQ(idOfErrorIn([&] { (void)Volume(voxels, geometry); }), "library.volume-spacing");
+    }
 }
 
 TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)

@@ -2,11 +2,9 @@
 #include "io/case/case_file.h"
 
 #include "tests/io/case/small_case.h"
+#include "tests/support/german_locale.h"
 
 #include <gtest/gtest.h>
-#include <clocale>
-#include <cstdlib>
-#include <filesystem>
 #include <limits>
 
 using namespace angiopose;
@@ -16,18 +14,6 @@ namespace {
 using test::contains;
 using test::phantomCase;
 using test::SmallCase;
-
-/// A locale with a decimal comma: the installed one, or one made for this test.
-bool setGermanLocale(const std::string& folder)
-{
-    if (std::setlocale(LC_ALL, "de_DE.UTF-8")) {
-        return true;
-    }
-    std::filesystem::create_directory(folder);
-    const std::string command = "localedef -i de_DE -f UTF-8 " + folder + "/de_DE.UTF-8 > /dev/null 2>&1";
-    return std::system(command.c_str()) == 0 && ::setenv("LOCPATH", folder.c_str(), 1) == 0 &&
-           std::setlocale(LC_ALL, "de_DE.UTF-8");
-}
 
 TEST(SaveCase, RestoresEveryBit)
 {
@@ -173,13 +159,12 @@ TEST(SaveCase, WritesDecimalPointsInAnyLocale)
     ASSERT_TRUE(loaded);
     core::Case values = loaded.value();
     values.shown().geometry.cArm.rollDeg = {1.0 / 3.0, core::Origin::User, ""};
-    if (!setGermanLocale(small.path("locale"))) {
+    const test::GermanLocale german;
+    if (!german.isSet()) {
         GTEST_SKIP() << "locale de_DE.UTF-8 is neither installed nor can it be made (package locales)";
     }
-    ASSERT_EQ(*std::localeconv()->decimal_point, ',');
     const bool saved = static_cast<bool>(io::saveCase(values, small.path("saved.angiopose")));
     const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
-    std::setlocale(LC_ALL, "C");
     ASSERT_TRUE(saved);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again.value().shown().geometry.cArm.rollDeg.value, 1.0 / 3.0);

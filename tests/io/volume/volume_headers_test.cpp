@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 using namespace angiopose;
 
@@ -186,6 +188,101 @@ TEST(MetaImage, NamesHeaderAndVoxelsWhenTheseAreMissing)
     const std::string header = metaImage("MET_SHORT", "");
     const std::string path = folder.write("scan.mhd", header.substr(0, header.find("LOCAL")) + "elsewhere.raw\n");
     expectRefused(path, "elsewhere.raw");
+}
+
+std::string nrrdInUnits(const std::string& unit, double perMm)
+{
+    const auto number = [perMm](double mm) { return std::to_string(mm * perMm); };
+    return "NRRD0005\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\nspace directions: (" +
+           number(0.7) + ",0,0) (0," + number(0.7) + ",0) (0,0," + number(1.25) + ")\nspace units: \"" + unit +
+           "\" \"" + unit + "\" \"" + unit + "\"\nspace origin: (" + number(-10) + "," + number(20) + "," + number(30) +
+           ")\nendian: little\nencoding: raw\n\n" + std::string(16, '\0');
+}
+
+TEST(Nrrd, UnitsHoldForDirectionsAndOrigin)
+{
+    const TemporaryFolder folder;
+    for (const auto& [unit, perMm] :
+         {std::pair{"um", 1000.0}, std::pair{"micron", 1000.0}, std::pair{"\xc2\xb5m", 1000.0}, std::pair{"cm", 0.1},
+          std::pair{"Centimeters", 0.1}, std::pair{"m", 0.001}, std::pair{"mm", 1.0}, std::pair{"Millimetre", 1.0}}) {
+        const auto loaded = io::readVolume(folder.write("a.nrrd", nrrdInUnits(unit, perMm)));
+        ASSERT_TRUE(loaded) << unit << loaded.error().message;
+        const core::VolumeGeometry& geometry = loaded.value().volume.geometry;
+        EXPECT_LT((geometry.spacingMm - Eigen::Vector3d(0.7, 0.7, 1.25)).norm(), 1e-6) << unit;
+        EXPECT_LT((geometry.originInPatient - Eigen::Vector3d(-10, 20, 30)).norm(), 1e-6) << unit;
+        EXPECT_TRUE(loaded.value().warnings.empty()) << unit;
+    }
+    const auto unknown = io::readVolume(folder.write("b.nrrd", nrrdInUnits("furlong", 1.0)));
+    ASSERT_TRUE(unknown);
+    ASSERT_EQ(unknown.value().warnings.size(), 1U);
+    EXPECT_NE(unknown.value().warnings.front().text().find("\"furlong\""), std::string::npos);
+}
+
+TEST(MetaImage, DistanceUnitsHoldForSpacingAndOffset)
+{
+    const TemporaryFolder folder;
+    const core::VolumeGeometry geometry =
+        readBack(folder.write("a.mha",
+                              metaImage("MET_SHORT", std::string(16, '\0'), "DistanceUnits = cm\nOffset = 1 2 3\n")))
+            .geometry;
+    EXPECT_LT((geometry.spacingMm - Eigen::Vector3d(10, 10, 10)).norm(), 1e-9);
+    EXPECT_LT((geometry.originInPatient - Eigen::Vector3d(10, 20, 30)).norm(), 1e-9);
+}
+
+/// Voxels that begin within the header would be its bytes.
+TEST(Nifti, VoxelsBeginBehindTheHeader)
+{
+    const TemporaryFolder folder;
+    for (const float offset : {0.0F, 348.0F, 351.0F}) {
+        std::string header = plainNifti();
+        put(header, 108, offset);
+        const auto loaded = io::readVolume(folder.write("a.nii", withVoxels(header, 24)));
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        EXPECT_EQ(loaded.value().volume.value(0), 0.0) << offset;
+        EXPECT_EQ(loaded.value().volume.value(23), 23.0) << offset;
+        EXPECT_EQ(loaded.value().warnings.back().text(),
+                  "The header says that the voxels begin at byte " + std::to_string(static_cast<int>(offset)) +
+                      ", which is inside the header: they are read from byte 352.");
+    }
+    std::string early = plainNifti();
+    put(early, 108, 0.0F);
+    const std::string whole = withVoxels(early, 24);
+    expectRefused(folder.write("early.nii", whole.substr(0, 348) + whole.substr(352)), "cut short");
+}
+
+TEST(Nifti, SaysBothValuesWhereItsHeaderContradictsItself)
+{
+    const TemporaryFolder folder;
+    std::string header = plainNifti();
+    put(header, 72, std::int16_t{32});   // bits of voxels that have 16
+    put(header, 254, std::int16_t{1});
+    put(header, 280, std::array<float, 12>{0.7F, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0});   // 0.5 by pixdim
+    const auto loaded = io::readVolume(folder.write("a.nii", withVoxels(header, 24)));
+    ASSERT_TRUE(loaded);
+    ASSERT_EQ(loaded.value().warnings.size(), 2U);
+    EXPECT_NE(loaded.value().warnings[0].text().find("0.5 x 2 x 3 (pixdim), 0.7 x 2 x 3"), std::string::npos)
+        << loaded.value().warnings[0];
+    EXPECT_NE(loaded.value().warnings[1].text().find("32 bits (bitpix), but 16 bits"), std::string::npos)
+        << loaded.value().warnings[1];
+}
+
+TEST(Volumes, WithoutASizeAreNeitherReadNorWritten)
+{
+    const TemporaryFolder folder;
+    for (const char* size : {"0 1 1", "nan 1 1"}) {
+        std::string content = metaImage("MET_SHORT", std::string(16, '\0'));
+        content.replace(content.find("1 1 1"), 5, size);
+        expectRefused(folder.write("a.mha", content), "no usable voxel size");
+    }
+    core::Volume volume(core::VolumeGeometry{{2, 2, 2}});
+    for (const double spacing : {0.0, std::numeric_limits<double>::quiet_NaN(), -1.0}) {
+        volume.geometry.spacingMm.y() = spacing;
+        for (const char* name : {"a.nii", "a.nrrd", "a.mha"}) {
+            const auto written = io::writeVolume(volume, folder.file(name));
+            ASSERT_FALSE(written) << name << spacing;
+            EXPECT_NE(written.error().message.text().find("voxel size of 1 x "), std::string::npos);
+        }
+    }
 }
 
 }   // namespace
