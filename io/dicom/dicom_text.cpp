@@ -1,5 +1,7 @@
 #include "io/dicom/dicom_text.h"
 
+#include "io/support/numbers.h"
+
 #include <iconv.h>
 #include <algorithm>
 #include <array>
@@ -12,30 +14,37 @@ namespace {
 struct CharacterSet {
     std::string_view term;   ///< defined term of (0008,0005), also with "ISO 2022" in place of "ISO_"
     const char* iconvName;
+    std::string_view escape;   ///< what begins it within a text (PS3.3 C.12.1.1.2), after ESC
 };
 
 constexpr std::array characterSets = {
-    CharacterSet{"IR 100", "ISO-8859-1"}, CharacterSet{"IR 101", "ISO-8859-2"},
-    CharacterSet{"IR 109", "ISO-8859-3"}, CharacterSet{"IR 110", "ISO-8859-4"},
-    CharacterSet{"IR 144", "ISO-8859-5"}, CharacterSet{"IR 127", "ISO-8859-6"},
-    CharacterSet{"IR 126", "ISO-8859-7"}, CharacterSet{"IR 138", "ISO-8859-8"},
-    CharacterSet{"IR 148", "ISO-8859-9"}, CharacterSet{"IR 203", "ISO-8859-15"},
-    CharacterSet{"IR 166", "TIS-620"},    CharacterSet{"IR 13", "SHIFT_JIS"},
-    CharacterSet{"IR 87", "ISO-2022-JP"}, CharacterSet{"IR 159", "ISO-2022-JP-2"},
-    CharacterSet{"IR 149", "EUC-KR"},     CharacterSet{"IR 192", "UTF-8"},
-    CharacterSet{"GB18030", "GB18030"},   CharacterSet{"GBK", "GBK"},
+    CharacterSet{"IR 100", "ISO-8859-1", "-A"},
+    CharacterSet{"IR 101", "ISO-8859-2", "-B"},
+    CharacterSet{"IR 109", "ISO-8859-3", "-C"},
+    CharacterSet{"IR 110", "ISO-8859-4", "-D"},
+    CharacterSet{"IR 144", "ISO-8859-5", "-L"},
+    CharacterSet{"IR 127", "ISO-8859-6", "-G"},
+    CharacterSet{"IR 126", "ISO-8859-7", "-F"},
+    CharacterSet{"IR 138", "ISO-8859-8", "-H"},
+    CharacterSet{"IR 148", "ISO-8859-9", "-M"},
+    CharacterSet{"IR 203", "ISO-8859-15", "-b"},
+    CharacterSet{"IR 166", "TIS-620", "-T"},
+    CharacterSet{"IR 13", "SHIFT_JIS", ")I"},
+    CharacterSet{"IR 87", "ISO-2022-JP", "$B"},
+    CharacterSet{"IR 159", "ISO-2022-JP-2", "$(D"},
+    CharacterSet{"IR 149", "EUC-KR", "$)C"},
+    CharacterSet{"IR 58", "GB2312", "$)A"},
+    CharacterSet{"IR 192", "UTF-8", "%G"},
+    CharacterSet{"GB18030", "GB18030", {}},
+    CharacterSet{"GBK", "GBK", {}},
 };
 
-/// The last of several terms is the one that needs more than ASCII.
-const char* iconvNameOf(std::string_view terms)
+/// Nothing for ASCII, and for terms that are none.
+const CharacterSet* setCalled(std::string_view term)
 {
-    const std::string_view last = terms.substr(terms.rfind('\\') + 1);
-    for (const CharacterSet& set : characterSets) {
-        if (last.ends_with(set.term)) {
-            return set.iconvName;
-        }
-    }
-    return "ISO-8859-1";
+    const auto* found = std::ranges::find_if(
+        characterSets, [term](const CharacterSet& set) { return trimmed(term).ends_with(set.term); });
+    return found == characterSets.end() ? nullptr : found;
 }
 
 bool isAscii(std::string_view text)
@@ -43,7 +52,7 @@ bool isAscii(std::string_view text)
     return std::none_of(text.begin(), text.end(), [](char c) { return (c & 0x80) != 0 || c == '\x1b'; });
 }
 
-std::string converted(std::string_view text, const char* from)
+std::string converted(std::string_view text, const char* from, std::string_view unreadable = "?")
 {
     const auto none = std::bit_cast<iconv_t>(std::intptr_t{-1});
     const iconv_t converter = iconv_open("UTF-8", from);
@@ -57,7 +66,7 @@ std::string converted(std::string_view text, const char* from)
         const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
         result.append(block.data(), block.size() - room);
         if (failed && room > 8 && left > 0) {   // not a matter of room: skip the byte it cannot read
-            result += '?';
+            result += unreadable;
             ++in;
             --left;
         }
@@ -65,6 +74,70 @@ std::string converted(std::string_view text, const char* from)
     if (converter != none) {
         iconv_close(converter);
     }
+    return result;
+}
+
+/// Letters of two bytes below 0x80, which only an escape sequence tells from ASCII.
+bool isOfPairs(const CharacterSet& set)
+{
+    return set.escape == "$B" || set.escape == "$(D";
+}
+
+bool isUtf8(std::string_view text)
+{
+    return converted(text, "UTF-8", "\xff").find('\xff') == std::string::npos;
+}
+
+/// Bytes of one set. Where none fits, the bytes show whether they are UTF-8, else they are taken as Latin-1.
+std::string ofSet(std::string_view bytes, const CharacterSet* set)
+{
+    const bool isGuess = !set || set->term == "IR 192" || isOfPairs(*set);
+    return converted(bytes, isGuess ? isUtf8(bytes) ? "UTF-8" : "ISO-8859-1" : set->iconvName);
+}
+
+/// Text that changes between sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first of its sets holds
+/// again; where that has no letters beyond ASCII, bytes that need some are those of the set before.
+std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
+{
+    std::string result;
+    const CharacterSet* upper = first;   // of bytes from 0x80 on
+    const CharacterSet* pairs = nullptr;   // of bytes below, two for each letter
+    std::size_t begin = 0;
+    const auto flush = [&](std::size_t end) {
+        const std::string_view bytes = text.substr(begin, end - begin);
+        result += pairs ? converted("\x1b" + std::string(pairs->escape) + std::string(bytes), pairs->iconvName)
+                  : isAscii(bytes) ? std::string(bytes)
+                                   : ofSet(bytes, upper);
+        begin = end;
+    };
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const bool isDelimiter = std::string_view("^=\\\r\n\f\t").find(text[at]) != std::string_view::npos;
+        if (text[at] != '\x1b') {
+            if (isDelimiter && !pairs && first) {
+                flush(at);
+                upper = first;
+            }
+            continue;
+        }
+        flush(at);
+        const std::string_view rest = text.substr(at + 1);
+        const auto* set = std::ranges::find_if(characterSets, [rest](const CharacterSet& each) {
+            return !each.escape.empty() && rest.starts_with(each.escape);
+        });
+        std::size_t intermediate = 0;   // bytes before the final one, also of sequences that are not known
+        while (intermediate < rest.size() && rest[intermediate] >= ' ' && rest[intermediate] <= '/') {
+            ++intermediate;
+        }
+        pairs = nullptr;
+        if (rest.starts_with("$@")) {   // the letters of 1978
+            pairs = setCalled("IR 87");
+        } else if (set != characterSets.end()) {
+            (isOfPairs(*set) ? pairs : upper) = set;
+        }
+        at += std::min(intermediate + 1, rest.size());
+        begin = at + 1;
+    }
+    flush(text.size());
     return result;
 }
 
@@ -88,10 +161,19 @@ std::string timeText(std::string_view time)
 
 }   // namespace
 
-std::string utf8Text(const DicomDataset& data, DicomTag tag)
+std::string utf8Text(const DicomDataset& data, DicomTag tag, std::string_view declared)
 {
     const std::string_view text = data.text(tag);
-    return isAscii(text) ? std::string(text) : converted(text, iconvNameOf(data.text(0x00080005)));
+    if (isAscii(text)) {
+        return std::string(text);
+    }
+    const std::string_view own = data.text(0x00080005);
+    const std::string_view terms = own.empty() ? declared : own;
+    const CharacterSet* first = setCalled(terms.substr(0, terms.find('\\')));
+    if (text.find('\x1b') != std::string_view::npos) {
+        return ofSeveralSets(text, first);
+    }
+    return ofSet(text, first ? first : setCalled(terms.substr(terms.rfind('\\') + 1)));
 }
 
 core::StudyIdentity identityOf(const DicomDataset& data)

@@ -213,8 +213,9 @@ core::Result<std::vector<DicomSegment>> listSegments(const std::string& path)
         return parsed.error();
     }
     std::vector<DicomSegment> segments;
+    const std::string_view sets = parsed.value().dataset.text(0x00080005);
     for (const DicomDataset& item : parsed.value().dataset.items(0x00620002)) {
-        segments.push_back({item.integer(0x00620004).value_or(0), utf8Text(item, 0x00620005)});
+        segments.push_back({item.integer(0x00620004).value_or(0), utf8Text(item, 0x00620005, sets)});
     }
     return segments;
 }
