@@ -199,7 +199,7 @@ core::Result<Json> imageJson(const std::string& path)
     }
     const auto angiogram = io::readAngiogram(path);
     if (const auto slices = io::readSliceRecords(path); slices && !slices.value().slices.empty()) {
-        if (slices.value().slices.front().position && slices.value().modality != "XA") {
+        if (slices.value().slices.front().position && !slices.value().isProjection) {
             return angiogram ? dicomVolumeJson(path) : angiogram.error();
         }
     }

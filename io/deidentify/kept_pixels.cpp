@@ -3,6 +3,7 @@
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/pixel_layout.h"
+#include "io/messages/says.h"
 #include "io/messages/says_deidentify.h"
 #include "io/support/file_error.h"
 
@@ -156,6 +157,11 @@ core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLet
         return decoded.error();
     }
     DecodedRun run = std::move(decoded).value();
+    const auto frames = static_cast<int>(run.frames.size());
+    if (frames != layout.frames) {
+        warnings.push_back(says::dicomFramesOther(layout.frames, frames));
+        to.text(0x00280008, "IS", std::to_string(frames));
+    }
     if (const std::size_t damaged = run.flawedFrames.size() + run.lostFrames.size(); damaged > 0) {
         warnings.push_back(says::framesDamaged(damaged, run.frames.size()));
     }

@@ -52,6 +52,12 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
             return valueBy(&DcmElement::getFloat32, element, index);
         case EVR_FD:
             return valueBy(&DcmElement::getFloat64, element, index);
+        case EVR_AT: {
+            DcmTagKey key;
+            return element.getTagVal(key, index).good()
+                       ? std::optional(static_cast<double>(key.getGroup()) * 65536.0 + key.getElement())
+                       : std::nullopt;
+        }
         default:
             return std::nullopt;
     }
@@ -147,7 +153,7 @@ std::string_view DicomDataset::text(DicomTag tag, std::size_t index) const
 std::optional<double> DicomDataset::number(DicomTag tag, std::size_t index) const
 {
     DcmElement* element = find(tag);
-    const bool isBinary = element && isBinaryVr(element->ident());
+    const bool isBinary = element && (isBinaryVr(element->ident()) || element->ident() == EVR_AT);
     const bool isUnknown = element && (tag >> 16U) % 2 == 1 && text(tag).empty() && !isBinary;
     const auto value = isBinary    ? binaryNumber(*element, index)
                        : isUnknown ? unknownNumber(*element, index)

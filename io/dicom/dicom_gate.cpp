@@ -234,12 +234,12 @@ std::optional<std::vector<std::string_view>> fragmentsOf(const DicomPixels& pixe
             return head->tag == sequenceEndTag ? std::optional(fragments) : std::nullopt;
         }
         if (head->length > rest.size()) {
-            return std::nullopt;
+            return fragments;
         }
         fragments.push_back(rest.substr(0, head->length));
         rest.remove_prefix(head->length);
     }
-    return fragments;   // without a delimiter: whole fragments up to the end of the file
+    return fragments;   // without a delimiter: the whole fragments up to the end of the file
 }
 
 }   // namespace angiopose::io

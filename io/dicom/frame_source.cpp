@@ -13,6 +13,8 @@ namespace {
 
 using core::ImageF;
 
+constexpr std::string_view runLengthSyntax = "1.2.840.10008.1.2.5";   // one fragment for each frame (PS3.5 A.4.2)
+
 /// Stored value number `index` of a frame, sign-extended from its high bit.
 class SampleReader {
 public:
@@ -91,10 +93,11 @@ bool startsStream(std::string_view fragment)
 
 /// The fragments of each frame: one each, or from where a stream starts to the next.
 std::vector<std::vector<std::string_view>> framesOfFragments(const std::vector<std::string_view>& fragments,
-                                                             std::size_t frameCount)
+                                                             std::size_t frameCount, bool isRunLength)
 {
     std::vector<std::vector<std::string_view>> frames;
-    const bool isOneEach = fragments.size() == frameCount;
+    const bool isOneEach =
+        fragments.size() == frameCount || isRunLength || std::ranges::all_of(fragments, startsStream);
     for (const std::string_view fragment : fragments) {
         if (frames.empty() || isOneEach || (frameCount > 1 && startsStream(fragment))) {
             frames.emplace_back();
@@ -120,10 +123,13 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
     reader.transferSyntax_ = file.transferSyntax;
     const auto count = static_cast<std::size_t>(layout.frames);
     if (!pixels.isEncapsulated) {
-        const std::size_t needed = (bitsPerFrame(layout) * count + 7) / 8;
-        if (pixels.bytes.size() < needed) {
-            return fileError(path, says::dicomPixelsCutShort(pixels.bytes.size(), needed));
+        const std::size_t bits = bitsPerFrame(layout);
+        const std::size_t there = 8 * pixels.bytes.size() / bits;
+        if (there == 0) {
+            return fileError(path, says::dicomPixelsCutShort(pixels.bytes.size(), (bits * count + 7) / 8));
         }
+        const bool areAllFrames = 8 * pixels.bytes.size() - bits * there <= 8;   // but for the byte that makes it even
+        reader.frameCount_ = static_cast<int>(areAllFrames ? there : std::min(there, count));
         return reader;
     }
     auto fragments = fragmentsOf(pixels);
@@ -131,10 +137,8 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
         return fileError(path, says::dicomPackedPixelsCutShort());
     }
     fragments->erase(fragments->begin());   // the offset table
-    reader.streams_ = framesOfFragments(*fragments, count);
-    if (reader.streams_.size() < count) {
-        return fileError(path, says::dicomFramesMissing(reader.streams_.size(), count));
-    }
+    reader.streams_ = framesOfFragments(*fragments, count, file.transferSyntax == runLengthSyntax);
+    reader.frameCount_ = static_cast<int>(reader.streams_.size());
     return reader;
 }
 
@@ -175,6 +179,9 @@ core::Result<DecodedFrame> FrameReader::compressedFrame(std::size_t index) const
 core::Result<DecodedFrame> FrameReader::wholeOrPart(int index) const
 {
     const auto at = static_cast<std::size_t>(index);
+    if (index >= frameCount_) {
+        return fileError(path_, says::dicomFramesMissing(frameCount_, layout_.frames));
+    }
     auto frame = pixels_.isEncapsulated ? compressedFrame(at) : core::Result(DecodedFrame{nativeFrame(at)});
     if (frame && layout_.isFloat && !isFinite(frame.value().image)) {
         return fileError(path_, says::pixelNotFinite());
@@ -199,7 +206,9 @@ core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& la
     }
     DecodedRun run;
     std::optional<core::Error> failure;
-    for (int k = 0; k < layout.frames; ++k) {
+    const auto mostFrames = static_cast<int>(maxRunPixels / layout.pixelsPerFrame());
+    const int count = std::min(reader.value().frameCount(), std::max(mostFrames, layout.frames));
+    for (int k = 0; k < count; ++k) {
         auto frame = reader.value().wholeOrPart(k);
         if (frame) {
             if (frame.value().isFlawed) {

@@ -19,10 +19,13 @@ struct DecodedFrame {
 /// Decodes the frames of a DICOM file one at a time, as stored values (colour as luminance). The file must outlive it.
 class FrameReader {
 public:
-    /// Fails when pixels are missing: a part of an image is no image.
+    /// Fails when there is no whole frame: a part of an image is no image.
     static core::Result<FrameReader> open(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
-    /// Frame `index` below `layout.frames`; fails when it cannot be decoded whole.
+    /// The frames that are there, whatever the header announces.
+    int frameCount() const { return frameCount_; }
+
+    /// Frame `index`; fails when it is not there, or cannot be decoded whole.
     core::Result<core::ImageF> frame(int index) const;
     /// The same where a part of a frame is better than none.
     core::Result<DecodedFrame> wholeOrPart(int index) const;
@@ -34,13 +37,14 @@ private:
     core::Result<DecodedFrame> compressedFrame(std::size_t index) const;
 
     PixelLayout layout_;
+    int frameCount_ = 0;
     std::string path_;
     std::string transferSyntax_;
     DicomPixels pixels_;
     std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
 };
 
-/// All frames of a run.
+/// All frames of a run that are there.
 struct DecodedRun {
     std::vector<core::ImageF> frames;
     std::vector<int> flawedFrames;   ///< those damaged in part

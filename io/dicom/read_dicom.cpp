@@ -5,8 +5,10 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
+#include "io/dicom/frame_time.h"
 #include "io/dicom/gantry_tags.h"
 #include "io/dicom/heart_beats.h"
+#include "io/dicom/projection.h"
 #include "io/dicom/shutter_tags.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
@@ -86,39 +88,20 @@ core::Polarity polarityOf(const DicomDataset& data, bool wasInverted)
     return storedDark != wasInverted ? core::Polarity::VesselsDark : core::Polarity::VesselsBright;
 }
 
-double frameTimeMs(const DicomDataset& data)
-{
-    const auto positive = [&](DicomTag tag) {
-        const auto value = data.number(tag);
-        return value && *value > 0.0 ? value : std::nullopt;
-    };
-    if (const auto time = positive(0x00181063)) {
-        return *time;
-    }
-    if (const auto second = data.number(0x00181065, 1); second && *second > 0.0) {   // the first entry is 0
-        return *second;
-    }
-    const auto rate = positive(0x00180040) ? positive(0x00180040) : positive(0x00082144);
-    return rate ? 1000.0 / *rate : 0.0;
-}
-
-bool isXray(std::string_view modality)
-{
-    return modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR";
-}
-
 void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angiogram)
 {
     angiogram.identity = identityOf(file.dataset);
     if (layout.samples == 3) {
         angiogram.warnings.push_back(says::colourToGrey());
     }
-    if (file.damage) {
+    if (angiogram.frameCount() != layout.frames) {
+        angiogram.warnings.push_back(says::dicomFramesOther(layout.frames, angiogram.frameCount()));
+    } else if (file.damage) {
         angiogram.warnings.push_back(says::dicomEndDamaged(*file.damage));
     }
     const std::string& modality = angiogram.identity.modality;
     angiogram.shutter = shutterOf(file.dataset, layout.columns, layout.rows, angiogram.warnings);
-    if (isXray(modality)) {
+    if (isProjection(file.dataset)) {
         angiogram.cArm = cArmOf(file.dataset, angiogram.warnings);
         angiogram.gantry = gantryHeaderOf(file.dataset, angiogram.frameCount(), angiogram.warnings);
         const Eigen::Vector2i size(angiogram.width(), angiogram.height());
@@ -126,8 +109,11 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
             angiogram.warnings.push_back(contradiction);
         }
     } else {
-        angiogram.warnings.push_back(
-            says::dicomNotXray(modality.empty() ? says::anImageWithoutModality() : says::aModality(modality)));
+        const bool isReconstructed = modality == "XA" || modality == "RF";
+        angiogram.warnings.push_back(says::dicomNotXray(isReconstructed ? core::Message(says::aReconstruction(modality))
+                                                        : modality.empty()
+                                                            ? core::Message(says::anImageWithoutModality())
+                                                            : core::Message(says::aModality(modality))));
     }
 }
 
@@ -163,7 +149,12 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     angiogram.frames = std::move(run.frames);
     applyRescale(file.dataset, angiogram.frames);
     angiogram.polarity = polarityOf(file.dataset, showBright(file.dataset, layout.value(), angiogram.frames));
-    angiogram.frameTimeMs = angiogram.frames.size() > 1 ? frameTimeMs(file.dataset) : 0.0;
+    if (const FrameTime time = frameTimeOf(file.dataset); angiogram.frames.size() > 1) {
+        angiogram.frameTimeMs = time.ms;
+        if (time.contradiction) {
+            angiogram.warnings.push_back(*time.contradiction);
+        }
+    }
     angiogram.rWaveFrames = rWaveFramesOf(file.dataset, angiogram.frameCount(), angiogram.frameTimeMs);
     describe(file, layout.value(), angiogram);
     if (!run.lostFrames.empty()) {

@@ -65,9 +65,8 @@ InputKind kindOfDicom(const std::string& path, std::string_view head)
     if (!images || images.value().slices.empty()) {
         return InputKind::Image;   // reading it says what is wrong
     }
-    const std::string& modality = images.value().modality;
-    const bool isXray = modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR";
-    return !isXray && images.value().slices.front().position ? InputKind::Vessels : InputKind::Image;
+    const bool isSlice = !images.value().isProjection && images.value().slices.front().position;
+    return isSlice ? InputKind::Vessels : InputKind::Image;
 }
 
 bool startsAsPicture(std::string_view head)

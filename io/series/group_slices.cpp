@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,12 +14,6 @@
 
 namespace angiopose::io {
 namespace {
-
-bool isProjection(const DicomImages& file)
-{
-    const std::string& modality = file.modality;
-    return modality == "XA" || modality == "RF" || modality == "DX" || modality == "CR" || modality == "DR";
-}
 
 /// Files with the same key can be slices of one volume.
 std::string seriesKey(const DicomImages& file)
@@ -75,15 +70,34 @@ std::vector<Slices> byShape(const Slices& slices)
     return groups;
 }
 
-/// Drops files that are there twice (same SOP instance and frame); returns how many.
-std::size_t dropCopies(Slices& slices)
+/// Drops files that are there twice: same SOP instance and frame, place and number. Says how many, and how many others
+/// differ although they have the SOP Instance UID of one before.
+core::Messages dropCopies(Slices& slices)
 {
-    std::set<std::pair<std::string, int>> seen;
+    using Instance = std::pair<std::string, int>;
+    std::set<std::tuple<Instance, std::vector<double>, int, decltype(SliceRecord::phaseKeys)>> seen;
+    std::set<Instance> instances;
+    std::size_t sameUid = 0;
     const std::size_t before = slices.size();
-    std::erase_if(slices, [&](const SliceRecord& slice) {
-        return !slice.sopInstanceUid.empty() && !seen.insert({slice.sopInstanceUid, slice.frame}).second;
+    const std::size_t copies = std::erase_if(slices, [&](const SliceRecord& slice) {
+        if (slice.sopInstanceUid.empty()) {
+            return false;
+        }
+        const Instance instance(slice.sopInstanceUid, slice.frame);
+        const auto* at = slice.position ? slice.position->data() : nullptr;
+        const std::vector<double> place(at, at ? at + 3 : at);
+        const bool isCopy = !seen.emplace(instance, place, slice.instanceNumber, slice.phaseKeys).second;
+        sameUid += !instances.insert(instance).second && !isCopy ? 1 : 0;
+        return isCopy;
     });
-    return before - slices.size();
+    core::Messages found;
+    if (copies > 0) {
+        found.push_back(says::seriesFilesTwice(copies));
+    }
+    if (sameUid > 0) {
+        found.push_back(says::seriesSameUid(sameUid + 1, before - copies));
+    }
+    return found;
 }
 
 /// One slice per place: the first recorded.
@@ -118,6 +132,10 @@ void planVolume(DicomSeries& series, const DicomImages& head)
     keepFirstPerPlace(series);
     series.stack = stackOf(series.slices);
     series.problem = series.stack.problem;
+    const double stated = series.slices.front().statedStepMm, step = series.stack.geometry.spacingMm.z();
+    if (!series.problem && stated > 0.0 && std::abs(stated - step) > 0.05 * step) {
+        series.warnings.push_back(says::seriesStep(core::inMm(stated, 2), core::inMm(step, 2)));
+    }
     series.warnings.insert(series.warnings.end(), series.stack.warnings.begin(), series.stack.warnings.end());
 }
 
@@ -134,7 +152,7 @@ DicomSeries emptySeries(const DicomImages& head)
 std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::size_t damaged)
 {
     std::vector<DicomSeries> volumes;
-    const std::size_t copies = dropCopies(slices);
+    const core::Messages copies = dropCopies(slices);
     const std::vector<Slices> shapes = byShape(slices);
     for (Slices shape : shapes) {
         const bool isPlaced = shape.front().position && shape.front().axes;
@@ -144,9 +162,7 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
         for (Slices& part : isPlaced ? splitVolumes(shape) : std::vector<Slices>{shape}) {
             DicomSeries series = emptySeries(head);
             series.slices = std::move(part);
-            if (copies > 0) {
-                series.warnings.push_back(says::seriesFilesTwice(copies));
-            }
+            series.warnings = copies;
             if (damaged > 0) {
                 series.warnings.push_back(says::seriesFilesDamaged(damaged));
             }
@@ -160,15 +176,28 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
     return volumes;
 }
 
-/// Largest first; numbers the parts of a series.
+/// The acquisition that all slices are of; empty where there are several, or none is named.
+std::string acquisitionOf(const DicomSeries& series)
+{
+    const std::string& first = series.slices.front().phaseKeys[0];
+    const bool isOne =
+        std::ranges::all_of(series.slices, [&](const SliceRecord& slice) { return slice.phaseKeys[0] == first; });
+    return isOne ? first : std::string();
+}
+
+/// Largest first; numbers the parts of a series, and names the acquisition where that tells them apart.
 void order(std::vector<DicomSeries>& volumes)
 {
     std::stable_sort(volumes.begin(), volumes.end(), [](const DicomSeries& a, const DicomSeries& b) {
         return std::tuple(!a.problem, a.slices.size()) > std::tuple(!b.problem, b.slices.size());
     });
+    std::set<std::string> acquisitions{""};
+    std::ranges::transform(volumes, std::inserter(acquisitions, acquisitions.end()), acquisitionOf);
+    const bool areNamed = acquisitions.size() == volumes.size() + 1;
     for (std::size_t i = 0; i < volumes.size() && volumes.size() > 1; ++i) {
         volumes[i].id += i == 0 ? "" : "#" + std::to_string(i + 1);
-        volumes[i].part = says::seriesPart(i + 1, volumes.size());
+        volumes[i].part = areNamed ? says::seriesAcquisition(i + 1, volumes.size(), acquisitionOf(volumes[i]))
+                                   : core::Message(says::seriesPart(i + 1, volumes.size()));
     }
 }
 
@@ -186,25 +215,37 @@ DicomSeries runOf(const DicomImages& file)
 std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files)
 {
     std::vector<DicomSeries> result;
-    std::map<std::string, std::vector<std::size_t>> filesOfSeries;
+    std::map<std::string, std::map<std::string, std::vector<std::size_t>>> filesOfSeries;   // by patient and study
+    std::map<std::string, int> runs;
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (files[i].slices.empty()) {
             continue;
         }
-        if (isProjection(files[i])) {
-            result.push_back(runOf(files[i]));
+        if (files[i].isProjection) {
+            DicomSeries& run = result.emplace_back(runOf(files[i]));
+            const int count = ++runs[run.id];
+            run.id += count == 1 ? "" : "#" + std::to_string(count);
         } else {
-            filesOfSeries[seriesKey(files[i])].push_back(i);
+            const core::StudyIdentity& who = files[i].identity;
+            filesOfSeries[seriesKey(files[i])][who.patientId + "|" + who.studyUid].push_back(i);
         }
     }
-    for (const auto& [key, members] : filesOfSeries) {
-        Slices slices;
-        std::size_t damaged = 0;
-        for (const std::size_t i : members) {
-            slices.insert(slices.end(), files[i].slices.begin(), files[i].slices.end());
-            damaged += files[i].damage ? 1 : 0;
+    for (const auto& [key, owners] : filesOfSeries) {
+        std::vector<DicomSeries> volumes;
+        for (const auto& [owner, members] : owners) {
+            Slices slices;
+            std::size_t damaged = 0;
+            for (const std::size_t i : members) {
+                slices.insert(slices.end(), files[i].slices.begin(), files[i].slices.end());
+                damaged += files[i].damage ? 1 : 0;
+            }
+            for (DicomSeries& volume : volumesOf(files[members.front()], std::move(slices), damaged)) {
+                if (owners.size() > 1) {
+                    volume.warnings.push_back(says::seriesOfSeveral(owners.size()));
+                }
+                volumes.push_back(std::move(volume));
+            }
         }
-        std::vector<DicomSeries> volumes = volumesOf(files[members.front()], std::move(slices), damaged);
         order(volumes);
         std::move(volumes.begin(), volumes.end(), std::back_inserter(result));
     }

@@ -3,7 +3,9 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/functional_groups.h"
+#include "io/dicom/projection.h"
 #include "io/support/file_error.h"
+#include "io/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +66,7 @@ void readPlace(const DicomDataset& data, SliceRecord& slice)
     if (down && across && *down > 1e-4 && *across > 1e-4 && *down < 1e3 && *across < 1e3) {
         slice.spacingMm = {*across, *down};
     }
+    slice.statedStepMm = std::abs(data.number(0x00180088).value_or(slice.statedStepMm));
     if (const auto slope = data.number(0x00281053); slope && *slope != 0.0) {
         slice.slope = *slope;
         slice.intercept = data.number(0x00281052).value_or(0.0);
@@ -76,7 +79,7 @@ void readPhases(const DicomDataset& data, SliceRecord& slice)
         const std::string_view text = data.text(phaseTags[i]);
         const auto number = data.number(phaseTags[i]);
         if (!text.empty()) {
-            slice.phaseKeys[i] = number ? std::to_string(*number) : std::string(text.substr(0, 64));
+            slice.phaseKeys[i] = number ? toText(*number) : std::string(text.substr(0, 64));
         }
     }
 }
@@ -151,7 +154,7 @@ DicomImages imagesOf(const DicomFile& file, const std::string& path)
     images.seriesDescription = utf8Text(data, 0x0008103e);
     images.seriesNumber = data.integer(0x00200011).value_or(0);
     images.sopClassUid = data.text(0x00080016);
-    images.modality = images.identity.modality;
+    images.isProjection = isProjection(data);
     images.damage = file.damage;
     if (!file.pixels.empty()) {
         images.slices = slicesOf(file, path);

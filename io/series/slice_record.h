@@ -22,6 +22,7 @@ struct SliceRecord {
     int frame = 0;
     Eigen::Vector2i size = Eigen::Vector2i::Zero();   ///< columns, rows
     Eigen::Vector2d spacingMm = Eigen::Vector2d::Zero();   ///< along a row, along a column
+    double statedStepMm = 0.0;   ///< Spacing Between Slices; 0: not there
     std::optional<Eigen::Vector3d> position;   ///< centre of the first pixel, patient LPS mm
     std::optional<Eigen::Matrix<double, 3, 2>> axes;   ///< unit directions along a row and along a column
     double slope = 1.0;
@@ -40,7 +41,7 @@ struct DicomImages {
     std::string seriesDescription;
     int seriesNumber = 0;
     std::string sopClassUid;
-    std::string modality;
+    bool isProjection = false;   ///< an X-ray image, no slice
     std::optional<core::Message> damage;
     std::vector<SliceRecord> slices;   ///< empty: the file holds no image
 };

@@ -53,6 +53,31 @@ std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
     return parts;
 }
 
+/// True for slices on a regular grid without gaps.
+bool isRegular(const Slices& sorted)
+{
+    const SliceStack stack = stackOf(sorted);
+    return !stack.problem && stack.layers.size() == sorted.size() &&
+           std::ranges::all_of(stack.layers, [](const StackLayer& layer) { return layer.upperWeight == 0.0; });
+}
+
+/// Acquisitions at places of their own, each on a regular grid, that are no volume together: they lie apart, or the
+/// slices of one between those of another.
+std::vector<Slices> splitAcquisitions(const Slices& sorted)
+{
+    constexpr std::size_t leastSlices = 3;
+    std::vector<Slices> parts = splitByKey(sorted, 0);
+    if (parts.size() < 2 ||
+        !std::ranges::all_of(parts, [](const Slices& part) { return part.size() >= leastSlices && isRegular(part); })) {
+        return {};
+    }
+    std::size_t changes = 1;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+        changes += sorted[i].phaseKeys[0] == sorted[i - 1].phaseKeys[0] ? 0 : 1;
+    }
+    return changes > parts.size() || !isRegular(sorted) ? parts : std::vector<Slices>{};
+}
+
 }   // namespace
 
 bool isSamePlace(const SliceRecord& a, const SliceRecord& b)
@@ -76,7 +101,8 @@ std::vector<Slices> splitVolumes(const Slices& sorted)
 {
     const std::size_t places = placeCount(sorted);
     if (places == sorted.size()) {
-        return {sorted};
+        auto acquisitions = splitAcquisitions(sorted);
+        return acquisitions.empty() ? std::vector<Slices>{sorted} : acquisitions;
     }
     for (std::size_t key = 0; key < phaseKeyCount; ++key) {
         if (auto parts = splitByKey(sorted, key); parts.size() > 1) {

@@ -163,7 +163,10 @@ std::vector<StudySeries> StudyCollector::seriesWithoutImages() const
     std::vector<StudySeries> all;
     for (const DicomImages& file : withoutImage_) {
         const auto isIts = [&](const StudySeries& each) {
-            return each.series.id == file.identity.seriesUid && each.series.identity.modality == file.identity.modality;
+            return each.series.id == file.identity.seriesUid &&
+                   each.series.identity.modality == file.identity.modality &&
+                   studyKey(each.series.identity) == studyKey(file.identity) &&
+                   patientKey(each.series.identity) == patientKey(file.identity);
         };
         const auto known = std::ranges::find_if(all, isIts);
         if (known != all.end()) {

@@ -2,6 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
+#include "io/dicom/frame_time.h"
 #include "io/messages/says.h"
 #include "io/study/file_start.h"
 
@@ -14,20 +15,6 @@ constexpr std::size_t firstBytes = std::size_t{64} << 10;   // holds the header 
 constexpr std::size_t growth = 4;
 constexpr std::size_t mostHeaderBytes = std::size_t{64} << 20;
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
-
-/// Time from frame to frame: Frame Time, else that of the rate at which the run is to be shown or was taken.
-double frameTimeOf(const DicomDataset& data)
-{
-    if (const auto time = data.number(0x00181063); time && *time > 0.0) {
-        return *time;
-    }
-    for (const DicomTag tag : {DicomTag{0x00180040}, DicomTag{0x00082144}}) {
-        if (const auto rate = data.number(tag); rate && *rate > 0.0) {
-            return 1000.0 / *rate;
-        }
-    }
-    return 0.0;
-}
 
 /// Whether the file holds all the plain pixels that its header declares.
 std::optional<core::Message> findCut(const DicomFile& file, const FileStart& start)
@@ -62,7 +49,7 @@ StudyFile studyFileOf(const DicomFile& file, const FileStart& start, const std::
     result.transferSyntax = file.transferSyntax;
     result.frames = std::max(data.integer(0x00280008).value_or(1), 1);
     result.samples = data.integer(0x00280002).value_or(1);
-    result.frameTimeMs = frameTimeOf(data);
+    result.frameTimeMs = frameTimeOf(data).ms;
     return result;
 }
 

@@ -124,7 +124,7 @@ TEST(DicomSeries, PhasesAtTheSamePlaceBecomeVolumesOfTheirOwn)
     ASSERT_EQ(series.value().size(), 2U);
     EXPECT_EQ(series.value()[0].slices.size(), 10U);
     ASSERT_TRUE(series.value()[1].part);
-    EXPECT_EQ(series.value()[1].part->text(), "part 2 of 2");
+    EXPECT_EQ(series.value()[1].part->text(), "part 2 of 2 (acquisition 2)");
     EXPECT_NE(series.value()[0].id, series.value()[1].id);
 }
 
@@ -146,6 +146,84 @@ TEST(DicomSeries, CopiesAndStrayDuplicatesAreDropped)
     EXPECT_LT(test::largestDisplacement(phantom, loaded.volume), 1e-6);
     EXPECT_TRUE(mentions(loaded.warnings, "1 files of the series are there twice"));
     EXPECT_TRUE(mentions(loaded.warnings, "first recorded"));
+}
+
+TEST(DicomSeries, SlicesThatShareAUidAreStillSlices)
+{
+    const TemporaryFolder folder;
+    const core::Volume phantom = ctPhantom();
+    std::vector<CtSlice> slices = allSlices(phantom);
+    for (CtSlice& slice : slices) {
+        slice.sopInstanceUid = "1.2.3.99";
+    }
+    slices.push_back(slices[3]);   // and one of them twice
+    writeShuffled(folder, slices);
+
+    const io::LoadedVolume loaded = readFolder(folder);
+
+    EXPECT_EQ(loaded.volume.geometry.size.z(), 10);
+    EXPECT_LT(test::largestDisplacement(phantom, loaded.volume), 1e-6);
+    EXPECT_TRUE(mentions(loaded.warnings, "1 files of the series are there twice"));
+    EXPECT_TRUE(mentions(loaded.warnings, "10 of 10 images of the series share a SOP Instance UID"));
+}
+
+/// The second acquisition begins `offsetMm` above the first.
+std::vector<io::DicomSeries> seriesOfTwoAcquisitions(double offsetMm)
+{
+    const TemporaryFolder folder;
+    std::vector<CtSlice> slices = allSlices(ctPhantom());
+    const core::VolumeGeometry geometry = ctPhantom().geometry;
+    for (CtSlice slice : allSlices(ctPhantom())) {
+        for (int axis = 0; axis < 3; ++axis) {
+            slice.position[static_cast<std::size_t>(axis)] += offsetMm * geometry.direction(axis, 2);
+        }
+        slice.acquisition = "2";
+        slice.sopInstanceUid += ".2";
+        slices.push_back(slice);
+    }
+    writeShuffled(folder, slices);
+    auto series = io::listSeries(folder.file(""));
+    EXPECT_TRUE(series);
+    return series ? std::move(series).value() : std::vector<io::DicomSeries>{};
+}
+
+TEST(DicomSeries, AcquisitionsThatAreNoVolumeTogetherAreNamedAndParted)
+{
+    const double step = ctPhantom().geometry.spacingMm.z();
+    for (const double offset : {0.5 * step, 0.3 * step, 40.0 * step}) {   // between the slices, and far beyond them
+        const std::vector<io::DicomSeries> series = seriesOfTwoAcquisitions(offset);
+        ASSERT_EQ(series.size(), 2U) << offset;
+        for (const io::DicomSeries& each : series) {
+            EXPECT_EQ(each.slices.size(), 10U);
+            EXPECT_NEAR(each.stack.geometry.spacingMm.z(), step, 1e-9);
+            EXPECT_TRUE(each.warnings.empty()) << each.warnings.front();
+        }
+        EXPECT_EQ(series[1].part->text(), "part 2 of 2 (acquisition 2)");
+    }
+    const std::vector<io::DicomSeries> slabs = seriesOfTwoAcquisitions(10.0 * step);   // table step after table step
+    ASSERT_EQ(slabs.size(), 1U);
+    EXPECT_EQ(slabs[0].slices.size(), 20U);
+}
+
+TEST(DicomSeries, PatientsWithOneSeriesUidStayApart)
+{
+    const TemporaryFolder folder;
+    std::vector<CtSlice> slices = allSlices(ctPhantom());
+    for (CtSlice slice : allSlices(ctPhantom())) {
+        slice.patientName = "Other";
+        slice.patientId = "2";
+        slice.sopInstanceUid += ".2";
+        slices.push_back(slice);
+    }
+    writeShuffled(folder, slices);
+
+    const auto series = io::listSeries(folder.file(""));
+
+    ASSERT_TRUE(series);
+    ASSERT_EQ(series.value().size(), 2U);
+    EXPECT_NE(series.value()[0].id, series.value()[1].id);
+    EXPECT_NE(series.value()[0].identity.patientName, series.value()[1].identity.patientName);
+    EXPECT_TRUE(mentions(series.value()[0].warnings, "2 patients or studies share the UID"));
 }
 
 TEST(DicomSeries, ScoutsOfTheSameSeriesAreListedApart)

@@ -1,0 +1,56 @@
+#include "io/dicom/projection.h"
+
+#include "io/dicom/functional_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace angiopose::io {
+namespace {
+
+constexpr DicomTag positionTag = 0x00200032;
+
+/// CT, MR, and what is reconstructed from projections: angiography, head, breast.
+bool isClassOfSlices(std::string_view sopClass)
+{
+    static constexpr std::array<std::string_view, 9> classes{
+        "1.2.840.10008.5.1.4.1.1.2",      "1.2.840.10008.5.1.4.1.1.2.1",    "1.2.840.10008.5.1.4.1.1.2.2",
+        "1.2.840.10008.5.1.4.1.1.4",      "1.2.840.10008.5.1.4.1.1.4.1",    "1.2.840.10008.5.1.4.1.1.4.4",
+        "1.2.840.10008.5.1.4.1.1.13.1.1", "1.2.840.10008.5.1.4.1.1.13.1.2", "1.2.840.10008.5.1.4.1.1.13.1.3"};
+    return std::ranges::find(classes, sopClass) != classes.end();
+}
+
+/// Angiography, fluoroscopy and radiographs; headers that name no class can be these.
+bool isClassOfProjections(std::string_view sopClass)
+{
+    return sopClass.empty() || sopClass.starts_with("1.2.840.10008.5.1.4.1.1.12.") ||
+           sopClass.starts_with("1.2.840.10008.5.1.4.1.1.1.") || sopClass == "1.2.840.10008.5.1.4.1.1.1";
+}
+
+/// Where the frames of a file lie in the patient, as their header writes it.
+std::set<std::string> placesOf(const DicomDataset& data)
+{
+    std::set<std::string> places;
+    for (const DicomDataset& frame : data.items(perFrameGroupsTag)) {
+        for (const DicomDataset& plane : frame.items(0x00209113)) {
+            places.emplace(plane.text(positionTag));
+        }
+    }
+    return places;
+}
+
+}   // namespace
+
+bool isProjection(const DicomDataset& data)
+{
+    static constexpr std::array<std::string_view, 5> modalities{"XA", "RF", "DX", "CR", "DR"};
+    const std::string_view sopClass = data.text(0x00080016);
+    const bool isPlaced = data.number(positionTag) && data.number(0x00200037) && data.number(0x00280030);
+    return std::ranges::find(modalities, data.text(0x00080060)) != modalities.end() && !isClassOfSlices(sopClass) &&
+           (isClassOfProjections(sopClass) || !isPlaced) && placesOf(data).size() < 2;
+}
+
+}   // namespace angiopose::io
