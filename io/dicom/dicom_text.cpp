@@ -128,11 +128,10 @@ std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
         while (intermediate < rest.size() && rest[intermediate] >= ' ' && rest[intermediate] <= '/') {
             ++intermediate;
         }
-        pairs = nullptr;
-        if (rest.starts_with("$@")) {   // the letters of 1978
-            pairs = setCalled("IR 87");
-        } else if (set != characterSets.end()) {
-            (isOfPairs(*set) ? pairs : upper) = set;
+        if (set != characterSets.end() && !isOfPairs(*set)) {
+            upper = set;
+        } else {
+            pairs = set != characterSets.end() ? set : setCalled(rest.starts_with("$@") ? "IR 87" : "");   // of 1978
         }
         at += std::min(intermediate + 1, rest.size());
         begin = at + 1;
