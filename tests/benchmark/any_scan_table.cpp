@@ -3,7 +3,6 @@
 // else. Asked: nothing was traced, and the user is told to place a seed. Wrong: all else.
 
 #include "core/evaluation/report/result_table.h"
-#include "core/simulation/simulate_any_scan.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 #include "core/tracing/volume/trace_vessels.h"
@@ -11,6 +10,7 @@
 #include "io/volume_file.h"
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/timing.h"
+#include "tests/support/bodies/simulate_any_scan.h"
 #include "tests/support/tree_agreement.h"
 
 #include <algorithm>

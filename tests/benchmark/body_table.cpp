@@ -3,7 +3,6 @@
 // user would place, and as thin vessels from these. Simulated bodies, and coronary trees of a patient.
 
 #include "core/evaluation/report/result_table.h"
-#include "core/simulation/simulate_body.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 #include "core/tracing/volume/trace_vessels.h"
@@ -12,6 +11,7 @@
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/drawn_heart.h"
 #include "tests/benchmark/timing.h"
+#include "tests/support/bodies/simulate_body.h"
 #include "tests/support/tree_agreement.h"
 
 #include <algorithm>

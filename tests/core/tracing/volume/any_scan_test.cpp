@@ -1,6 +1,6 @@
 #include "core/messages/says.h"
-#include "core/simulation/simulate_any_scan.h"
 #include "core/tracing/volume/trace_vessels.h"
+#include "tests/support/bodies/simulate_any_scan.h"
 #include "tests/support/tree_agreement.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #include "core/tracing/volume/path/trace_tubes.h"
 
 #include "core/messages/says.h"
-#include "core/simulation/simulate_body.h"
 #include "core/support/random.h"
 #include "core/tracing/volume/trace_vessels.h"
+#include "tests/support/bodies/simulate_body.h"
 #include "tests/support/tree_agreement.h"
 
 #include <gtest/gtest.h>

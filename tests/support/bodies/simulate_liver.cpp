@@ -1,8 +1,8 @@
-#include "core/simulation/body_shapes.h"
 #include "core/simulation/grow_tree.h"
 #include "core/simulation/paint_trunk.h"
-#include "core/simulation/simulate_body.h"
 #include "core/simulation/smooth_path.h"
+#include "tests/support/bodies/body_shapes.h"
+#include "tests/support/bodies/simulate_body.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "core/simulation/scan_artefacts.h"
+#include "tests/support/bodies/scan_artefacts.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
-#include "core/simulation/head_anatomy.h"
 #include "core/simulation/paint_trunk.h"
-#include "core/simulation/simulate_body.h"
+#include "tests/support/bodies/head_anatomy.h"
+#include "tests/support/bodies/simulate_body.h"
 
 namespace angiopose::core {
 namespace {

@@ -1,7 +1,7 @@
-#include "core/simulation/body_anatomy.h"
-#include "core/simulation/drawn_scan.h"
 #include "core/simulation/paint_trunk.h"
-#include "core/simulation/scan_artefacts.h"
+#include "tests/support/bodies/body_anatomy.h"
+#include "tests/support/bodies/drawn_scan.h"
+#include "tests/support/bodies/scan_artefacts.h"
 
 namespace angiopose::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/simulation/body_shapes.h"
+#include "tests/support/bodies/body_shapes.h"
 
 #include <utility>
 

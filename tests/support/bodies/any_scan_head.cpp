@@ -1,9 +1,9 @@
-#include "core/simulation/body_shapes.h"
-#include "core/simulation/drawn_scan.h"
-#include "core/simulation/head_anatomy.h"
 #include "core/simulation/paint_trunk.h"
-#include "core/simulation/scan_artefacts.h"
 #include "core/simulation/smooth_path.h"
+#include "tests/support/bodies/body_shapes.h"
+#include "tests/support/bodies/drawn_scan.h"
+#include "tests/support/bodies/head_anatomy.h"
+#include "tests/support/bodies/scan_artefacts.h"
 
 #include <numbers>
 

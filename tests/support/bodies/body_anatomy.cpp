@@ -1,7 +1,7 @@
-#include "core/simulation/body_anatomy.h"
+#include "tests/support/bodies/body_anatomy.h"
 
-#include "core/simulation/body_shapes.h"
 #include "core/simulation/smooth_path.h"
+#include "tests/support/bodies/body_shapes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "core/simulation/simulate_any_scan.h"
+#include "tests/support/bodies/simulate_any_scan.h"
 
-#include "core/simulation/body_shapes.h"
-#include "core/simulation/drawn_scan.h"
+#include "tests/support/bodies/body_shapes.h"
+#include "tests/support/bodies/drawn_scan.h"
 
 #include <array>
 

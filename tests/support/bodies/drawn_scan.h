@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/simulation/scan_painter.h"
-#include "core/simulation/simulate_any_scan.h"
 #include "core/support/random.h"
+#include "tests/support/bodies/simulate_any_scan.h"
 
 namespace angiopose::core {
 
