@@ -1,6 +1,4 @@
-#include "app/preferences/key_choice.h"
-#include "app/preferences/language_choice.h"
-#include "app/preferences/theme_choice.h"
+#include "app/preferences/applied_choices.h"
 #include "app/start/start_words.h"
 #include "app/start/write_report.h"
 #include "app/window_host.h"

@@ -1,7 +1,6 @@
 #include "io/measurement_table.h"
 
 #include "core/measuring/measure_image.h"
-#include "core/measuring/measure_slice.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
 #include "io/support/measurement_words.h"

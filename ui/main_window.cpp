@@ -1,7 +1,7 @@
 #include "ui/main_window.h"
 
+#include "ui/controls/number_field.h"
 #include "ui/controls/screen_room.h"
-#include "ui/controls/wheel_guard.h"
 #include "ui/places/folding_column.h"
 #include "ui/places/side_by_side.h"
 #include "ui/places/view_frame.h"

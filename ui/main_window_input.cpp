@@ -1,6 +1,6 @@
 #include "ui/main_window.h"
 
-#include "ui/places/view_window.h"
+#include "ui/places/view_frame.h"
 #include "ui/slices/slice_view.h"
 #include "ui/views/angiogram_view.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/archive/archive_words.h"
 #include "io/archive/store/cache.h"
-#include "ui/archive/cache_line.h"
+#include "ui/archive/receive_line.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/words/message_text.h"

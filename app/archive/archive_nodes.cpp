@@ -2,10 +2,12 @@
 
 #include "app/archive/archive_habits.h"
 #include "app/archive/archive_words.h"
+#include "app/archive/network_wait.h"
 #include "ui/archive/node_bar.h"
 #include "ui/archive/node_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/dialogs/message_dialog.h"
+#include "ui/words/language.h"
 #include "ui/words/message_text.h"
 
 #include <algorithm>
@@ -30,6 +32,41 @@ void putNode(std::vector<io::ArchiveNode>& nodes, const io::ArchiveNode& node, c
 }
 
 }   // namespace
+
+ArchiveEcho::ArchiveEcho(ui::TransferLine& line, QObject* parent)
+    : QObject(parent),
+      line_(line),
+      job_({[this](const core::Messages& notes) { tell(notes); },
+            [this](const core::Error& error) { line_.showProblem(ui::messageText(error.message)); }})
+{
+    connect(&line_, &ui::TransferLine::stopRequested, this, [this] {
+        if (job_.isRunning()) {
+            job_.drop();   // what hangs is not waited for
+            line_.showHint(tr("Stopped."));
+        }
+    });
+}
+
+void ArchiveEcho::ask(const io::ArchiveNode& node)
+{
+    name_ = QString::fromStdString(node.name);
+    line_.showBusy(tr("Asking %1 …").arg(name_));
+    job_.start([node](JobLink<double>& link) -> core::Result<core::Messages> {
+        const NetworkWait waiting;
+        const auto answered = io::echoArchive(node, io::ArchiveWay::Usual,
+                                              [&link](const io::ArchiveProgress&) { return link.verdict(); });
+        return answered ? core::Result<core::Messages>(io::connectionNotes(node)) : answered.error();
+    });
+}
+
+void ArchiveEcho::tell(const core::Messages& notes)
+{
+    QStringList words{tr("%1 answers, and lets this program in.").arg(name_)};
+    if (!notes.empty()) {
+        words << ui::messagesText(notes);
+    }
+    line_.showDone(ui::joinedSentences(words));
+}
 
 ArchiveNodes::ArchiveNodes(ArchiveList& list, const Ui& ui, QObject* parent)
     : QObject(parent), list_(list), ui_(ui), echo_(ui.line)

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "app/archive/archive_echo.h"
 #include "app/archive/archive_list.h"
+#include "app/jobs/job.h"
+#include "io/archive/archive.h"
 
 #include <QObject>
 #include <QPointer>
@@ -9,10 +10,27 @@
 namespace angiopose::ui {
 class NodeBar;
 class NodeDialog;
+class TransferLine;
 struct ArchiveEntry;
 }   // namespace angiopose::ui
 
 namespace angiopose::app {
+
+/// Asks an archive whether it answers, and says so in a line.
+class ArchiveEcho : public QObject {
+    Q_OBJECT
+public:
+    explicit ArchiveEcho(ui::TransferLine& line, QObject* parent = nullptr);
+
+    void ask(const io::ArchiveNode& node);
+
+private:
+    void tell(const core::Messages& notes);
+
+    ui::TransferLine& line_;
+    QString name_;
+    Job<core::Messages> job_;
+};
 
 /// The list of archives in a dialog: chosen, tested, added, edited, removed.
 class ArchiveNodes : public QObject {

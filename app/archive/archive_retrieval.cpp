@@ -2,8 +2,8 @@
 
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
-#include "app/preferences/audit_path.h"
-#include "io/sharing/audit_batch.h"
+#include "app/preferences/save_folder.h"
+#include "io/sharing/audit_file.h"
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/words/language.h"

@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/texts/number_text.h"
 #include "core/messages/says.h"
-#include "core/viewing/turned_gantry.h"
+#include "core/viewing/angle_map.h"
 #include "io/angle_map_table.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "app/cli/add_warnings.h"
 #include "app/cli/archive_arguments.h"
 #include "app/cli/audit_hook.h"
-#include "io/sharing/audit_batch.h"
+#include "io/sharing/audit_file.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include "app/cli/case_input.h"
 #include "app/messages/says.h"
 #include "app/messages/says_exchange.h"
-#include "core/exchange/xreg_camera.h"
+#include "core/exchange/projection_matrix.h"
 #include "io/camera_pose_file.h"
 #include "io/case_points.h"
 #include "io/fiducial_file.h"

@@ -5,7 +5,7 @@
 #include "ui/actions/window_actions.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
-#include "ui/words/method_words.h"
+#include "ui/words/terms.h"
 
 #include <set>
 

@@ -5,8 +5,8 @@
 #include "core/support/quantile.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"
-#include "ui/words/method_words.h"
 #include "ui/words/number.h"
+#include "ui/words/terms.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "app/editing/slice_measure_controller.h"
 
 #include "app/words/measure_words.h"
-#include "core/measuring/measure_slice.h"
+#include "core/measuring/measure_image.h"
 #include "ui/slices/corner_views.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/slices_page.h"

@@ -1,6 +1,5 @@
 #include "app/files/audit_controller.h"
 
-#include "app/preferences/audit_path.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "ui/words/message_text.h"

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "app/document/case_document.h"
 #include "app/jobs/job.h"
 #include "io/deidentify_files.h"
 #include "ui/dialogs/deidentify_dialog.h"
 
 #include <QObject>
 #include <QPointer>
+#include <QStringList>
 
 class QWidget;
 
@@ -46,6 +48,31 @@ private:
     QPointer<ui::DeidentifyDialog> dialog_;
     QString output_;   ///< of what is under way
     Job<io::DeidentifiedFiles> job_;
+};
+
+/// The case with its inputs in one archive, as it stands: asked for, then written by a worker with progress and Stop.
+class PackController : public QObject {
+    Q_OBJECT
+public:
+    PackController(CaseDocument& document, ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
+
+    void ask();
+    void write(const ui::PackChoice& choice, const QString& path);   ///< returns at once
+    bool isRunning() const { return job_.isRunning(); }
+
+signals:
+    void stopped();
+    void written(const QString& path, const QStringList& notes);
+    void failed(const QString& reason);
+
+private:
+    void askPath(const ui::PackChoice& choice);
+
+    CaseDocument& document_;
+    ui::BottomStrip& strip_;
+    QWidget& dialogParent_;
+    QString archive_;   ///< that is being written
+    Job<QStringList> job_;   ///< the notes on it
 };
 
 }   // namespace angiopose::app

@@ -4,7 +4,7 @@
 #include "app/jobs/file_queue.h"
 #include "app/registration/target_provider.h"
 #include "app/texts/dicom_export.h"
-#include "ui/dialogs/dicom_dialog.h"
+#include "ui/dialogs/export_dialog.h"
 
 #include <QObject>
 #include <QStringList>

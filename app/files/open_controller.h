@@ -2,7 +2,6 @@
 
 #include "app/document/case_document.h"
 #include "app/files/opening.h"
-#include "app/files/pose_arrival.h"
 #include "app/jobs/load_job.h"
 
 #include <QObject>

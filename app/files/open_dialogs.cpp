@@ -1,6 +1,5 @@
 #include "app/files/open_dialogs.h"
 
-#include "app/files/open_filters.h"
 #include "app/files/sample_case.h"
 #include "app/files/series_rows.h"
 #include "app/preferences/settings.h"
@@ -13,8 +12,8 @@
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,6 +22,11 @@
 
 namespace angiopose::app {
 namespace {
+
+/// The words of this file.
+struct KindWords {
+    Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
+};
 
 struct LengthUnit {
     const char* name;
@@ -52,6 +56,21 @@ std::vector<LengthUnit> unitsFor(double unitsAcross)
 }
 
 }   // namespace
+
+QStringList openFilters()
+{
+    const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
+    const QString all = QStringLiteral(
+        "*.angiopose *.vtp *.vtk *.csv *.swc *.json *.dcm *.png *.tif *.tiff *.jpg *.jpeg "
+        "*.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv ");
+    return {KindWords::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
+            KindWords::tr("Cases (*.angiopose)"),
+            KindWords::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
+            KindWords::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
+            KindWords::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
+            KindWords::tr("Poses and points (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)"),
+            KindWords::tr("All files (*)")};
+}
 
 OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notices& notices,
                          const Ui& ui, QObject* parent)

@@ -5,9 +5,11 @@
 #include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
 #include "core/case/case_views.h"
+#include "core/vessel/place_on_tree.h"
 #include "io/opening/assemble_case.h"
 #include "io/opening/view_from_inputs.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -45,6 +47,58 @@ QStringList addView(CaseDocument& document, const core::Case& wanted, const Open
         document, ChangeViews::valuesOf(wanted),
         [names = namesOf(opening.paths)] { return OpenController::tr("Add view %1").arg(names); }));
     return notes + QStringList{OpenController::tr("View added: a click in the strip above the image shows it.")};
+}
+
+constexpr double farFromVesselsMm = 50.0;
+
+/// The camera of the file, of the size of the image where it does not say one.
+core::ProjectionCamera arrivingCamera(const core::View& view, core::ProjectionCamera camera)
+{
+    camera.width = view.angiogram->width();
+    camera.height = view.angiogram->height();
+    return camera;
+}
+
+QString whyCameraDoesNotFit(const core::View& view, const core::ProjectionCamera& camera)
+{
+    const int width = view.angiogram->width(), height = view.angiogram->height();
+    if (!io::fitsImage(camera, width, height)) {
+        return OpenController::tr(
+                   "The pose is of an image of %1 × %2 px, the angiogram has %3 × %4. Open the pose of "
+                   "this image.")
+            .arg(camera.width)
+            .arg(camera.height)
+            .arg(width)
+            .arg(height);
+    }
+    const auto own = core::cameraOf(view);
+    if (own && (own.value().fx < 0.0) != (camera.fx < 0.0)) {
+        return OpenController::tr(
+            "The camera of the pose is mirrored against the angiogram: one is seen from the "
+            "detector, the other from the source. Mirror the image, or say so in the geometry.");
+    }
+    return {};
+}
+
+bool liesBehindSource(const core::Case& open, const core::RigidTransform& pose)
+{
+    return (pose * core::centroidInPatient(*open.vessels.tree)).z() < core::minProjectableDepthMm;
+}
+
+/// Of a result: what it was found with, where the case is known to have something else.
+QStringList notesOnInputs(const core::Case& open, const io::PoseWithCamera& pose)
+{
+    const auto differ = [](const std::string& theirs, const std::string& ours) {
+        return !theirs.empty() && !ours.empty() && theirs != ours;
+    };
+    QStringList notes;
+    if (differ(pose.vesselSha256, open.vessels.file.sha256)) {
+        notes << OpenController::tr("The pose was found with other vessels than these.");
+    }
+    if (differ(pose.imageSha256, open.shown().imageFile.sha256)) {
+        notes << OpenController::tr("The pose was found in another angiogram than this.");
+    }
+    return notes;
 }
 
 }   // namespace
@@ -89,6 +143,76 @@ core::Result<QStringList> takeIn(CaseDocument& document, const Opening& opening)
             break;
     }
     return joinCase(document, wanted.value(), opening);
+}
+
+PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose)
+{
+    PoseFit fit;
+    const core::View& view = open.shown();
+    if (!open.vessels.tree || !view.angiogram) {
+        fit.refusal =
+            OpenController::tr("A pose belongs to a case. Open vessels and an angiogram first, then the pose.");
+        return fit;
+    }
+    if (liesBehindSource(open, pose.cameraFromPatient)) {
+        fit.refusal = OpenController::tr(
+            "At this pose the vessels lie behind the X-ray source. It may be of another "
+            "patient, or lead from camera to patient: then invert it.");
+        return fit;
+    }
+    if (pose.camera) {
+        fit.refusal = whyCameraDoesNotFit(view, *pose.camera);
+        const auto own = core::cameraOf(view);
+        fit.isOtherCamera = own && !io::isSameCamera(own.value(), arrivingCamera(view, *pose.camera));
+    }
+    fit.notes = notesOnInputs(open, pose);
+    return fit;
+}
+
+QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name)
+{
+    const core::View& view = document.current().shown();
+    QStringList notes = poseFit(document.current(), pose).notes;
+    core::ViewGeometry geometry = view.geometry;
+    const bool isMissing = !core::cameraOf(view);
+    if (pose.camera && (camera == ArrivingCamera::OfPose || isMissing)) {
+        geometry.cameraOverride = arrivingCamera(view, *pose.camera);
+        notes << OpenController::tr("The camera of the pose counts now. The geometry panel takes it back.");
+    }
+    document.push(std::make_unique<ChangeGeometry>(
+        document, ChangeGeometry::Values{std::move(geometry), pose.cameraFromPatient, std::nullopt, {}},
+        [name] { return OpenController::tr("Open pose %1").arg(name); }));
+    return notes;
+}
+
+core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
+                                     const QString& name)
+{
+    const core::Case& open = document.current();
+    if (!open.vessels.tree) {
+        return core::Error(core::Message::verbatim(
+            OpenController::tr("Points belong to vessels. Open those first, then the points.").toStdString()));
+    }
+    std::vector<core::VesselMark> marks = open.vessels.marks;
+    bool isNear = false;
+    for (const io::Fiducial& point : points) {
+        core::VesselMark mark;
+        mark.id = core::nextMarkId(marks);
+        mark.name = point.name.empty() ? std::to_string(mark.id) : point.name;
+        mark.pointInPatient = point.pointInPatient;
+        marks.push_back(std::move(mark));
+        const auto nearest = core::nearestOnTree(*open.vessels.tree, point.pointInPatient);
+        isNear = isNear || (nearest && (*nearest - point.pointInPatient).norm() < farFromVesselsMm);
+    }
+    QStringList notes{OpenController::tr("Check points added: %1.").arg(points.size())};
+    if (!isNear) {
+        notes << OpenController::tr(
+            "None of them lies near the vessels. They may be of another patient, or in other "
+            "coordinates.");
+    }
+    document.push(std::make_unique<ChangeMarks>(document, ChangeMarks::Values{std::move(marks)},
+                                                [name] { return OpenController::tr("Open points %1").arg(name); }));
+    return notes;
 }
 
 }   // namespace angiopose::app

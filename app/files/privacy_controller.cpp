@@ -1,6 +1,6 @@
 #include "app/files/privacy_controller.h"
 
-#include "app/files/case_pictures.h"
+#include "app/files/recent_cases.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"

@@ -1,15 +1,61 @@
 #include "app/files/recent_cases.h"
 
-#include "app/files/case_pictures.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
+#include "app/texts/overlay_picture.h"
+#include "core/support/quantile.h"
+#include "core/tracing/angiogram/frame/burned_in_text.h"
+#include "io/image_file.h"
 
+#include <QCryptographicHash>
+#include <QDir>
 #include <QFileInfo>
-
+#include <QStandardPaths>
 #include <algorithm>
+#include <filesystem>
 
 namespace angiopose::app {
 namespace {
+
+QString folderName()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/cases");
+}
+
+/// The name tells nothing about the case.
+QString pictureName(const QString& casePath)
+{
+    const QByteArray path = QFileInfo(casePath).absoluteFilePath().toUtf8();
+    return QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(32)) +
+           QStringLiteral(".png");
+}
+
+/// The frame alone, in one grey where letters were drawn into it.
+std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run, int frame)
+{
+    core::Angiogram shown;
+    shown.polarity = run.polarity;
+    shown.cArm = run.cArm;
+    shown.frames = {run.frames[static_cast<std::size_t>(frame)]};
+    core::ImageF& picture = shown.frames.front();
+    const core::Mask2d letters = core::burnedInText(picture, core::tellingLetterShare);
+    const auto grey =
+        static_cast<float>(core::quantile(std::vector<double>(picture.pixels.begin(), picture.pixels.end()), 0.5));
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        picture.pixels[i] = letters.pixels[i] != 0 ? grey : picture.pixels[i];
+    }
+    return std::make_shared<const core::Angiogram>(std::move(shown));
+}
+
+/// The picture takes the time of its case: another case at the same path, as on another stick, has another one.
+void markAsOf(const std::string& picturePath, const std::string& casePath)
+{
+    std::error_code failed;
+    const auto time = std::filesystem::last_write_time(casePath, failed);
+    if (!failed) {
+        std::filesystem::last_write_time(picturePath, time, failed);   // else it is not shown
+    }
+}
 
 constexpr qsizetype keptCases = 30;   // beside the pinned ones
 
@@ -22,6 +68,51 @@ void store(const QStringList& cases)
 }
 
 }   // namespace
+
+QString casePicturePath(const QString& casePath)
+{
+    return folderName() + QLatin1Char('/') + pictureName(casePath);
+}
+
+bool storeCasePicture(const core::Case& theCase, const QString& casePath)
+{
+    const auto& run = theCase.shown().angiogram;
+    const int frame = theCase.shown().frame;
+    if (!run || frame < 0 || frame >= run->frameCount()) {
+        return false;
+    }
+    core::Case pictured = theCase;
+    pictured.shown().angiogram = withoutLetters(*run, frame);
+    pictured.shown().frame = 0;
+    const auto picture = drawThumbnail(pictured, casePictureWidthPx);
+    if (!picture || !QDir().mkpath(folderName())) {
+        return false;
+    }
+    QFile::setPermissions(folderName(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    const std::string path = casePicturePath(casePath).toStdString();
+    const bool isWritten = static_cast<bool>(io::writePng(picture.value(), path));
+    markAsOf(path, casePath.toStdString());
+    return isWritten;
+}
+
+QImage casePicture(const QString& casePath)
+{
+    return QImage(casePicturePath(casePath));
+}
+
+void keepCasePictures(const QStringList& casePaths)
+{
+    QStringList kept;
+    for (const QString& path : casePaths) {
+        kept << pictureName(path);
+    }
+    QDir folder(folderName());
+    for (const QString& name : folder.entryList({QStringLiteral("*.png")}, QDir::Files)) {
+        if (!kept.contains(name)) {
+            folder.remove(name);
+        }
+    }
+}
 
 QStringList recentCases()
 {

@@ -1,6 +1,5 @@
 #include "app/files/save_controller.h"
 
-#include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"

@@ -8,7 +8,6 @@
 #include "app/files/export_controller.h"
 #include "app/files/open_controller.h"
 #include "app/files/open_dialogs.h"
-#include "app/files/pack_controller.h"
 #include "app/files/privacy_controller.h"
 #include "app/files/recent_controller.h"
 #include "app/files/report_controller.h"

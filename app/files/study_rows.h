@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/study/study_tree.h"
-#include "ui/dialogs/study_rows.h"
+#include "ui/dialogs/study_list.h"
 
 #include <QString>
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "app/habits/color_controller.h"
 #include "app/habits/language_controller.h"
 #include "app/habits/menu_controller.h"
-#include "app/habits/mouse_controller.h"
-#include "app/habits/picture_controller.h"
 #include "app/habits/shortcut_controller.h"
 
 namespace angiopose::app {

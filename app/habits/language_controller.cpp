@@ -1,16 +1,41 @@
 #include "app/habits/language_controller.h"
 
-#include "app/preferences/language_choice.h"
+#include "app/preferences/applied_choices.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
+#include "ui/theme/active_theme.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/views/tree_view.h"
 #include "ui/words/spoken.h"
 
 #include <QDialog>
-
+#include <algorithm>
 #include <array>
 #include <utility>
 
 namespace angiopose::app {
+namespace {
+
+struct ColorChoice {
+    ui::Command command;
+    const char* name;
+    ui::ColorScheme scheme;
+};
+
+constexpr std::array colorChoices{
+    ColorChoice{ui::Command::ColorsBlueAmber, "blue-amber", ui::ColorScheme::BlueAmber},
+    ColorChoice{ui::Command::ColorsBlueRed, "blue-red", ui::ColorScheme::BlueRed},
+    ColorChoice{ui::Command::ColorsBrightness, "brightness", ui::ColorScheme::Brightness}};
+
+const ColorChoice& chosenColors()
+{
+    const QString name = settings::colors.read();
+    const auto* found = std::ranges::find_if(
+        colorChoices, [&name](const ColorChoice& choice) { return name == QLatin1String(choice.name); });
+    return found == colorChoices.end() ? colorChoices.front() : *found;
+}
+
+}   // namespace
 
 LanguageController::LanguageController(ui::WindowActions& actions, QWidget& window, QObject* parent)
     : QObject(parent), window_(window)
@@ -37,6 +62,36 @@ void LanguageController::choose(const QString& code)
     }
     applyChosenLanguage();
     ui::speakAgain();
+}
+
+void applyChosenColors()
+{
+    ui::setColorScheme(chosenColors().scheme);
+}
+
+ColorController::ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView,
+                                 QWidget& window, QObject* parent)
+    : QObject(parent), view_(view), treeView_(treeView), window_(window)
+{
+    for (const ColorChoice& choice : colorChoices) {
+        connect(actions[choice.command], &QAction::triggered, this, [this, &choice] {
+            settings::colors.write(QString::fromLatin1(choice.name));
+            apply(choice.scheme);
+        });
+    }
+    actions[chosenColors().command]->setChecked(true);
+    apply(chosenColors().scheme);
+}
+
+void ColorController::apply(ui::ColorScheme scheme)
+{
+    ui::setColorScheme(scheme);
+    view_.scene().recolor();
+    view_.redraw();
+    treeView_.setTheme(ui::activeTheme());
+    for (QWidget* part : window_.findChildren<QWidget*>()) {
+        part->update();
+    }
 }
 
 }   // namespace angiopose::app

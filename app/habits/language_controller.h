@@ -5,7 +5,10 @@
 class QWidget;
 
 namespace angiopose::ui {
+class AngiogramView;
+class TreeView;
 class WindowActions;
+enum class ColorScheme;
 }   // namespace angiopose::ui
 
 namespace angiopose::app {
@@ -19,6 +22,24 @@ public:
 private:
     void choose(const QString& code);
 
+    QWidget& window_;
+};
+
+/// Vessels and residuals take the colours that the user chose; for pictures that are drawn without a window.
+void applyChosenColors();
+
+/// The menu of colours for vessels and residuals, each readable with any colour vision.
+class ColorController : public QObject {
+    Q_OBJECT
+public:
+    ColorController(ui::WindowActions& actions, ui::AngiogramView& view, ui::TreeView& treeView, QWidget& window,
+                    QObject* parent = nullptr);
+
+private:
+    void apply(ui::ColorScheme scheme);
+
+    ui::AngiogramView& view_;
+    ui::TreeView& treeView_;
     QWidget& window_;
 };
 

@@ -1,16 +1,16 @@
 #pragma once
 
 #include <QObject>
-
 #include <optional>
 
 class QMenu;
+class QPixmap;
 class QPoint;
-
 class QWidget;
 
 namespace angiopose::ui {
 class AngiogramView;
+class BottomStrip;
 class TreeView;
 class WindowActions;
 }   // namespace angiopose::ui
@@ -34,6 +34,21 @@ private:
     BranchController& branches_;
     ui::WindowActions& actions_;
     QWidget& menuParent_;
+};
+
+/// Pictures of the whole window, as it is: to the clipboard, or into a file.
+class PictureController : public QObject {
+    Q_OBJECT
+public:
+    PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window, QObject* parent = nullptr);
+
+private:
+    void copy();
+    void askFile();
+    void askFileFor(const QPixmap& picture);   ///< in an event of its own: either takes most of what one may take
+
+    ui::BottomStrip& strip_;
+    QWidget& window_;
 };
 
 }   // namespace angiopose::app

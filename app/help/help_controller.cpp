@@ -3,7 +3,6 @@
 #include "app/help/fit_examples.h"
 #include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
-#include "ui/dialogs/message_history.h"
 #include "ui/help/help_page.h"
 #include "ui/help/tour.h"
 #include "ui/main_window.h"

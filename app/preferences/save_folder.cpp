@@ -1,6 +1,7 @@
 #include "app/preferences/save_folder.h"
 
 #include "app/preferences/settings.h"
+#include "io/sharing/audit_file.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -44,6 +45,12 @@ QString suggestedPath(const QString& casePath, const QString& name)
 void rememberSaveFolder(const QString& writtenPath)
 {
     settings::saveFolder.write(QFileInfo(writtenPath).absolutePath());
+}
+
+QString auditPath()
+{
+    const std::string forced = io::auditFileOfEnvironment();
+    return forced.empty() ? settings::auditFile.read() : QString::fromStdString(forced);
 }
 
 }   // namespace angiopose::app

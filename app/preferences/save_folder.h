@@ -13,4 +13,7 @@ QString suggestedPath(const QString& casePath, const QString& name);
 
 void rememberSaveFolder(const QString& writtenPath);
 
+/// The audit file that is wished, by the environment or in the menu; empty: none.
+QString auditPath();
+
 }   // namespace angiopose::app

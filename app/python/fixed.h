@@ -1,9 +1,147 @@
 #pragma once
 
-#include "app/python/arrays.h"
+#include "angiopose/angiogram.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 // What objects give away as copies cannot be changed in Python: a change would be lost without a word.
+
 namespace angiopose::python {
+
+namespace py = pybind11;
+
+/// A path as Python gives it: str, bytes or os.PathLike.
+using Path = std::filesystem::path;
+
+/// Arrays as C has them, of the asked type; others are converted.
+template <class T>
+using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
+
+/// Values that `owner` holds, seen from Python without a copy; read only, as copies of C++ objects share them.
+template <class T>
+py::array viewOf(const T* values, const std::vector<py::ssize_t>& shape, const py::handle& owner)
+{
+    py::array view(py::dtype::of<T>(), shape, values, owner);
+    view.attr("flags").attr("writeable") = false;
+    return view;
+}
+
+template <class T>
+py::array viewOf(const std::vector<T>& values, const py::handle& owner)
+{
+    return viewOf(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
+}
+
+/// Points as rows.
+template <int Columns>
+py::array viewOf(const std::vector<Eigen::Matrix<double, Columns, 1>>& points, const py::handle& owner)
+{
+    const double* first = points.empty() ? nullptr : points.front().data();
+    return viewOf(first, {static_cast<py::ssize_t>(points.size()), Columns}, owner);
+}
+
+template <class T>
+py::array viewOf(const Image2d<T>& image, const py::handle& owner)
+{
+    return viewOf(image.pixels.data(), {image.height, image.width}, owner);
+}
+
+inline void checkShape(bool isRight, const char* name, const char* shape)
+{
+    if (!isRight) {
+        throw py::value_error(std::string(name) + " must be an array of shape " + shape);
+    }
+}
+
+template <int Columns>
+std::vector<Eigen::Matrix<double, Columns, 1>> pointsOf(const Array<double>& rows, const char* name)
+{
+    if (rows.size() == 0) {
+        return {};
+    }
+    checkShape(rows.ndim() == 2 && rows.shape(1) == Columns, name, Columns == 3 ? "(N, 3)" : "(M, 2)");
+    std::vector<Eigen::Matrix<double, Columns, 1>> points;
+    points.reserve(static_cast<std::size_t>(rows.shape(0)));
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        points.emplace_back(rows.data(i, 0));
+    }
+    return points;
+}
+
+/// Whole numbers of any type as T. Fractions and numbers that T does not hold are refused, as they would change.
+template <class T>
+Array<T> wholeNumbers(const py::object& given, const char* name)
+{
+    const auto any = py::array::ensure(given);
+    if (!any) {
+        throw py::error_already_set();
+    }
+    if (any.size() > 0 && !py::isinstance<py::array_t<T>>(any)) {
+        if (std::string_view("iub").find(any.dtype().kind()) == std::string_view::npos) {
+            throw py::value_error(std::string(name) + " must be whole numbers");
+        }
+        const py::int_ low(any.attr("min")());
+        const py::int_ high(any.attr("max")());
+        if (low < py::int_(std::numeric_limits<T>::min()) || high > py::int_(std::numeric_limits<T>::max())) {
+            throw py::value_error(std::string(name) + " holds numbers that are too large");
+        }
+    }
+    return Array<T>::ensure(any);
+}
+
+/// One row per point.
+inline void checkRows(std::size_t rows, std::size_t points, const char* name)
+{
+    if (rows != points) {
+        throw py::value_error(std::string(name) + " has " + std::to_string(rows) + " rows, but there are " +
+                              std::to_string(points) + " points");
+    }
+}
+
+/// … or none at all.
+inline void checkOptionalRows(std::size_t rows, std::size_t points, const char* name)
+{
+    if (rows != 0) {
+        checkRows(rows, points, name);
+    }
+}
+
+/// One number per row.
+template <class T>
+std::vector<T> valuesOf(const Array<T>& array, const char* name)
+{
+    checkShape(array.ndim() == 1, name, "(N,)");
+    return {array.data(), array.data() + array.size()};
+}
+
+/// … and none for None.
+template <class T>
+std::vector<T> valuesOf(const std::optional<Array<T>>& array, const char* name)
+{
+    return array ? valuesOf(*array, name) : std::vector<T>();
+}
+
+inline std::vector<int> idsOf(const py::object& ids, const char* name)
+{
+    return ids.is_none() ? std::vector<int>() : valuesOf(wholeNumbers<int>(ids, name), name);
+}
+
+inline Image imageOf(const Array<float>& rows, const char* name)
+{
+    checkShape(rows.ndim() == 2, name, "(height, width)");
+    return {static_cast<int>(rows.shape(1)), static_cast<int>(rows.shape(0)), {rows.data(), rows.data() + rows.size()}};
+}
 
 /// A T that belongs to another object: like T, but its attributes cannot be set. Copies of it can be changed.
 template <class T>

@@ -5,7 +5,7 @@
 #include "core/registration/methods/method_info.h"
 #include "core/support/utc_time.h"
 #include "ui/words/message_text.h"
-#include "ui/words/method_words.h"
+#include "ui/words/terms.h"
 
 namespace angiopose::app {
 

@@ -10,7 +10,6 @@
 #include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
-#include "ui/words/method_words.h"
 #include "ui/words/number.h"
 #include "ui/words/terms.h"
 

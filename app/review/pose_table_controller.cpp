@@ -8,7 +8,7 @@
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/words/message_text.h"
-#include "ui/words/method_words.h"
+#include "ui/words/terms.h"
 
 #include <algorithm>
 #include <utility>

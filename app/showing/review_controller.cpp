@@ -1,8 +1,8 @@
 #include "app/showing/review_controller.h"
 
 #include "app/document/edit_case.h"
+#include "app/preferences/applied_choices.h"
 #include "app/preferences/settings.h"
-#include "app/preferences/theme_choice.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/theme/active_theme.h"

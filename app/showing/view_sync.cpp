@@ -2,7 +2,7 @@
 
 #include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
-#include "app/words/corner_words.h"
+#include "app/words/view_words.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"

@@ -1,33 +1,44 @@
 #include "app/start/write_report.h"
 
-#include "app/habits/color_controller.h"
+#include "app/habits/language_controller.h"
 #include "app/messages/says_report.h"
-#include "app/preferences/audit_path.h"
-#include "app/preferences/language_choice.h"
+#include "app/preferences/applied_choices.h"
 #include "app/preferences/private_mode.h"
-#include "app/preferences/theme_choice.h"
+#include "app/preferences/save_folder.h"
 #include "app/report/case_report.h"
-#include "app/start/work_watch.h"
 #include "app/texts/printable_text.h"
-#include "app/words/corner_words.h"
 #include "app/words/snapshot_texts.h"
+#include "app/words/view_words.h"
 #include "core/case/registration_input.h"
 #include "core/support/utc_time.h"
 #include "core/workflow/register_case.h"
 #include "io/opening/open_case_with.h"
 #include "io/sharing/audit_file.h"
 #include "io/support/atomic_file.h"
+#include "io/support/system/own_process.h"
 #include "ui/words/language.h"
 
 #include <QApplication>
 #include <QFont>
 
+#include <atomic>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <utility>
 
 namespace angiopose::app {
 namespace {
+
+std::atomic<bool> stopWished{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler must not lock");
+int lastPercent = -1;
+
+extern "C" void onStopSignal(int signal)
+{
+    stopWished = true;
+    std::signal(signal, SIG_DFL);
+}
 
 // FORMATS §5.
 constexpr int exitWritten = 0;
@@ -180,6 +191,37 @@ int writeReportOf(const ReportWords& words)
 }
 
 }   // namespace
+
+void catchStops()
+{
+    std::signal(SIGINT, onStopSignal);
+    std::signal(SIGTERM, onStopSignal);
+}
+
+bool isStopWished()
+{
+    return stopWished;
+}
+
+core::Verdict watchWork(std::string_view stage, double fraction)
+{
+    static const bool isWatched = io::isTerminal(stderr);
+    const int percent = static_cast<int>(100.0 * fraction);
+    if (isWatched && percent != lastPercent) {
+        lastPercent = percent;
+        std::fprintf(stderr, "\r\x1b[K%.*s %3d %%", static_cast<int>(stage.size()), stage.data(), percent);
+        std::fflush(stderr);
+    }
+    return isStopWished() ? core::Verdict::Stop : core::Verdict::Continue;
+}
+
+void endWatch()
+{
+    if (lastPercent >= 0) {
+        std::fputs("\r\x1b[K", stderr);
+        lastPercent = -1;
+    }
+}
 
 int writeReport(int argc, char** argv, const ReportWords& words)
 {

@@ -2,8 +2,7 @@
 
 #include "app/messages/says.h"
 #include "app/messages/says_dicom.h"
-#include "app/texts/dicom_pictures.h"
-#include "app/texts/dicom_state.h"
+#include "app/texts/dicom_contents.h"
 #include "core/imaging/mark_ball.h"
 #include "io/dicom/objects/case_measurements.h"
 #include "io/dicom/objects/encapsulated_pdf.h"

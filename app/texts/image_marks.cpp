@@ -2,8 +2,61 @@
 
 #include "core/measuring/measure_image.h"
 
+#include <algorithm>
+
 namespace angiopose::app {
 namespace {
+
+constexpr std::size_t ringSteps = 72;
+
+std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ring, const core::Sight& sight)
+{
+    std::vector<Eigen::Vector2d> outline;
+    for (const Eigen::Vector3d& point : core::ringPoints(ring, ringSteps)) {
+        const auto pixel = core::project(sight.camera, sight.cameraFromPatient * point);
+        if (!pixel) {
+            return std::nullopt;
+        }
+        outline.push_back(*pixel);
+    }
+    return outline;
+}
+
+/// Where each is seen in the frame, a line to where it is drawn.
+void addSightings(std::vector<ui::ImageMark>& marks, const PlacedView& placed, int markId,
+                  const std::optional<Eigen::Vector2d>& drawnAt)
+{
+    for (const core::Sighting& seen : placed.theCase.views[placed.view].sightings) {
+        if (seen.markId != markId || seen.frame != placed.frame) {
+            continue;
+        }
+        if (drawnAt) {
+            marks.push_back({ui::MarkShape::Line, {*drawnAt, seen.pixel}, {}, false, ui::MarkTone::Place});
+        }
+        marks.push_back({ui::MarkShape::Cross, {seen.pixel}, {}, false, ui::MarkTone::Place});
+    }
+}
+
+std::string labelOf(const PlacedView& placed, const core::VesselMark& mark,
+                    const std::function<std::string(const core::Message&)>& toText,
+                    const std::vector<core::CheckedPoint>& checked)
+{
+    const auto found = std::ranges::find(checked, mark.id, [](const core::CheckedPoint& each) { return each.mark.id; });
+    const auto words = found == checked.end() ? std::nullopt : core::labelOf(*found, placed.view);
+    return words ? mark.name + (mark.name.empty() ? "" : ": ") + toText(*words) : mark.name;
+}
+
+void addAnnotations(std::vector<ui::ImageMark>& marks, const PlacedView& placed)
+{
+    const std::vector<core::ImageAnnotation>& all = placed.theCase.views[placed.view].annotations;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].frame == placed.frame) {
+            const bool isArrow = all[i].kind == core::AnnotationKind::Arrow;
+            marks.push_back({isArrow ? ui::MarkShape::Arrow : ui::MarkShape::Words, all[i].pixels, all[i].text,
+                             placed.chosenAnnotations.contains(static_cast<int>(i))});
+        }
+    }
+}
 
 ui::MarkShape shapeOfMark(core::MeasurementKind kind)
 {
@@ -19,6 +72,53 @@ ui::MarkShape shapeOfMark(core::MeasurementKind kind)
 }
 
 }   // namespace
+
+std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Vessels& vessels,
+                                         const core::RigidTransform& pose, VesselShape shape)
+{
+    std::vector<core::VesselMark> marks = vessels.marks;
+    if (marks.empty() || shape == VesselShape::Rigid || !drawableBend(view, vessels, pose)) {
+        return marks;
+    }
+    const core::VesselTree bent = drawnVessels(view, vessels, pose, shape).tree;
+    for (core::VesselMark& mark : marks) {
+        mark = core::movedWith(*vessels.tree, bent, std::move(mark));
+    }
+    return marks;
+}
+
+std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
+                                       const std::function<std::string(const core::Message&)>& toText)
+{
+    const core::View& view = placed.theCase.views[placed.view];
+    std::vector<ui::ImageMark> marks;
+    const auto camera = core::cameraOf(view);
+    if (camera && !placed.theCase.vessels.marks.empty()) {
+        const core::RigidTransform pose = placed.poseOf ? placed.poseOf(placed.view) : view.cameraFromPatient;
+        const auto checked =
+            placed.poseOf ? core::checkedPoints(placed.theCase, placed.poseOf) : core::checkedPoints(placed.theCase);
+        const auto drawn = drawnMarks(view, placed.theCase.vessels, pose, placed.shape);
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            const core::VesselMark& mark = drawn[i];
+            const bool isChosen = placed.chosenMarks.contains(static_cast<int>(i));
+            const auto at = core::project(camera.value(), pose * mark.pointInPatient);
+            const std::string label = labelOf(placed, mark, toText, checked);
+            if (mark.kind == core::VesselMarkKind::OstiumRing) {
+                if (auto outline = outlineOf(mark, {camera.value(), pose})) {
+                    marks.push_back(
+                        {ui::MarkShape::Outline, std::move(*outline), label, isChosen, ui::MarkTone::Place});
+                }
+                continue;
+            }
+            addSightings(marks, placed, mark.id, at);
+            if (at) {
+                marks.push_back({ui::MarkShape::Point, {*at}, label, isChosen, ui::MarkTone::Place});
+            }
+        }
+    }
+    addAnnotations(marks, placed);
+    return marks;
+}
 
 std::vector<ui::ImageMark> marksOf(const core::MeasuredView& seen, int frame,
                                    const std::function<std::string(const core::Message&)>& toText)

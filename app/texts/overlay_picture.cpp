@@ -6,7 +6,6 @@
 #include "app/texts/fit_words.h"
 #include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
-#include "app/texts/placed_marks.h"
 #include "core/case/case_patients.h"
 #include "core/case/start_pose.h"
 #include "core/evaluation/trial/branch_distances.h"

@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/editing/branch_controller.h"
 #include "app/jobs/job.h"
-#include "core/viewing/turned_gantry.h"
+#include "core/viewing/angle_map.h"
 #include "ui/dialogs/angle_dialog.h"
 
 #include <QObject>

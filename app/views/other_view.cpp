@@ -2,8 +2,8 @@
 
 #include "app/showing/seen_vessels.h"
 #include "app/texts/overlay_picture.h"
-#include "app/words/corner_words.h"
 #include "app/words/measure_words.h"
+#include "app/words/view_words.h"
 #include "core/case/registration_input.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "ui/places/view_pane.h"

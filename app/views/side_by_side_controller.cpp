@@ -7,7 +7,6 @@
 #include "ui/actions/key_hint.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/view_strip.h"
-#include "ui/places/pane_title.h"
 #include "ui/places/side_by_side.h"
 #include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"

@@ -1,8 +1,6 @@
 #include "app/words/measure_words.h"
 
-#include "app/texts/image_marks.h"
 #include "core/measuring/measure_image.h"
-#include "core/measuring/measure_slice.h"
 #include "core/messages/says.h"
 #include "ui/slices/slice_model.h"
 #include "ui/words/message_text.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/texts/placed_marks.h"
+#include "app/texts/image_marks.h"
 #include "core/imaging/slice_measurement.h"
 #include "core/measuring/image_scale.h"
 #include "ui/panels/measure_panel.h"

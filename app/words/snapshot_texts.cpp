@@ -2,8 +2,8 @@
 
 #include "app/preferences/private_mode.h"
 #include "core/support/utc_time.h"
-#include "ui/words/method_words.h"
-#include "ui/words/short_time.h"
+#include "ui/words/number.h"
+#include "ui/words/terms.h"
 
 namespace angiopose::app {
 

@@ -1,6 +1,8 @@
 #include "app/words/view_words.h"
 
 #include "app/texts/number_text.h"
+#include "ui/words/language.h"
+#include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
 #include <QFileInfo>
@@ -30,6 +32,14 @@ QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
     const QString title = view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
     const QString number = QString::number(place + 1);
     return title.isEmpty() ? number : number + QStringLiteral(" · ") + title;
+}
+
+ui::CornerTexts windowTexts(const CornerLines& lines)
+{
+    ui::CornerTexts texts =
+        textsOf(lines, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
+    texts.decimalSign = ui::languageLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
+    return texts;
 }
 
 }   // namespace angiopose::app

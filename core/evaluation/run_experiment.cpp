@@ -1,6 +1,6 @@
 #include "core/evaluation/run_experiment.h"
 
-#include "core/evaluation/trial/run_trial.h"
+#include "core/evaluation/trial/contestant.h"
 
 #include <algorithm>
 #include <atomic>

@@ -139,6 +139,8 @@ std::vector<AngleSuggestion> suggestions(const AngleMap& map, const AngleSearch&
     return apart;
 }
 
+const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // before and after the turn the same: it cancels
+
 }   // namespace
 
 Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options,
@@ -160,6 +162,31 @@ Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, c
     }
     map.best = suggestions(map, search);
     return map;
+}
+
+std::optional<GantryAngles> gantryAnglesOf(const View& view)
+{
+    const CArm cArm = cArmOfFrame(view);
+    if (!cArm.primaryAngleDeg.value || !cArm.secondaryAngleDeg.value) {
+        return {};
+    }
+    return GantryAngles{*cArm.primaryAngleDeg.value, *cArm.secondaryAngleDeg.value};
+}
+
+Result<PoseAtAngles> turningGantry(const View& view)
+{
+    const CArm now = cArmOfFrame(view);
+    const auto gantry = cameraFromPatient(now, anyIsocentre);
+    if (!gantry) {
+        return gantry.error();
+    }
+    const RigidTransform gantryFromVessels = gantry.value().inverse() * view.cameraFromPatient;
+    return PoseAtAngles([now, gantryFromVessels](const GantryAngles& angles) {
+        CArm turned = now;
+        turned.primaryAngleDeg.value = angles.primaryDeg;
+        turned.secondaryAngleDeg.value = angles.secondaryDeg;
+        return cameraFromPatient(turned, anyIsocentre).value() * gantryFromVessels;
+    });
 }
 
 }   // namespace angiopose::core

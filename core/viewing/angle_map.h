@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/case/view.h"
 #include "core/support/result.h"
 #include "core/support/verdict.h"
 #include "core/viewing/part_sight.h"
@@ -56,5 +57,12 @@ using PoseAtAngles = std::function<RigidTransform(const GantryAngles&)>;
 /// below half a degree.
 Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options = {},
                            const std::function<Verdict(double)>& observe = {});
+
+/// The angles of a view's gantry when its frame was taken; nothing where they are not known.
+std::optional<GantryAngles> gantryAnglesOf(const View& view);
+
+/// The vessels at their pose in the view, with the gantry turned to other angles about its isocentre. Fails where the
+/// view lacks angles or the distance from source to isocentre.
+Result<PoseAtAngles> turningGantry(const View& view);
 
 }   // namespace angiopose::core

@@ -1,7 +1,6 @@
 #include "io/archive/archive.h"
 
 #include "io/archive/dimse/dimse_send.h"
-#include "io/archive/dimse/dimse_source.h"
 #include "io/archive/dimse/find.h"
 #include "io/archive/store/cache.h"
 #include "io/archive/web/web_archive.h"

@@ -3,8 +3,8 @@
 #include "io/case/case_file.h"
 #include "io/file_hash.h"
 #include "io/messages/says_keeping.h"
+#include "io/support/case_lock.h"
 #include "io/support/file_error.h"
-#include "io/support/folder_turn.h"
 
 #include <filesystem>
 

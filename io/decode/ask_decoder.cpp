@@ -1,9 +1,9 @@
 #include "io/decode/ask_decoder.h"
 
-#include "io/decode/helper_program.h"
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/system/child_process.h"
+#include "io/support/system/own_process.h"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +109,22 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
     // Who talks on is killed.
     const bool isTooLong = ending == Ending::Silent && helper.waitForEnd() == ChildProcess::Ending::OutOfTime;
     return fileError(path, isTooLong ? says::decoderTooLong() : says::decoderDied());
+}
+
+std::string helperProgram(const std::string& name)
+{
+    namespace fs = std::filesystem;
+    // PREFIX/bin/angiopose, PREFIX/lib/libangiopose.so or PREFIX/lib/x86_64-linux-gnu/libangiopose.so.
+    const fs::path folder = ownBinary().parent_path();
+    for (const fs::path& prefix : {folder.parent_path(), folder.parent_path().parent_path()}) {
+        const fs::path candidate = prefix / ANGIOPOSE_HELPER_FOLDER / name;
+        if (!prefix.empty() && isExecutable(candidate)) {
+            return candidate;
+        }
+    }
+    // A package of the library alone keeps its own beside it.
+    const fs::path beside = folder / "angiopose" / name;
+    return isExecutable(beside) ? beside : fs::path(ANGIOPOSE_INSTALLED_HELPERS) / name;
 }
 
 }   // namespace angiopose::io

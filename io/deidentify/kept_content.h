@@ -1,7 +1,6 @@
 #pragma once
 
 #include "io/deidentify/identity_words.h"
-#include "io/deidentify/kept_terms.h"
 #include "io/dicom/dicom_dataset.h"
 
 #include <cstddef>
@@ -11,6 +10,23 @@
 #include <vector>
 
 namespace angiopose::io {
+
+/// Value, scheme and meaning of a coded term (PS3.3 8.8), as read.
+struct ReadTerm {
+    std::string value;
+    std::string scheme;
+    std::string meaning;
+};
+
+/// What a term becomes that goes to others.
+struct KeptTerm {
+    ReadTerm term;
+    bool isReplaced = false;   ///< by one that says it was taken out
+};
+
+/// Values stay where the scheme is a public one and they look as its values do; of units and of this program's own
+/// terms those that are known. Meanings are free words: the known ones stay, in place of others stands the value.
+KeptTerm keptTerm(const ReadTerm& term, const IdentityWords& words);
 
 /// What objects that are no images hold besides what describes images: segments, graphics, matrices, references, the
 /// tree of a report (PS3.15 E.3.6, clean structured content; E.3.3, clean graphics). Codes, numbers and structure stay,

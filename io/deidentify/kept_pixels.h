@@ -17,4 +17,8 @@ enum class DrawnLetters { Told, BlackedOut };
 core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLetters letters, DicomItem& to,
                         core::Messages& warnings);
 
+/// Stores the voxels of a segmentation in `to`, bit by bit, and no bit besides. Fails where they are compressed or not
+/// all there.
+core::Status copySegments(const DicomFile& file, const std::string& path, DicomItem& to);
+
 }   // namespace angiopose::io

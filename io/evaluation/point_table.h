@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/own/point_pair.h"
+#include "core/evaluation/own/judge_own.h"
 #include "core/support/result.h"
 
 #include <string>

@@ -2,7 +2,6 @@
 
 #include "io/messages/says.h"
 #include "io/movie/gif_palette.h"
-#include "io/movie/movie_clock.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 

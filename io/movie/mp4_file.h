@@ -8,6 +8,10 @@
 
 namespace angiopose::io {
 
+/// MP4 with one track of H.264; odd sizes get one column or row more. What is encoded stays in memory until `finish`.
+core::Result<std::unique_ptr<MovieWriter>> createMp4(const std::string& path, const MovieSize& size,
+                                                     const MovieFacts& facts);
+
 /// One picture in a track.
 struct Mp4Sample {
     std::size_t bytes = 0;

@@ -1,8 +1,12 @@
 #include "io/movie/planar_picture.h"
 
+#include "io/messages/says.h"
+
+#include <wels/codec_api.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace angiopose::io {
 namespace {
@@ -47,6 +51,88 @@ Rgb aroundPair(const core::ColorImage& picture, int x, int y)
     return sum;
 }
 
+constexpr int blockPx = 16;
+constexpr int mostBlocks = 36864;   // MAX_MBS_PER_FRAME of openh264
+constexpr int mostSideBlocks = 543;   // of H.264 level 5.2: √(8 · 36,864)
+constexpr int quality = 16;   // quantiser, 0 (best) … 51: no difference is seen
+constexpr unsigned wholeEvery = 30;   // pictures: players may start there
+constexpr float nominalRate = 30.0F;   // the file has the true times
+constexpr std::size_t startCodeBytes = 4;
+
+int blocksOf(int px)
+{
+    return (px + blockPx - 1) / blockPx;
+}
+
+struct EncoderCloser {
+    void operator()(ISVCEncoder* encoder) const
+    {
+        encoder->Uninitialize();
+        WelsDestroySVCEncoder(encoder);
+    }
+};
+
+void tellColors(SSpatialLayerConfig& layer)
+{
+    layer.bVideoSignalTypePresent = true;
+    layer.uiVideoFormat = VF_UNDEF;
+    layer.bFullRange = false;
+    layer.bColorDescriptionPresent = true;
+    layer.uiColorPrimaries = CP_BT709;
+    layer.uiTransferCharacteristics = TRC_BT709;
+    layer.uiColorMatrix = CM_BT709;
+}
+
+SEncParamExt parametersFor(ISVCEncoder& encoder, const MovieSize& size)
+{
+    SEncParamExt parameters{};
+    encoder.GetDefaultParams(&parameters);
+    parameters.iUsageType = CAMERA_VIDEO_REAL_TIME;
+    parameters.iPicWidth = size.width;
+    parameters.iPicHeight = size.height;
+    parameters.fMaxFrameRate = nominalRate;
+    parameters.iRCMode = RC_OFF_MODE;
+    parameters.iTargetBitrate = 0;
+    parameters.iMaxBitrate = UNSPECIFIED_BIT_RATE;
+    parameters.iMinQp = parameters.iMaxQp = quality;
+    parameters.bEnableFrameSkip = false;
+    parameters.iComplexityMode = HIGH_COMPLEXITY;
+    parameters.uiIntraPeriod = wholeEvery;
+    parameters.eSpsPpsIdStrategy = CONSTANT_ID;
+    parameters.iEntropyCodingModeFlag = 1;
+    parameters.iMultipleThreadIdc = 1;
+    parameters.bEnableDenoise = false;
+    parameters.bEnableBackgroundDetection = false;
+    parameters.bEnableAdaptiveQuant = false;
+    SSpatialLayerConfig& layer = parameters.sSpatialLayers[0];
+    layer.iVideoWidth = size.width;
+    layer.iVideoHeight = size.height;
+    layer.fFrameRate = nominalRate;
+    layer.iSpatialBitrate = 0;
+    layer.iMaxSpatialBitrate = UNSPECIFIED_BIT_RATE;
+    layer.uiProfileIdc = PRO_HIGH;
+    layer.iDLayerQp = quality;
+    layer.sSliceArgument.uiSliceMode = SM_SINGLE_SLICE;
+    tellColors(layer);
+    return parameters;
+}
+
+EncodedPicture takenFrom(const SFrameBSInfo& info)
+{
+    EncodedPicture picture;
+    picture.isWhole = info.eFrameType == videoFrameTypeIDR;
+    for (int i = 0; i < info.iLayerNum; ++i) {
+        const SLayerBSInfo& layer = info.sLayerInfo[i];
+        const auto* at = reinterpret_cast<const char*>(layer.pBsBuf);
+        for (int k = 0; k < layer.iNalCount; ++k) {
+            const auto length = static_cast<std::size_t>(layer.pNalLengthInByte[k]);
+            picture.units.emplace_back(at + startCodeBytes, length - startCodeBytes);
+            at += length;
+        }
+    }
+    return picture;
+}
+
 }   // namespace
 
 PlanarPicture planarPicture(const core::ColorImage& picture)
@@ -70,6 +156,61 @@ PlanarPicture planarPicture(const core::ColorImage& picture)
         }
     }
     return planar;
+}
+
+struct H264Encoder::Parts {
+    std::unique_ptr<ISVCEncoder, EncoderCloser> encoder;
+};
+
+H264Encoder::H264Encoder(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+H264Encoder::H264Encoder(H264Encoder&&) noexcept = default;
+H264Encoder& H264Encoder::operator=(H264Encoder&&) noexcept = default;
+H264Encoder::~H264Encoder() = default;
+
+bool canEncode(const MovieSize& size)
+{
+    const int columns = blocksOf(size.width), rows = blocksOf(size.height);
+    return columns <= mostSideBlocks && rows <= mostSideBlocks && columns * rows <= mostBlocks;
+}
+
+core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)
+{
+    ISVCEncoder* made = nullptr;
+    if (WelsCreateSVCEncoder(&made) != 0 || made == nullptr) {
+        return core::Error(says::movieEncoderFailed());
+    }
+    auto parts = std::make_unique<Parts>();
+    parts->encoder.reset(made);
+    int quiet = WELS_LOG_QUIET;
+    made->SetOption(ENCODER_OPTION_TRACE_LEVEL, &quiet);
+    const SEncParamExt parameters = parametersFor(*made, size);
+    if (made->InitializeExt(&parameters) != cmResultSuccess) {
+        return core::Error(says::movieEncoderFailed());
+    }
+    return H264Encoder(std::move(parts));
+}
+
+core::Result<EncodedPicture> H264Encoder::encode(const PlanarPicture& picture, double atMs)
+{
+    const auto plane = [](const std::vector<std::uint8_t>& pixels) {
+        return const_cast<std::uint8_t*>(pixels.data());   // the codec only reads
+    };
+    SSourcePicture source{};
+    source.iColorFormat = videoFormatI420;
+    source.iPicWidth = picture.width;
+    source.iPicHeight = picture.height;
+    source.iStride[0] = picture.width;
+    source.iStride[1] = source.iStride[2] = picture.width / 2;
+    source.pData[0] = plane(picture.luma);
+    source.pData[1] = plane(picture.blue);
+    source.pData[2] = plane(picture.red);
+    source.uiTimeStamp = std::llround(atMs);
+    SFrameBSInfo info{};
+    if (parts_->encoder->EncodeFrame(&source, &info) != cmResultSuccess || info.eFrameType == videoFrameTypeSkip ||
+        info.eFrameType == videoFrameTypeInvalid) {
+        return core::Error(says::movieEncoderFailed());
+    }
+    return takenFrom(info);
 }
 
 }   // namespace angiopose::io

@@ -1,9 +1,9 @@
 #include "io/pose/opencv_storage.h"
 
 #include "core/exchange/projection_matrix.h"
+#include "io/support/csv_table.h"
 #include "io/support/json_text.h"
 #include "io/support/numbers.h"
-#include "io/support/text_lines.h"
 
 #include <algorithm>
 #include <array>

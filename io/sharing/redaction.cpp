@@ -1,7 +1,6 @@
 #include "io/sharing/redaction.h"
 
-#include "io/sharing/folded_text.h"
-#include "io/sharing/telling_numbers.h"
+#include "io/sharing/known_words.h"
 #include "io/support/system/machine_facts.h"
 #include "io/support/system/own_process.h"
 

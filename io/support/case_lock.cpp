@@ -2,10 +2,17 @@
 
 #include "io/support/system/own_process.h"
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 #include <utility>
 
 namespace angiopose::io {
+namespace {
+
+constexpr auto longestTurnWait = std::chrono::seconds(2);
+
+}   // namespace
 
 CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
@@ -47,6 +54,15 @@ std::optional<LockHolder> holderOf(const std::string& casePath)
     }
     const std::optional<LockHolder> holder = parseLock(file.text());
     return holder ? holder : LockHolder{0, machineName()};
+}
+
+FolderTurn::FolderTurn(const std::string& folder) : folder_(folder, HeldFile::Way::Folder)
+{
+    const auto end = std::chrono::steady_clock::now() + longestTurnWait;
+    while (folder_.isOpen() && folder_.holdAlone() == HeldFile::Held::ByAnother &&
+           std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
 }
 
 }   // namespace angiopose::io

@@ -29,4 +29,14 @@ private:
 /// Who else has a case open: another program, or another `CaseLock` of this one. Nobody where a lock is stale.
 std::optional<LockHolder> holderOf(const std::string& casePath);
 
+/// While it lives no other `FolderTurn` of the folder does, in this program or another: waits for it, two seconds at
+/// most. Without effect where the file system knows no such locks.
+class FolderTurn {
+public:
+    explicit FolderTurn(const std::string& folder);
+
+private:
+    HeldFile folder_;
+};
+
 }   // namespace angiopose::io

@@ -1,6 +1,5 @@
 #include "io/support/crash_dumps.h"
 
-#include "io/support/state_folder.h"
 #include "io/support/system/crash_handler.h"
 
 #include <cxxabi.h>
@@ -47,6 +46,22 @@ std::string readable(const std::string& line)
 }
 
 }   // namespace
+
+namespace fs = std::filesystem;
+
+fs::path stateFolder()
+{
+    const char* state = std::getenv("XDG_STATE_HOME");
+    const char* home = std::getenv("HOME");
+    const fs::path base =
+        state != nullptr && *state == '/' ? fs::path(state) : fs::path(home != nullptr ? home : ".") / ".local/state";
+    return base / "angiopose";
+}
+
+fs::path crashFolder()
+{
+    return stateFolder() / "crashes";
+}
 
 void beginCrashDumps(const std::string& program)
 {

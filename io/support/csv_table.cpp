@@ -3,7 +3,6 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/support/text_lines.h"
 
 #include <algorithm>
 #include <cmath>

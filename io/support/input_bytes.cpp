@@ -2,7 +2,6 @@
 
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
-#include "io/support/read_error.h"
 #include "io/support/system/files.h"
 
 #include <algorithm>
@@ -91,6 +90,12 @@ constexpr std::array signatures = {
 };
 
 }   // namespace
+
+std::optional<core::Message> findReadError(const char* mapping, std::size_t size)
+{
+    const auto fault = faultOfMapping(mapping, size);
+    return fault ? std::optional<core::Message>(says::fileNotRead(*fault)) : std::nullopt;
+}
 
 InputBytes::InputBytes(InputBytes&& other) noexcept
     : mapping_(std::exchange(other.mapping_, nullptr)),

@@ -1,11 +1,19 @@
 #pragma once
 
+#include "core/support/message.h"
 #include "core/support/result.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace angiopose::io {
+
+/// Has the system read the first `size` bytes of a mapped file, and says why it cannot: a scratched disc, a drive that
+/// went away, a file that another program cut short. To look at such bytes would end the program. Linux before 5.14
+/// does not know the question, and nothing is said.
+std::optional<core::Message> findReadError(const char* mapping, std::size_t size);
 
 /// Content of a whole file, read-only: mapped from disk, or owned when it had to be unpacked.
 class InputBytes {

@@ -2,10 +2,11 @@
 
 #include "core/messages/catalogue.h"
 #include "io/messages/catalogue.h"
-#include "io/support/lasting_text.h"
 
 #include <cmath>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 namespace angiopose::io {
@@ -121,6 +122,14 @@ std::string textOf(const MessageJson& json)
 }
 
 }   // namespace
+
+std::string_view lasting(const std::string& text)
+{
+    static std::mutex mutex;
+    static std::set<std::string> texts;   // whose nodes stay where they are
+    const std::lock_guard lock(mutex);
+    return *texts.insert(text).first;
+}
 
 std::string messageJson(const core::Message& message)
 {

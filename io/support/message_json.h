@@ -8,6 +8,10 @@
 
 namespace angiopose::io {
 
+/// The same text, ended by a zero and there until the program ends: for names that the program itself has as literals.
+/// Called from any thread.
+std::string_view lasting(const std::string& text);
+
 /// `{"id", "severity", "text", "subject", "arguments"}` for programs: `text` is the English sentence, `subject` the
 /// file or key it is about, where there is one; numbers are `{"value", "unit", "decimals"}`.
 std::string messageJson(const core::Message& message);

@@ -1,9 +1,9 @@
 #include "io/vessel/swc.h"
 
 #include "io/messages/says.h"
+#include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/support/text_lines.h"
 
 #include <algorithm>
 #include <array>

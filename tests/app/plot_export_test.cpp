@@ -2,7 +2,6 @@
 
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
-#include "ui/plots/log_lane.h"
 
 #include <gtest/gtest.h>
 #include <QImage>

@@ -1,5 +1,5 @@
 #include "app/texts/overlay_picture.h"
-#include "app/words/corner_words.h"
+#include "app/words/view_words.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 #include "ui/words/language.h"

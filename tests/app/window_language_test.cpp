@@ -1,4 +1,4 @@
-#include "app/preferences/key_choice.h"
+#include "app/preferences/applied_choices.h"
 #include "app/preferences/settings.h"
 #include "app/window_host.h"
 #include "tests/app/open_window.h"

@@ -2,7 +2,6 @@
 #include "tests/app/open_window.h"
 #include "tests/app/scan_window.h"
 #include "tests/support/temporary_folder.h"
-#include "ui/places/fold_button.h"
 #include "ui/places/folding_column.h"
 #include "ui/slices/corner_views.h"
 

@@ -1,6 +1,5 @@
 #include "tests/app/open_window.h"
 #include "ui/places/view_frame.h"
-#include "ui/places/view_window.h"
 #include "ui/slices/corner_views.h"
 
 #include <QSplitter>

@@ -1,4 +1,3 @@
-#include "app/files/case_pictures.h"
 #include "app/files/recent_cases.h"
 #include "app/files/recent_controller.h"
 #include "tests/app/open_window.h"

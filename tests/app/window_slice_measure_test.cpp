@@ -1,6 +1,6 @@
 #include "app/document/edit_case.h"
 #include "app/report/report_measures.h"
-#include "core/measuring/measure_slice.h"
+#include "core/measuring/measure_image.h"
 #include "io/measurement_table.h"
 #include "tests/app/scan_window.h"
 #include "ui/panels/measure_panel.h"

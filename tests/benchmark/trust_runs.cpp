@@ -1,6 +1,6 @@
 #include "tests/benchmark/trust_runs.h"
 
-#include "core/evaluation/statistics/clustered_share.h"
+#include "core/evaluation/statistics/proportion.h"
 #include "core/registration/judging/within_2mm.h"
 #include "core/registration/registration.h"
 #include "core/support/format_number.h"

@@ -1,5 +1,4 @@
 #include "io/plot/svg_plot.h"
-#include "io/plot/plot_scale.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>

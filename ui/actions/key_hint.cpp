@@ -2,8 +2,9 @@
 
 #include "ui/actions/command_table.h"
 
+#include <QAction>
 #include <QKeySequence>
-
+#include <QPushButton>
 #include <utility>
 
 namespace angiopose::ui {
@@ -50,6 +51,31 @@ QString tipWithKey(const QString& sentence, Command command)
 {
     const QString key = keyOf(command);
     return key.isEmpty() ? sentence : sentence + QStringLiteral(" (%1)").arg(key);
+}
+
+QPushButton* modeButton(const Words& text, Command command)
+{
+    auto* button = withText(new QPushButton, text);
+    withTip(button, [text, command] { return withKey(text(), command); });
+    button->setCheckable(true);
+    return button;
+}
+
+void follow(QPushButton& button, QAction& action)
+{
+    QObject::connect(&button, &QPushButton::clicked, &action, [&action](bool on) {
+        if (action.isCheckable()) {
+            action.setChecked(on);
+        } else {
+            action.trigger();
+        }
+    });
+    const auto look = [&button, &action] {
+        button.setEnabled(action.isEnabled());
+        button.setChecked(action.isChecked());
+    };
+    QObject::connect(&action, &QAction::changed, &button, look);
+    look();
 }
 
 }   // namespace angiopose::ui

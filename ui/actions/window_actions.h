@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/actions/command_table.h"
-#include "ui/actions/key_line.h"
+#include "ui/actions/key_notes.h"
 #include "ui/actions/mouse_preset.h"
 
 #include <QAction>

@@ -1,6 +1,5 @@
 #include "ui/archive/archive_dialog.h"
 
-#include "ui/archive/cache_line.h"
 #include "ui/archive/match_list.h"
 #include "ui/archive/node_bar.h"
 #include "ui/archive/receive_line.h"

@@ -1,17 +1,18 @@
 #include "ui/archive/node_dialog.h"
 
-#include "ui/archive/path_field.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
 
 #include <QCheckBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
-
 #include <algorithm>
 
 namespace angiopose::ui {
@@ -36,6 +37,40 @@ void alignNames(const QDialog& dialog)
 }
 
 }   // namespace
+
+PathField::PathField(const QString& name, QWidget* parent) : QWidget(parent), name_(name), line_(new QLineEdit)
+{
+    auto* choose = new QPushButton(QStringLiteral("…"));
+    choose->setAutoDefault(false);
+    choose->setToolTip(tr("Choose a file"));
+    choose->setAccessibleName(tr("Choose a file: %1").arg(name));
+    line_->setAccessibleName(name);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(line_, 1);
+    layout->addWidget(choose);
+    setFocusProxy(line_);
+    connect(choose, &QPushButton::clicked, this, &PathField::choose);
+}
+
+void PathField::setPath(const QString& path)
+{
+    line_->setText(path);
+}
+
+QString PathField::path() const
+{
+    return line_->text().trimmed();
+}
+
+void PathField::choose()
+{
+    auto* dialog = new QFileDialog(this, name_, QFileInfo(path()).absolutePath());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &PathField::setPath);
+    dialog->open();
+}
 
 NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* parent)
     : QDialog(parent),

@@ -3,6 +3,7 @@
 #include "ui/archive/archive_rows.h"
 
 #include <QDialog>
+#include <QWidget>
 
 class QCheckBox;
 class QFormLayout;
@@ -10,6 +11,24 @@ class QLineEdit;
 class QPushButton;
 
 namespace angiopose::ui {
+
+/// The path of a file that may be typed or chosen.
+class PathField : public QWidget {
+    Q_OBJECT
+public:
+    /// `name` is what it is called where it cannot be seen.
+    explicit PathField(const QString& name, QWidget* parent = nullptr);
+
+    void setPath(const QString& path);
+    QString path() const;
+    QLineEdit& line() { return *line_; }
+
+private:
+    void choose();
+
+    QString name_;
+    QLineEdit* line_;
+};
 
 class NumberField;
 class PathField;

@@ -1,6 +1,6 @@
 #include "ui/archive/port_dialog.h"
 
-#include "ui/archive/path_field.h"
+#include "ui/archive/node_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/controls/section.h"
 

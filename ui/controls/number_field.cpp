@@ -4,12 +4,16 @@
 #include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QEvent>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QSlider>
 #include <QStyle>
 #include <QWheelEvent>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +21,14 @@ namespace angiopose::ui {
 namespace {
 
 constexpr QChar fieldMinusSign{0x2212};
+
+/// The box whose value a wheel over the widget would change.
+QWidget* guarded(QObject* watched)
+{
+    const bool holdsValue = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractSpinBox*>(watched) ||
+                            qobject_cast<QSlider*>(watched);
+    return holdsValue ? static_cast<QWidget*>(watched) : nullptr;
+}
 
 }   // namespace
 
@@ -169,6 +181,26 @@ QString NumberField::textOf(std::optional<double> value) const
         return fieldMinusSign + digits;
     }
     return format_.sign == NumberSign::Always && !isZero ? QLatin1Char('+') + digits : digits;
+}
+
+WheelGuard::WheelGuard(QObject* parent) : QObject(parent)
+{
+    qApp->installEventFilter(this);
+}
+
+bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Polish) {
+        if (QWidget* box = guarded(watched); box && box->focusPolicy() == Qt::WheelFocus) {
+            box->setFocusPolicy(Qt::StrongFocus);   // else the wheel itself would give it the keys
+        }
+    } else if (event->type() == QEvent::Wheel) {
+        if (const QWidget* box = guarded(watched); box && !box->hasFocus()) {
+            event->ignore();   // goes on to what lies around
+            return true;
+        }
+    }
+    return false;
 }
 
 }   // namespace angiopose::ui

@@ -1,12 +1,57 @@
 #include "ui/controls/section.h"
 
-#include "ui/controls/wrapped_label.h"
-
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QStyle>
 
 namespace angiopose::ui {
+
+int WrappedLabel::heightForWidth(int width) const
+{
+    if (!wordWrap()) {
+        return QLabel::heightForWidth(width);
+    }
+    const QString about = property("role").toString() + text();   // a role has a font and room of its own
+    if (about != askedAbout_) {
+        askedAbout_ = about;
+        heightAt_.clear();
+    }
+    const auto known = heightAt_.constFind(width);
+    return known != heightAt_.cend() ? *known : *heightAt_.insert(width, QLabel::heightForWidth(width));
+}
+
+/// Font or style: the next question is a new one.
+void WrappedLabel::changeEvent(QEvent* event)
+{
+    heightAt_.clear();
+    QLabel::changeEvent(event);
+}
+
+ElidedLabel::ElidedLabel(const char* role, QWidget* parent) : QLabel(parent)
+{
+    setProperty("role", role);
+    setTextFormat(Qt::PlainText);
+}
+
+void ElidedLabel::showText(const QString& text)
+{
+    setText(text);
+    setToolTip(text);
+}
+
+QSize ElidedLabel::minimumSizeHint() const
+{
+    return {1, QLabel::minimumSizeHint().height()};
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
+    style()->drawItemText(&painter, rect(), static_cast<int>(alignment()) | Qt::TextSingleLine, palette(), isEnabled(),
+                          shown, foregroundRole());
+}
 
 Section::Section(const char* name, const Words& title, Folding folding, QWidget* parent)
     : QWidget(parent),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/actions/key_line.h"
+#include "ui/actions/key_notes.h"
 
 #include <QDialog>
 #include <QKeySequence>

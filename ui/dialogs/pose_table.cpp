@@ -4,9 +4,8 @@
 #include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
-#include "ui/words/method_words.h"
 #include "ui/words/number.h"
-#include "ui/words/short_time.h"
+#include "ui/words/terms.h"
 
 #include <QCheckBox>
 #include <QGridLayout>

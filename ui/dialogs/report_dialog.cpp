@@ -1,6 +1,5 @@
 #include "ui/dialogs/report_dialog.h"
 
-#include "ui/controls/elided_label.h"
 #include "ui/controls/section.h"
 #include "ui/dialogs/dialog_buttons.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/dialogs/study_rows.h"
+#include "ui/dialogs/study_list.h"
 
 #include <QDialog>
 #include <QImage>

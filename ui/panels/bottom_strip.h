@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/controls/elided_label.h"
+#include "ui/controls/section.h"
 #include "ui/panels/play_bar.h"
 #include "ui/panels/told_messages.h"
 #include "ui/plots/frame_bars.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/controls/elided_label.h"
+#include "ui/controls/section.h"
 
 #include <QMenuBar>
 #include <QWidget>

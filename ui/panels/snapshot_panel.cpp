@@ -2,10 +2,9 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
-#include "ui/words/method_words.h"
 #include "ui/words/number.h"
-#include "ui/words/short_time.h"
 #include "ui/words/spoken.h"
+#include "ui/words/terms.h"
 
 #include <QHeaderView>
 #include <QKeyEvent>

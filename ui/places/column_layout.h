@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/places/column_rail.h"
+#include "ui/places/folding_column.h"
 
 #include <QByteArray>
 

@@ -1,12 +1,50 @@
 #pragma once
 
-#include "ui/places/column_rail.h"
+#include "ui/words/spoken.h"
 
+#include <QAbstractButton>
 #include <QWidget>
 
 class QSplitterHandle;
 
 namespace angiopose::ui {
+
+enum class ColumnSide { Left, Right };
+
+/// What is left of a folded column: a narrow button that names, along its height, what is behind it.
+class ColumnRail : public QAbstractButton {
+    Q_OBJECT
+public:
+    ColumnRail(ColumnSide side, const Words& behind, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {sizeHint().width(), 80}; }
+    static int wordsRoomPx(int height);   ///< along a rail of this height
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    ColumnSide side_;
+};
+
+/// A chevron that points to `side`, its middle at `at`, in the painter's pen.
+void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side);
+
+/// The visible handle on a column's border: a chevron towards the side where the column goes when it folds.
+class FoldButton : public QAbstractButton {
+    Q_OBJECT
+public:
+    FoldButton(ColumnSide side, const Words& folds, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    ColumnSide side_;
+};
 
 /// A column of the window that folds to a rail and remembers how wide it was. What is in it stays alive meanwhile.
 class FoldingColumn : public QWidget {

@@ -1,16 +1,50 @@
 #include "ui/plots/convergence_plot.h"
 
 #include "ui/controls/lingering_height.h"
-#include "ui/plots/log_lane.h"
 #include "ui/theme/active_theme.h"
+#include "ui/words/number.h"
 #include "ui/words/spoken.h"
 
 #include <QPainter>
-
+#include <QPolygonF>
+#include <algorithm>
 #include <cmath>
 
 namespace angiopose::ui {
 namespace {
+
+constexpr double captionHeight = 17.0;
+constexpr double sampleWidth = 18.0;   // of the line beside the caption
+constexpr double most = 4.0;   // decades: what lies farther below is as good as nothing
+
+/// Along the bottom of the caption's row: the line as it is drawn, then what it means.
+void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
+{
+    const double middle = std::round(area.top() + captionHeight / 2.0) + 0.5;
+    painter.setPen(lane.pen);
+    painter.drawLine(QPointF(area.left(), middle), QPointF(area.left() + sampleWidth, middle));
+    painter.setPen(toQColor(activePalette().label));
+    const QRectF room(area.left() + sampleWidth + 6.0, area.top(), area.width() - sampleWidth - 6.0, captionHeight);
+    const QString words =
+        painter.fontMetrics().elidedText(lane.caption, Qt::ElideRight, static_cast<int>(room.width()));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, words);
+}
+
+/// A line and its number at 10, 1, 0.1 …
+void paintDecades(QPainter& painter, const QRectF& area, const LogSpan& span, const QString& unit)
+{
+    const Palette& tones = activePalette();
+    for (double level = std::ceil(span.bottom); level <= span.top; level += 1.0) {
+        const double y = std::round(area.bottom() - (level - span.bottom) / (span.top - span.bottom) * area.height());
+        painter.setPen(toQColor(tones.line));
+        painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        if (y - 15.0 >= area.top() - captionHeight) {
+            painter.setPen(toQColor(tones.hint));
+            painter.drawText(QRectF(area.right() - 80.0, y - 15.0, 78.0, 14.0), Qt::AlignRight | Qt::AlignBottom,
+                             QStringLiteral("%1 %2").arg(briefNumber(std::pow(10.0, level), 3), unit));
+        }
+    }
+}
 
 constexpr double axisHeight = 15.0;
 constexpr double laneGap = 5.0;   // between the lanes
@@ -26,6 +60,45 @@ void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
 }
 
 }   // namespace
+
+LogSpan spanOf(std::span<const double> values)
+{
+    double lowest = INFINITY, highest = 0.0;
+    for (const double value : values) {
+        if (value > 0.0) {
+            lowest = std::min(lowest, value);
+            highest = std::max(highest, value);
+        }
+    }
+    if (highest <= 0.0) {
+        return {-1.0, 0.0};
+    }
+    const double top = std::max(std::log10(highest), std::log10(lowest) + 0.9) + 0.05;
+    return {std::clamp(std::log10(lowest) - 0.05, top - most, top - 1.0), top};
+}
+
+void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane)
+{
+    paintCaption(painter, area, lane);
+    const QRectF plot = area.adjusted(0.0, captionHeight, 0.0, 0.0);
+    const LogSpan span = spanOf(lane.values);
+    paintDecades(painter, plot, span, lane.unit);
+    if (lane.values.empty()) {
+        return;
+    }
+    const double first = lane.positions.front();
+    const double across = std::max(1.0, lane.positions.back() - first);
+    QPolygonF line;
+    for (std::size_t i = 0; i < lane.values.size(); ++i) {
+        const double level = lane.values[i] > 0.0 ? std::max(std::log10(lane.values[i]), span.bottom) : span.bottom;
+        line << QPointF(plot.left() + (lane.positions[i] - first) / across * plot.width(),
+                        plot.bottom() - (level - span.bottom) / (span.top - span.bottom) * plot.height());
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(lane.pen);
+    painter.drawPolyline(line);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
 
 ConvergencePlot::ConvergencePlot(QWidget* parent)
     : QWidget(parent), height_(new LingeringHeight(*this, emptyConvergenceHeight))

@@ -1,6 +1,5 @@
 #include "ui/slices/mask_panel.h"
 
-#include "ui/actions/action_button.h"
 #include "ui/actions/key_hint.h"
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"

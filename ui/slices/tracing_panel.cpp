@@ -1,6 +1,6 @@
 #include "ui/slices/tracing_panel.h"
 
-#include "ui/actions/action_button.h"
+#include "ui/actions/key_hint.h"
 #include "ui/controls/number_field.h"
 #include "ui/slices/label_choice.h"
 #include "ui/slices/mask_panel.h"

@@ -2,9 +2,9 @@
 
 #include "ui/words/language.h"
 
+#include <QDateTime>
 #include <QLocale>
 #include <QRegularExpression>
-
 #include <cmath>
 
 namespace angiopose::ui {
@@ -49,6 +49,19 @@ QString withDecimalSign(const QString& text)
         QStringLiteral("(?:(?:[-+±−×]?[0-9]+(?:\\.[0-9]+)?[°%]?|mm|px|mm/px|%|ml|s|ms|HU|°|×|LAO|RAO|CRA|CAU|SID|SOD)"
                        "(?: · | |,\\s|$))+")));
     return numbersAlone.match(text).hasMatch() ? signedAs(text) : text;
+}
+
+QString shortTime(const std::string& isoTime)
+{
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(isoTime), Qt::ISODate).toLocalTime();
+    if (!time.isValid()) {
+        return {};
+    }
+    const QLocale locale = languageLocale();
+    const QString clock = locale.toString(time.time(), QStringLiteral("HH:mm"));
+    return time.date() == QDate::currentDate()
+               ? clock
+               : locale.toString(time.date(), QLocale::ShortFormat) + QLatin1Char(' ') + clock;
 }
 
 }   // namespace angiopose::ui

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <QString>
-
 #include <optional>
+#include <string>
 
 namespace angiopose::ui {
 
@@ -19,5 +19,8 @@ std::optional<double> numberFrom(QString typed);
 /// Words that are numbers, units and angles alone ("LAO 30.0", "0.31 mm/px") with the language's decimal sign; any
 /// other as it is, since it may be a name.
 QString withDecimalSign(const QString& text);
+
+/// "14:32" today, "21 Nov 14:32" otherwise, in local time; empty for no time.
+QString shortTime(const std::string& isoTime);
 
 }   // namespace angiopose::ui

@@ -1,7 +1,5 @@
 #include "ui/words/spoken.h"
 
-#include "ui/words/spoken_signal.h"
-
 #include <QApplication>
 #include <QComboBox>
 #include <QEvent>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <QObject>
 #include <QString>
 #include <QStringList>
-
 #include <functional>
 #include <utility>
 
@@ -10,6 +10,20 @@ class QComboBox;
 class QObject;
 
 namespace angiopose::ui {
+
+/// Tells all speakers of the program that their words are others now.
+class SpokenSignal : public QObject {
+    Q_OBJECT
+public:
+    static SpokenSignal& only()
+    {
+        static SpokenSignal signal;
+        return signal;
+    }
+
+signals:
+    void again();
+};
 
 using Words = std::function<QString()>;
 

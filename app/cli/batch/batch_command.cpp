@@ -4,7 +4,7 @@
 #include "app/cli/shard.h"
 #include "app/messages/says.h"
 #include "app/messages/says_batch.h"
-#include "core/support/thread_limit.h"
+#include "core/support/parallel_for.h"
 
 #include <algorithm>
 #include <chrono>

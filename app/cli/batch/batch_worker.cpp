@@ -4,7 +4,7 @@
 #include "app/cli/batch/batch_row.h"
 #include "app/cli/commands.h"
 #include "app/cli/console.h"
-#include "core/support/thread_limit.h"
+#include "core/support/parallel_for.h"
 #include "io/support/system/worker_process.h"
 
 namespace angiopose::app {

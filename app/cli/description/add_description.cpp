@@ -1,8 +1,6 @@
 #include "app/cli/description/add_description.h"
 
-#include "app/cli/description/command_page.h"
-#include "app/cli/description/completions.h"
-#include "app/cli/description/man_page.h"
+#include "app/cli/description/command_words.h"
 
 #include <cstdio>
 #include <map>

@@ -36,4 +36,15 @@ struct ProgramWords {
 /// Everything that `--help` of the program and of its commands tells.
 ProgramWords wordsOf(const CLI::App& app);
 
+/// The page of section 1, as `man` wants it.
+std::string manPageOf(const ProgramWords& program);
+
+/// The commands as a page of the manual, in Markdown.
+std::string commandPageOf(const ProgramWords& program);
+
+/// What shells complete a command line by: commands, options, their values and files.
+std::string bashCompletionOf(const ProgramWords& program);
+std::string zshCompletionOf(const ProgramWords& program);
+std::string fishCompletionOf(const ProgramWords& program);
+
 }   // namespace angiopose::app

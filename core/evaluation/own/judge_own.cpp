@@ -1,6 +1,6 @@
 #include "core/evaluation/own/judge_own.h"
 
-#include "core/evaluation/trial/measure_run.h"
+#include "core/evaluation/trial/run_record.h"
 #include "core/registration/deformable/bent_tree.h"
 #include "core/support/quantile.h"
 

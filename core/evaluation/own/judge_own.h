@@ -1,14 +1,20 @@
 #pragma once
 
-#include "core/evaluation/own/point_pair.h"
 #include "core/evaluation/trial/run_record.h"
 #include "core/registration/registration.h"
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace angiopose::core {
+
+/// A place that was pointed at in the patient and in the image.
+struct PointPair {
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
+    Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
+};
 
 /// What somebody knows of a case of theirs: a reference pose, or pairs of points where there is none.
 struct OwnTruth {

@@ -1,6 +1,5 @@
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
-#include "core/evaluation/protocols/traced_trial.h"
 
 namespace angiopose::core {
 namespace {
@@ -47,6 +46,17 @@ Protocol clinicalProtocol()
             Success::RayDistanceWithin2Mm,
             conditionsOf(clinicalSettings()),
             prepareClinical};
+}
+
+Protocol ownProtocol()
+{
+    return {"own",
+            "Cases of one's own, listed in a table with their reference poses, landmarks or pairs of points.",
+            0,
+            1,
+            Success::RayDistanceWithin2Mm,
+            {},
+            nullptr};
 }
 
 }   // namespace angiopose::core

@@ -2,6 +2,7 @@
 
 #include "core/evaluation/trial/trial.h"
 #include "core/simulation/phantom.h"
+#include "core/simulation/simulated_case.h"
 #include "core/support/random.h"
 
 #include <memory>
@@ -36,5 +37,9 @@ void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Tr
 
 /// A vector of the given length in a random direction.
 Eigen::Vector3d randomDirection(double length, CounterRandom& random);
+
+/// The first frame of a simulated view through the real tracing, the start pose as its header gives it. A view whose
+/// tracing fails keeps an empty target: every method then fails on it.
+Trial tracedTrial(const SimulatedCase& view);
 
 }   // namespace angiopose::core

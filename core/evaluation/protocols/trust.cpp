@@ -1,6 +1,5 @@
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
-#include "core/evaluation/protocols/traced_trial.h"
 
 #include "core/geometry/angle_units.h"
 

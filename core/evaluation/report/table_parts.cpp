@@ -1,6 +1,6 @@
 #include "core/evaluation/report/table_parts.h"
 
-#include "core/evaluation/statistics/clustered_share.h"
+#include "core/evaluation/statistics/proportion.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/evaluation/trial/run_record.h"
+#include "core/evaluation/trial/trial.h"
 #include "core/registration/options/registration_options.h"
 #include "core/support/result.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,5 +31,12 @@ Result<std::vector<Contestant>> contestantsFrom(const std::string& requests);
 /// The options for one trial: published point-to-point solvers take exact targets as they are, so that exact partners
 /// exist; all else is resampled.
 RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact);
+
+enum class KeepHistory { No, Yes };
+
+/// Registers one trial with one method and measures the errors; the caller fills in condition, trial and anatomy.
+/// Nothing when `isStopped` came true before the method was done.
+std::optional<RunRecord> runTrial(const Trial& trial, const Contestant& contestant, KeepHistory keepHistory,
+                                  const std::function<bool()>& isStopped);
 
 }   // namespace angiopose::core

@@ -4,7 +4,6 @@
 #include "core/imaging/mask_morphology.h"
 #include "core/messages/says.h"
 #include "core/messages/says_contrast.h"
-#include "core/support/at_once.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/bridge_gaps.h"
 #include "core/tracing/angiogram/curves/contrast_seen.h"

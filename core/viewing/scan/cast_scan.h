@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/imaging/image2d.h"
-#include "core/viewing/scan/scan_look.h"
 #include "core/viewing/scan/seen_scan.h"
 
 #include <cmath>

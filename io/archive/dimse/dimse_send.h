@@ -1,9 +1,12 @@
 #pragma once
 
+#include "io/archive/dimse/link.h"
 #include "io/archive/model/node.h"
 #include "io/archive/model/transfer.h"
+#include "io/archive/store/arrivals.h"
 #include "io/archive/store/sendable_file.h"
 
+#include <memory>
 #include <vector>
 
 namespace angiopose::io {
@@ -12,5 +15,8 @@ namespace angiopose::io {
 /// early is its `end`.
 void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
                TransferReport& report);
+
+/// Objects by C-GET; where the archive does not offer that, by C-MOVE to a port of ours.
+std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopWished);
 
 }   // namespace angiopose::io

@@ -1,11 +1,36 @@
 #include "io/archive/dimse/get_series.h"
 
-#include "io/archive/dimse/retrieve_request.h"
+#include "io/archive/dimse/identifier.h"
+#include "io/archive/dimse/receiver.h"
 #include "io/archive/dimse/storage_classes.h"
 #include "io/archive/dimse/take_object.h"
+#include "io/messages/says_archive.h"
+
+#include <atomic>
+#include <thread>
 
 namespace angiopose::io {
 namespace {
+
+std::string seriesIdentifier(const SeriesWish& wish)
+{
+    return encodedIdentifier({{0x00080052, "SERIES"}, {0x0020000d, wish.studyUid}, {0x0020000e, wish.seriesUid}});
+}
+
+/// Whether the last answer of a retrieval says that all was sent; where objects failed, that is noted by their absence.
+core::Status settleRetrieval(const ArchiveNode& node, const std::string& service, const DimseCommand& answer)
+{
+    const std::uint16_t status = answer.status();
+    if (status == dimse::success || status == dimse::someFailed) {
+        return core::Done{};
+    }
+    return core::Error(says::archiveStatus(service, statusText(answer)).about(node.name));
+}
+
+bool isPending(const DimseCommand& answer)
+{
+    return answer.status() == dimse::pending;
+}
 
 /// Objects and answers in turn, until the last answer.
 core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals)
@@ -40,6 +65,55 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesWish&
     }
 }
 
+/// Serves our port beside the association on which was asked.
+class ReceivingThread {
+public:
+    ReceivingThread(Receiver& receiver, Arrivals& arrivals)
+        : thread_([this, &receiver, &arrivals] { receiver.serve(arrivals, [this] { return isOver_.load(); }); })
+    {
+    }
+    ReceivingThread(const ReceivingThread&) = delete;
+    ReceivingThread& operator=(const ReceivingThread&) = delete;
+    ~ReceivingThread() { finish(); }
+
+    void finish()
+    {
+        isOver_ = true;
+        if (thread_.joinable()) {
+            thread_.join();
+        }
+    }
+
+private:
+    std::atomic<bool> isOver_{false};
+    std::thread thread_;
+};
+
+/// Answers until the last one; objects that come meanwhile show that the archive is at work.
+core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arrivals)
+{
+    std::uint64_t seen = arrivals.bytesSoFar();
+    const LifeQuestion isAlive = [&seen, &arrivals] { return std::exchange(seen, arrivals.bytesSoFar()) != seen; };
+    for (;;) {
+        auto received = link.receive(isAlive);
+        if (!received) {
+            return received.error();
+        }
+        if (!received.value() || received.value()->command.kind() != DimseKind::MoveResponse) {
+            return core::Error(says::archiveNonsense("C-MOVE").about(node.name));
+        }
+        const DimseCommand& answer = received.value()->command;
+        if (answer.hasData()) {
+            if (auto ignored = link.receiveData(); !ignored) {
+                return ignored.error();
+            }
+        }
+        if (!isPending(answer)) {
+            return settleRetrieval(node, "C-MOVE", answer);
+        }
+    }
+}
+
 }   // namespace
 
 core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals)
@@ -70,6 +144,51 @@ core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const
     }
     link.release();
     return std::optional(core::Done{});
+}
+
+core::Status moveSeries(const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals)
+{
+    if (node.receivePort == 0) {
+        return core::Error(says::archiveNoWayBack().about(node.name));
+    }
+    ReceiverOptions options;
+    options.port = node.receivePort;
+    options.ownTitle = node.ownTitle;
+    options.expected = {wish.studyUid, wish.seriesUid, {}};
+    options.isTls = node.isTls && !node.certificateFile.empty();
+    options.tls = {node.caFile, node.certificateFile, node.keyFile};
+    auto listening = Receiver::listen(options);
+    if (!listening) {
+        return listening.error();
+    }
+    Receiver receiver = std::move(listening).value();
+    auto opened =
+        DimseLink::open(node, {{sop::move, {implicitLittleEndian}}}, [&arrivals] { return arrivals.isStopWished(); });
+    if (!opened) {
+        return opened.error();
+    }
+    DimseLink link = std::move(opened).value();
+    const auto context = link.contextFor(sop::move);
+    if (!context) {
+        return core::Error(says::archiveNoService("C-GET, C-MOVE", node.ownTitle).about(node.name));
+    }
+    DimseCommand request(DimseKind::MoveRequest, 1, sop::move);
+    request.setText(DimseCommand::moveDestination, node.ownTitle, ' ');
+    request.setNumber(DimseCommand::priority, 0);
+    request.setHasData();
+    ReceivingThread thread(receiver, arrivals);
+    if (auto sent = link.send(context->id, request); !sent) {
+        return sent;
+    }
+    if (auto sent = link.sendData(context->id, seriesIdentifier(wish)); !sent) {
+        return sent;
+    }
+    auto ended = awaitEnd(link, node, arrivals);
+    thread.finish();
+    if (ended) {
+        link.release();
+    }
+    return receiver.failure() ? core::Status(*receiver.failure()) : ended;
 }
 
 }   // namespace angiopose::io

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/archive/dimse/link.h"
-#include "io/archive/store/series_source.h"
+#include "io/archive/store/arrivals.h"
 
 namespace angiopose::io {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/archive/model/query.h"
 #include "io/archive/model/transfer.h"
 #include "io/archive/store/object_store.h"
 
@@ -7,6 +8,7 @@
 #include <functional>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace angiopose::io {
 
@@ -69,6 +71,20 @@ private:
     std::atomic<std::uint64_t> bytes_ = 0;   ///< of whole and begun objects; asked by another thread
     std::uint64_t held_ = 0;   ///< by the store
     mutable std::mutex reporting_;   ///< around the report
+};
+
+/// The way to the objects of an archive, whatever language it speaks.
+class SeriesSource {
+public:
+    virtual ~SeriesSource() = default;
+
+    virtual core::Result<std::vector<std::string>> seriesOf(const std::string& studyUid) = 0;
+    virtual core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
+                                                               const std::string& seriesUid) = 0;
+
+    /// All objects of a series, into their places. What single objects lack is noted there.
+    virtual core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
+                               const std::vector<ArchiveObject>& objects, Arrivals& arrivals) = 0;
 };
 
 }   // namespace angiopose::io

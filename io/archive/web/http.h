@@ -53,4 +53,11 @@ private:
 /// A text as part of a query.
 std::string urlEscaped(std::string_view text);
 
+/// The address of a node without a last slash.
+std::string webBase(const ArchiveNode& node);
+
+/// The JSON that answers a query; empty where nothing matches. Fails, naming the service, on any other status.
+core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
+                                 const std::string& url);
+
 }   // namespace angiopose::io

@@ -3,8 +3,8 @@
 #include "io/archive/model/node.h"
 #include "io/archive/model/query.h"
 #include "io/archive/model/transfer.h"
+#include "io/archive/store/arrivals.h"
 #include "io/archive/store/sendable_file.h"
-#include "io/archive/store/series_source.h"
 
 #include <functional>
 #include <memory>

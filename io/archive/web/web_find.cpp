@@ -1,8 +1,12 @@
 #include "io/archive/web/dicom_json.h"
 #include "io/archive/web/http.h"
 #include "io/archive/web/web_archive.h"
-#include "io/archive/web/web_query.h"
 #include "io/messages/says_archive.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <random>
 
 namespace angiopose::io {
 namespace {
@@ -62,6 +66,83 @@ core::Status intoWebSeries(HttpConnection& http, const ArchiveNode& node, const 
         }
     }
     matches.found = std::move(series);
+    return core::Done{};
+}
+
+constexpr int duplicateReason = 0x0111;
+
+std::string randomBoundary()
+{
+    std::random_device device;
+    std::string boundary = "angiopose-";
+    for (int i = 0; i < 4; ++i) {
+        boundary += std::to_string(device());
+    }
+    return boundary;
+}
+
+/// One file between its boundaries, given in pieces.
+class SingleFileBody {
+public:
+    SingleFileBody(const SendableFile& file, const std::string& boundary)
+        : stream_(file.path, std::ios::binary),
+          head_("--" + boundary + "\r\nContent-Type: application/dicom\r\n\r\n"),
+          tail_("\r\n--" + boundary + "--\r\n"),
+          left_(file.bytes)
+    {
+        size_ = head_.size() + left_ + tail_.size();
+    }
+
+    std::uint64_t size() const { return size_; }
+
+    std::optional<std::size_t> fill(char* buffer, std::size_t room)
+    {
+        if (!head_.empty()) {
+            return give(head_, buffer, room);
+        }
+        if (left_ == 0) {
+            return give(tail_, buffer, room);
+        }
+        const auto wanted = static_cast<std::streamsize>(std::min<std::uint64_t>(left_, room));
+        if (!stream_.read(buffer, wanted)) {
+            return std::nullopt;
+        }
+        left_ -= static_cast<std::uint64_t>(wanted);
+        return static_cast<std::size_t>(wanted);
+    }
+
+private:
+    static std::size_t give(std::string& text, char* buffer, std::size_t room)
+    {
+        const std::size_t given = std::min(text.size(), room);
+        std::memcpy(buffer, text.data(), given);
+        text.erase(0, given);
+        return given;
+    }
+
+    std::ifstream stream_;
+    std::string head_;
+    std::string tail_;
+    std::uint64_t left_;
+    std::uint64_t size_ = 0;
+};
+
+/// Counts what became of one file; fails where no further one need be tried.
+core::Status settleStored(const ArchiveNode& node, const SendableFile& file, const HttpReply& reply,
+                          TransferReport& report)
+{
+    const StoreAnswer answer = storeAnswerOfJson(reply.body);
+    if (reply.status == 200 && answer.isStored) {
+        ++report.transferred;
+        report.bytes += file.bytes;
+    } else if (answer.failure == duplicateReason) {
+        ++report.duplicates;
+    } else if (answer.failure != 0 || reply.status == 409 || reply.status == 202) {
+        ++report.failed;
+        report.note(says::archiveStoreRefused(statusText(static_cast<unsigned>(answer.failure))).about(file.path));
+    } else {
+        return core::Error(says::archiveHttpStatus("STOW-RS", std::to_string(reply.status)).about(node.name));
+    }
     return core::Done{};
 }
 
@@ -133,6 +214,44 @@ core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery
         settleMatches(query, matches.found);
     }
     return matches;
+}
+
+void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
+             TransferReport& report)
+{
+    std::uint64_t bytes = 0;
+    const auto isStopWished = [&] {
+        const std::size_t done = report.transferred + report.duplicates + report.failed;
+        return observe && observe({done, report.all, bytes}) == core::Verdict::Stop;
+    };
+    auto opened = HttpConnection::open(node, isStopWished);
+    if (!opened) {
+        report.end = opened.error();
+        return;
+    }
+    HttpConnection http = std::move(opened).value();
+    for (const SendableFile& file : files) {
+        const std::string boundary = randomBoundary();
+        SingleFileBody body(file, boundary);
+        HttpConnection::Upload upload;
+        upload.contentType = R"(multipart/related; type="application/dicom"; boundary=)" + boundary;
+        upload.accept = "application/dicom+json";
+        upload.bytes = body.size();
+        upload.source = [&body, &bytes](char* buffer, std::size_t room) {
+            const auto given = body.fill(buffer, room);
+            bytes += given.value_or(0);
+            return given;
+        };
+        auto reply = http.post(webBase(node) + "/studies", upload);
+        if (!reply) {
+            report.end = reply.error();
+            return;
+        }
+        if (auto settled = settleStored(node, file, reply.value(), report); !settled) {
+            report.end = settled.error();
+            return;
+        }
+    }
 }
 
 }   // namespace angiopose::io

@@ -1,7 +1,7 @@
 #include "io/archive/web/dicom_json.h"
+#include "io/archive/web/http.h"
 #include "io/archive/web/multipart.h"
 #include "io/archive/web/web_archive.h"
-#include "io/archive/web/web_query.h"
 #include "io/messages/says_archive.h"
 
 #include <optional>

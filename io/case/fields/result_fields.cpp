@@ -3,7 +3,7 @@
 #include "io/case/fields/bent_fields.h"
 #include "io/case/fields/option_values.h"
 #include "io/case/fields/result_rows.h"
-#include "io/support/lasting_text.h"
+#include "io/support/message_json.h"
 
 namespace angiopose::io {
 namespace {

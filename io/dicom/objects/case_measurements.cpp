@@ -1,7 +1,6 @@
 #include "io/dicom/objects/case_measurements.h"
 
 #include "core/measuring/measure_image.h"
-#include "core/measuring/measure_slice.h"
 
 namespace angiopose::io {
 namespace {

@@ -1,7 +1,7 @@
 #include "tests/app/gallery/clipped_texts.h"
 
-#include "ui/controls/elided_label.h"
-#include "ui/places/column_rail.h"
+#include "ui/controls/section.h"
+#include "ui/places/folding_column.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

@@ -1,7 +1,6 @@
 #include "tests/app/gallery/gallery.h"
 
 #include "ui/archive/archive_dialog.h"
-#include "ui/archive/cache_line.h"
 #include "ui/archive/match_list.h"
 #include "ui/archive/node_bar.h"
 #include "ui/archive/node_dialog.h"

@@ -1,4 +1,4 @@
-#include "core/exchange/xreg_camera.h"
+#include "core/exchange/projection_matrix.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

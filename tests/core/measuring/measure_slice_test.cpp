@@ -1,4 +1,4 @@
-#include "core/measuring/measure_slice.h"
+#include "core/measuring/measure_image.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,5 @@
 #include "core/support/parallel_for.h"
 
-#include "core/support/at_once.h"
-
 #include <gtest/gtest.h>
 #include <atomic>
 #include <chrono>

@@ -1,7 +1,6 @@
 #include "core/viewing/angle_map.h"
 
 #include "core/simulation/grow_tree.h"
-#include "core/viewing/turned_gantry.h"
 
 #include <gtest/gtest.h>
 

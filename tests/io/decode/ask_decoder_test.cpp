@@ -1,6 +1,5 @@
 #include "io/decode/ask_decoder.h"
 
-#include "io/decode/helper_program.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>

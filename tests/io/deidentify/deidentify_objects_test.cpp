@@ -1,4 +1,4 @@
-#include "io/deidentify/kept_terms.h"
+#include "io/deidentify/kept_content.h"
 #include "io/deidentify_file.h"
 #include "io/deidentify_files.h"
 #include "io/dicom/dicom_file.h"

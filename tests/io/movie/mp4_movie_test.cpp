@@ -1,5 +1,5 @@
-#include "io/movie/h264_encoder.h"
 #include "io/movie/movie_writer.h"
+#include "io/movie/planar_picture.h"
 #include "tests/io/movie/movie_pictures.h"
 
 #include <gtest/gtest.h>

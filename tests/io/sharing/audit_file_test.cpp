@@ -1,5 +1,4 @@
 #include "io/sharing/audit_file.h"
-#include "io/sharing/audit_batch.h"
 
 #include "tests/support/temporary_folder.h"
 

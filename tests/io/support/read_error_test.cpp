@@ -1,4 +1,3 @@
-#include "io/support/read_error.h"
 
 #include "io/support/input_bytes.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "ui/controls/wheel_guard.h"
+#include "ui/controls/number_field.h"
 
 #include <QtTest/qtestspontaneevent.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "core/geometry/angle_units.h"
-#include "core/measuring/measure_slice.h"
+#include "core/measuring/measure_image.h"
 #include "ui/slices/slice_measure_tool.h"
 #include "ui/slices/slice_view.h"
 

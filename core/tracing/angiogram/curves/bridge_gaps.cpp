@@ -2,7 +2,7 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
-#include "core/support/at_once.h"
+#include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
 #include "core/tracing/angiogram/curves/thin_mask.h"
 

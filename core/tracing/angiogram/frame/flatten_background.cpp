@@ -2,7 +2,7 @@
 
 #include "core/imaging/grey_statistics.h"
 #include "core/imaging/image_filters.h"
-#include "core/support/at_once.h"
+#include "core/support/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>

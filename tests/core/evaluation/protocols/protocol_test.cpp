@@ -1,7 +1,7 @@
 #include "core/evaluation/protocols/protocol.h"
 
+#include "core/evaluation/trial/contestant.h"
 #include "core/evaluation/trial/projection_error.h"
-#include "core/evaluation/trial/run_trial.h"
 #include "core/simulation/prune_tree.h"
 
 #include <gtest/gtest.h>

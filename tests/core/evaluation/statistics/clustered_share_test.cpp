@@ -1,4 +1,4 @@
-#include "core/evaluation/statistics/clustered_share.h"
+#include "core/evaluation/statistics/proportion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,242 @@
+#include "app/cli/description/command_words.h"
+
+#include <sstream>
+
+namespace angiopose::app {
+namespace {
+
+std::string joinedBySpaces(const std::vector<std::string>& words)
+{
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : " ") + word;
+    }
+    return text;
+}
+
+std::string bashOptions(const CommandWords& command)
+{
+    std::vector<std::string> names;
+    for (const OptionWords& option : command.options) {
+        names.insert(names.end(), option.names.begin(), option.names.end());
+    }
+    return joinedBySpaces(names);
+}
+
+std::string bashCommands(const ProgramWords& program)
+{
+    std::vector<std::string> names;
+    for (const CommandWords& command : program.commands) {
+        names.push_back(command.name);
+    }
+    return joinedBySpaces(names);
+}
+
+/// What follows an option that wants a value; files where nothing is said.
+void writeBashValues(std::ostream& out, const CommandWords& command)
+{
+    for (const OptionWords& option : command.options) {
+        if (option.isFlag() || option.isFile()) {
+            continue;
+        }
+        for (const std::string& name : option.names) {
+            out << "        '" << command.name << " " << name << "') values='" << joinedBySpaces(option.choices)
+                << "' ;;\n";
+        }
+    }
+}
+
+void writeBashFlags(std::ostream& out, const CommandWords& command)
+{
+    for (const OptionWords& option : command.options) {
+        for (const std::string& name : option.names) {
+            if (option.isFlag()) {
+                out << "        '" << command.name << " " << name << "') previous= ;;\n";
+            }
+        }
+    }
+}
+
+constexpr const char* beginOfFunction = R"(_angiopose_cli()
+{
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} command='' options='' operands='' i
+    local values=files commands='%COMMANDS%'
+    if [[ $current == = ]]; then
+        current=
+    elif [[ $previous == = && $COMP_CWORD -gt 1 ]]; then
+        previous=${COMP_WORDS[COMP_CWORD-2]}
+    fi
+    COMPREPLY=()
+    for ((i = 1; i < COMP_CWORD; i++)); do
+        if [[ " help $commands " == *" ${COMP_WORDS[i]} "* ]]; then
+            command=${COMP_WORDS[i]}
+            break
+        fi
+    done
+    case $command in
+)";
+
+constexpr const char* endOfFunction = R"(    esac
+    if [[ $previous != -* ]]; then
+        values=
+        if [[ $current == -* ]]; then
+            values=$options
+        elif [[ -z $command || $command == help ]]; then
+            values=$commands
+        elif [[ -n $operands ]]; then
+            values=$operands
+        else
+            values=files
+        fi
+    fi
+    if [[ $values == files ]]; then
+        compopt -o filenames 2>/dev/null
+        mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    elif [[ -n $values ]]; then
+        mapfile -t COMPREPLY < <(compgen -W "$values" -- "$current")
+        [[ ${COMPREPLY[0]} == *= ]] && compopt -o nospace 2>/dev/null
+    fi
+    return 0
+}
+complete -F _angiopose_cli angiopose-cli
+)";
+
+std::string fishQuoted(const std::string& text)
+{
+    std::string out;
+    for (const char sign : text) {
+        out += sign == '\'' || sign == '\\' ? std::string("\\") + sign : std::string(1, sign);
+    }
+    return "'" + out + "'";
+}
+
+void writeFishOption(std::ostream& out, const std::string& condition, const OptionWords& option)
+{
+    out << "complete -c angiopose-cli -n " << fishQuoted(condition);
+    for (const std::string& name : option.names) {
+        out << (name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1));
+    }
+    if (!option.choices.empty()) {
+        out << " -x -a " << fishQuoted(joinedBySpaces(option.choices));
+    } else if (!option.isFlag()) {
+        out << (option.isFile() ? " -r -F" : " -x");
+    }
+    out << " -d " << fishQuoted(option.help) << "\n";
+}
+
+/// Inside single quotes, where a colon or a bracket would end the part.
+std::string zshEscaped(const std::string& text)
+{
+    std::string out;
+    for (const char sign : text) {
+        if (sign == '\'') {
+            out += "'\\''";
+        } else if (sign == ':' || sign == '[' || sign == ']' || sign == '\\') {
+            out += std::string("\\") + sign;
+        } else {
+            out += sign;
+        }
+    }
+    return out;
+}
+
+/// ":TEXT:(a b)": what is completed for a value.
+std::string zshValue(const OptionWords& option, const std::string& called)
+{
+    std::string action = option.isFile() ? "_files" : " ";
+    if (!option.choices.empty()) {
+        action = "(" + zshEscaped(joinedBySpaces(option.choices)) + ")";
+    }
+    return ":" + zshEscaped(called) + ":" + action;
+}
+
+void writeZshOptions(std::ostream& out, const CommandWords& command, const char* indent)
+{
+    for (const OptionWords& option : command.options) {
+        for (const std::string& name : option.names) {
+            out << " \\\n"
+                << indent << "'" << (option.mayRepeat ? "*" : "") << name << "[" << zshEscaped(option.help) << "]"
+                << (option.isFlag() ? "" : zshValue(option, option.value.substr(0, option.value.find(':')))) << "'";
+        }
+    }
+}
+
+}   // namespace
+
+std::string bashCompletionOf(const ProgramWords& program)
+{
+    std::ostringstream out;
+    std::string begin = beginOfFunction;
+    const std::string place = "%COMMANDS%";
+    begin.replace(begin.find(place), place.size(), bashCommands(program));
+    out << "# bash completion of angiopose-cli, written by the program itself\n" << begin;
+    out << "        '' | help) options='" << bashOptions(program.itself) << "' ;;\n";
+    for (const CommandWords& command : program.commands) {
+        out << "        " << command.name << ") options='" << bashOptions(command) << "'";
+        for (const OptionWords& operand : command.operands) {
+            if (!operand.choices.empty()) {
+                out << " operands='" << joinedBySpaces(operand.choices) << "'";
+            }
+        }
+        out << " ;;\n";
+    }
+    out << "    esac\n    case \"$command $previous\" in\n";
+    writeBashFlags(out, {"", {}, program.itself.options, {}, {}});
+    for (const CommandWords& command : program.commands) {
+        writeBashValues(out, command);
+        writeBashFlags(out, command);
+    }
+    out << endOfFunction;
+    return out.str();
+}
+
+std::string fishCompletionOf(const ProgramWords& program)
+{
+    std::ostringstream out;
+    out << "# fish completion of angiopose-cli, written by the program itself\n";
+    for (const OptionWords& option : program.itself.options) {
+        writeFishOption(out, "__fish_use_subcommand", option);
+    }
+    for (const CommandWords& command : program.commands) {
+        out << "complete -c angiopose-cli -n __fish_use_subcommand -f -a " << command.name << " -d "
+            << fishQuoted(command.summary) << "\n";
+        const std::string condition = "__fish_seen_subcommand_from " + command.name;
+        for (const OptionWords& operand : command.operands) {
+            if (!operand.choices.empty()) {
+                out << "complete -c angiopose-cli -n " << fishQuoted(condition) << " -f -a "
+                    << fishQuoted(joinedBySpaces(operand.choices)) << "\n";
+            }
+        }
+        for (const OptionWords& option : command.options) {
+            writeFishOption(out, condition, option);
+        }
+    }
+    return out.str();
+}
+
+std::string zshCompletionOf(const ProgramWords& program)
+{
+    std::ostringstream out;
+    out << "#compdef angiopose-cli\n# zsh completion of angiopose-cli, written by the program itself\n"
+        << "_angiopose_cli()\n{\n    local state line\n    local -a commands\n    commands=(\n";
+    for (const CommandWords& command : program.commands) {
+        out << "        '" << zshEscaped(command.name) << ":" << zshEscaped(command.summary) << "'\n";
+    }
+    out << "    )\n    _arguments -C";
+    writeZshOptions(out, program.itself, "        ");
+    out << " \\\n        '1: :->command' '*:: :->operands'\n    case $state in\n"
+        << "        command) _describe command commands ;;\n        operands)\n            case $line[1] in\n";
+    for (const CommandWords& command : program.commands) {
+        out << "                " << command.name << ")\n                    _arguments";
+        writeZshOptions(out, command, "                        ");
+        for (const OptionWords& operand : command.operands) {
+            out << " \\\n                        '" << (operand.mayRepeat ? "*" : "")
+                << zshValue(operand, operand.names.front()) << "'";
+        }
+        out << "\n                    ;;\n";
+    }
+    out << "            esac\n            ;;\n    esac\n}\n_angiopose_cli \"$@\"\n";
+    return out.str();
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,74 @@
+#include "app/preferences/applied_choices.h"
+
+#include "app/preferences/settings.h"
+#include "ui/actions/command_table.h"
+#include "ui/actions/key_hint.h"
+#include "ui/theme/active_theme.h"
+#include "ui/views/gl_driver.h"
+#include "ui/words/language.h"
+
+#include <QCoreApplication>
+#include <QKeySequence>
+#include <QSettings>
+
+namespace angiopose::app {
+
+void applyChosenLanguage()
+{
+    const QString choice = settings::language.read();
+    ui::applyLanguage(choice == QLatin1String("system") ? ui::desktopLanguage() : choice);
+}
+
+void applyChosenKeys()
+{
+    const QSettings stored;
+    std::map<ui::Command, QString> chosen;
+    for (const ui::MenuRows& menu : ui::CommandTable::menus()) {
+        for (const ui::CommandRow& row : menu.commands) {
+            const QVariant keys = stored.value(QStringLiteral("keys/") + row.name());
+            if (keys.isValid()) {
+                chosen[row.command] =
+                    QKeySequence::listFromString(keys.toString()).value(0).toString(QKeySequence::NativeText);
+            }
+        }
+    }
+    ui::setChosenKeys(std::move(chosen));
+}
+
+void applyChosenTheme(QApplication& application)
+{
+    static const ui::ThemeMode desktop = ui::systemTheme(application);   // before the first theme hides it
+    const QString choice = settings::theme.read();
+    if (choice == QLatin1String("system")) {
+        ui::applyTheme(application, desktop);
+    } else {
+        ui::applyTheme(application, choice == QLatin1String("light") ? ui::ThemeMode::Light : ui::ThemeMode::Dark);
+    }
+}
+
+QCommandLineOption rendererOption()
+{
+    return {QStringLiteral("renderer"),
+            QCoreApplication::translate("main",
+                                        "Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: "
+                                        "vtk where a graphics card does OpenGL."),
+            QStringLiteral("auto|vtk|painter"), QStringLiteral("auto")};
+}
+
+QString rendererIn(const QCommandLineParser& parser)
+{
+    return parser.value(QStringLiteral("renderer"));
+}
+
+bool applyRenderer(const QCommandLineParser& parser)
+{
+    const QString name = rendererIn(parser);
+    if (name == QLatin1String("vtk")) {
+        ui::chooseRenderer(ui::RendererChoice::Vtk);
+    } else if (name == QLatin1String("painter")) {
+        ui::chooseRenderer(ui::RendererChoice::Painter);
+    }
+    return name == QLatin1String("vtk") || name == QLatin1String("painter") || name == QLatin1String("auto");
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,216 @@
+#include "app/texts/dicom_contents.h"
+
+#include "app/messages/says.h"
+#include "app/messages/says_dicom.h"
+#include "app/texts/movie_steps.h"
+#include "core/measuring/measure_image.h"
+#include "core/tracing/angiogram/frame/burned_in_text.h"
+#include "io/dicom/objects/presentation_state.h"
+#include "io/dicom/objects/secondary_capture.h"
+#include "ui/scenes/projected_tree.h"
+
+#include <algorithm>
+
+namespace angiopose::app {
+namespace {
+
+using Line = std::vector<Eigen::Vector2d>;
+
+io::RgbColor rgb(const ui::Color& color)
+{
+    return {color.red, color.green, color.blue};
+}
+
+bool passesImage(const Line& line, const core::ProjectionCamera& camera)
+{
+    return std::ranges::any_of(line, [&camera](const Eigen::Vector2d& point) {
+        return point.x() > -0.5 && point.y() > -0.5 && point.x() < camera.width - 0.5 &&
+               point.y() < camera.height - 0.5;
+    });
+}
+
+/// The vessels that are shown, auxiliary ones in a layer of their own.
+std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::ProjectionCamera& camera)
+{
+    const core::Case& theCase = ground.theCase;
+    const ui::BranchColors colors = ui::branchColors(ui::palette(ui::ThemeMode::Dark));
+    io::StateLayer plain{"VESSELS", "Vessels of the 3-D tree", rgb(colors.plain), {}, {}};
+    io::StateLayer auxiliary{"AUXILIARY", "Auxiliary vessels of the 3-D tree", rgb(colors.auxiliary), {}, {}};
+    const core::RigidTransform& pose = theCase.shown().cameraFromPatient;
+    const DrawnVessels drawn = drawnVessels(theCase.shown(), theCase.vessels, pose, ground.wanted.look.shape);
+    const core::VesselTree tree = core::without(drawn.tree, theCase.vessels.hiddenBranchIds);
+    for (const ui::ProjectedBranch& branch : ui::projectedTree(tree, camera, pose)) {
+        const std::vector<int>& ids = theCase.vessels.auxiliaryBranchIds;
+        io::StateLayer& layer = std::ranges::find(ids, branch.id) == ids.end() ? plain : auxiliary;
+        for (const auto& run : branch.runs) {
+            Line line;
+            std::ranges::transform(run, std::back_inserter(line), &ui::ProjectedPoint::px);
+            if (passesImage(line, camera)) {
+                layer.lines.push_back(std::move(line));
+            }
+        }
+    }
+    return {plain, auxiliary};
+}
+
+/// What was measured in the frame, with its value beside it.
+io::StateLayer measuredLayer(const core::Case& theCase)
+{
+    io::StateLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
+    const core::MeasuredView seen(theCase.shown(), theCase.vessels.tree.get());
+    for (const core::ImageMeasurement& measurement : theCase.shown().measurements) {
+        if (measurement.frame != theCase.shown().frame || measurement.pixels.empty()) {
+            continue;
+        }
+        Line line = measurement.pixels;
+        if (measurement.kind == core::MeasurementKind::Area) {
+            line.push_back(line.front());
+        }
+        layer.lines.push_back(line);
+        if (const auto measured = core::measureImage(measurement, seen)) {
+            layer.texts.push_back({core::labelOf(measured.value(), measurement.kind).text(), line.front()});
+        }
+    }
+    return layer;
+}
+
+/// Grey values of the file: mirrored where reading turned the image round.
+core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& run, const io::SourceImage& source)
+{
+    if (!source.isShownInverted) {
+        return range;
+    }
+    float low = run.frames.front().pixels.front();
+    float high = low;
+    for (const core::ImageF& frame : run.frames) {
+        const auto [least, most] = std::ranges::minmax_element(frame.pixels);
+        low = std::min(low, *least);
+        high = std::max(high, *most);
+    }
+    const double sum = static_cast<double>(low) + static_cast<double>(high);
+    return {sum - range.high, sum - range.low};
+}
+
+core::DisplayRange shownRange(const DicomGround& ground, int frame, core::Messages& notes)
+{
+    const core::View& view = ground.theCase.shown();
+    const core::Angiogram& run = *core::storedRunOf(view);
+    const bool isTreated = view.storedRun != nullptr;
+    if (isTreated) {
+        notes.push_back(says::dicomTreated());
+    }
+    const auto& look = ground.wanted.look;
+    const core::DisplayRange range =
+        look.range && !isTreated ? *look.range : core::displayRange(run.frames[static_cast<std::size_t>(frame)]);
+    return storedRange(range, run, ground.angiogram);
+}
+
+/// Names are written with `^` between their parts, titles with blanks.
+std::vector<std::string> wordsOf(const std::string& text)
+{
+    std::vector<std::string> words;
+    std::string word;
+    for (const char letter : text + " ") {
+        if (letter == '^' || letter == ' ' || letter == '=' || letter == ',') {
+            if (word.size() > 2) {
+                words.push_back(word);
+            }
+            word.clear();
+        } else {
+            word += letter;
+        }
+    }
+    return words;
+}
+
+bool namesPatient(const std::string& title, const io::SourceImage& source)
+{
+    const std::vector<std::string> words =
+        wordsOf(source.patientText(0x00100010) + " " + source.patientText(0x00100020));
+    return std::ranges::any_of(words, [&](const std::string& word) { return title.find(word) != std::string::npos; });
+}
+
+/// Letters in the image are not read: where there are any, they may be a name.
+io::BurnedInIdentity identityIn(const DicomGround& ground)
+{
+    const core::View& view = ground.theCase.shown();
+    const core::Mask2d letters =
+        core::burnedInText(view.angiogram->frames[static_cast<std::size_t>(view.frame)], core::tellingLetterShare);
+    const bool hasLetters = std::ranges::any_of(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
+    const bool mayBeThere = ground.wanted.look.identity == Identity::Shown || ground.angiogram.isAnnotated ||
+                            hasLetters || namesPatient(ground.theCase.title, ground.angiogram);
+    return mayBeThere ? io::BurnedInIdentity::MayBeThere : io::BurnedInIdentity::None;
+}
+
+/// One size and one scale of grey values for all frames; curves and residuals are those of one frame.
+OverlayPictureOptions lookOfRun(const DicomGround& ground)
+{
+    OverlayPictureOptions look = ground.wanted.look;
+    const core::View& view = ground.theCase.shown();
+    look.isStartBeside = false;
+    look.coloring = OverlayColoring::Branches;
+    look.radiograph = nullptr;
+    look.widthPx = look.widthPx > 0 ? look.widthPx : view.angiogram->width();
+    if (!look.range) {
+        look.range = core::displayRange(view.angiogram->frames[static_cast<std::size_t>(view.frame)]);
+    }
+    return look;
+}
+
+}   // namespace
+
+core::Result<std::string> stateObject(const DicomGround& ground, core::Messages& notes)
+{
+    const core::View& view = ground.theCase.shown();
+    const auto camera = core::cameraOf(view);
+    if (!camera) {
+        return camera.error();
+    }
+    io::ShownState shown;
+    shown.layers = vesselLayers(ground, camera.value());
+    shown.layers.push_back(measuredLayer(ground.theCase));
+    shown.layers.push_back({"NOTICE", "What the overlay is", {200, 200, 200}, {}, {}});
+    shown.layers.back().texts.push_back({"AngioPose. " + says::notForClinicalUse().text(), {8.0, 16.0}});
+    shown.frame = std::min(view.frame, core::storedRunOf(view)->frameCount() - 1);
+    shown.description = "Vessels of a registered 3-D tree as vectors";
+    if (ground.angiogram.isDicom) {
+        shown.range = shownRange(ground, shown.frame, notes);
+    }
+    return io::presentationState(shown, ground.angiogram, ground.origin);
+}
+
+core::Result<std::string> pictureObject(const DicomGround& ground)
+{
+    auto picture = drawOverlay(ground.theCase, ground.target, ground.wanted.look);
+    if (!picture) {
+        return picture.error();
+    }
+    return io::secondaryCapture({{std::move(picture).value()}, 0.0, identityIn(ground), says::dicomDerivation().text()},
+                                ground.angiogram, ground.origin);
+}
+
+core::Result<std::string> runObject(const DicomGround& ground)
+{
+    const core::Angiogram& run = *ground.theCase.shown().angiogram;
+    MoviePlan plan;
+    plan.frames = {0, run.frameCount() - 1};
+    plan.followed = core::framesOf(ground.theCase.shown().followed);
+    OverlayPictureOptions look = lookOfRun(ground);
+    const MovieSteps steps(ground.theCase, plan, look.shape);
+    io::CapturedPictures captured{{}, run.frameTimeMs, identityIn(ground), says::dicomDerivation().text()};
+    for (std::size_t i = 0; i < steps.count(); ++i) {
+        if (ground.goesOn(static_cast<double>(i) / static_cast<double>(steps.count())) == core::Verdict::Stop) {
+            return core::Error(core::Stopped{says::dicomStopped()});
+        }
+        const MovieStep step = steps.at(i);
+        look.words = step.words;
+        auto picture = drawOverlay(step.theCase, {}, look);
+        if (!picture) {
+            return picture.error();
+        }
+        captured.pictures.push_back(std::move(picture).value());
+    }
+    return io::secondaryCaptureRun(std::move(captured), ground.angiogram, ground.origin);
+}
+
+}   // namespace angiopose::app

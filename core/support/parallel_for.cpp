@@ -1,0 +1,27 @@
+#include "core/support/parallel_for.h"
+
+#include <algorithm>
+#include <atomic>
+#include <opencv2/core/utility.hpp>
+#include <thread>
+
+namespace angiopose::core {
+namespace {
+
+std::atomic<int> threadsAllowed{0};   // 0: all
+
+}   // namespace
+
+int usableThreads()
+{
+    const int allowed = threadsAllowed;
+    return allowed > 0 ? allowed : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+void limitThreads(int threads)
+{
+    threadsAllowed = std::max(1, threads);
+    cv::setNumThreads(std::max(1, threads));
+}
+
+}   // namespace angiopose::core
