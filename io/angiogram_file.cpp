@@ -32,7 +32,7 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
         angiogram.warnings.push_back(says::transparencyIgnored());
     }
     if (raster.value().orientation != 1) {
-        angiogram.warnings.push_back(says::imageTurned(raster.value().orientation));
+        angiogram.warnings.push_back(says::pictureTurned(raster.value().orientation));
     }
     if (raster.value().isFlawed) {
         angiogram.warnings.push_back(says::imageFlawed());

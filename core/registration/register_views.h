@@ -22,8 +22,8 @@ struct MultiViewOptions {
     std::vector<StepSpread> steps{};   ///< to each view; the first's does not matter. Empty: taken together
     std::vector<std::size_t> numbers{};   ///< what the views are called in messages; empty: 1, 2, … in the order given
 
-    StepSpread stepTo(std::size_t index) const { return steps.empty() ? StepSpread() : steps[index]; }
-    std::size_t numberOf(std::size_t index) const { return numbers.empty() ? index + 1 : numbers[index]; }
+    StepSpread stepTo(std::size_t index) const { return index < steps.size() ? steps[index] : StepSpread(); }
+    std::size_t numberOf(std::size_t index) const { return index < numbers.size() ? numbers[index] : index + 1; }
 };
 
 /// One rigid tree in several views.

@@ -2,19 +2,12 @@
 
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/registration/judging/unfilled_branches.h"
+#include "core/support/quantile.h"
 
 #include <algorithm>
 
 namespace angiopose::core {
 namespace {
-
-/// The value that so many of all lie below; `values` are put in another order.
-double quantile(std::vector<double>& values, double share)
-{
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-    std::ranges::nth_element(values, values.begin() + place);
-    return values[static_cast<std::size_t>(place)];
-}
 
 std::vector<double> together(const std::map<int, std::vector<double>>& residualPx)
 {

@@ -14,7 +14,7 @@ constexpr DicomTag timeTag = 0x00181063;
 constexpr DicomTag vectorTag = 0x00181065;
 constexpr std::size_t mostFrames = 20'000;
 
-double positive(const DicomDataset& data, DicomTag tag)
+double positiveOrZero(const DicomDataset& data, DicomTag tag)
 {
     return std::max(data.number(tag).value_or(0.0), 0.0);
 }
@@ -40,7 +40,7 @@ double medianOfVector(const DicomDataset& data)
 
 FrameTime frameTimeOf(const DicomDataset& data)
 {
-    const double single = positive(data, timeTag), median = medianOfVector(data);
+    const double single = positiveOrZero(data, timeTag), median = medianOfVector(data);
     const bool isVector = data.integer(incrementPointerTag) == static_cast<int>(vectorTag);
     FrameTime time{(isVector && median > 0.0) || single == 0.0 ? median : single, {}};
     if (single > 0.0 && median > 0.0 && std::abs(single - median) > 0.05 * time.ms) {
@@ -48,7 +48,7 @@ FrameTime frameTimeOf(const DicomDataset& data)
                                                    core::Quantity{time.ms, 1, "ms"});
     }
     for (const DicomTag rate : {DicomTag{0x00180040}, DicomTag{0x00082144}}) {
-        time.ms = time.ms == 0.0 && positive(data, rate) > 0.0 ? 1000.0 / positive(data, rate) : time.ms;
+        time.ms = time.ms == 0.0 && positiveOrZero(data, rate) > 0.0 ? 1000.0 / positiveOrZero(data, rate) : time.ms;
     }
     return time;
 }

@@ -8,7 +8,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::string_view pngStart = "\x89PNG\r\n\x1a\n";
+constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view exifStart("Exif\0\0", 6);
 constexpr std::uint16_t orientationTag = 274;
 constexpr std::uint16_t longType = 4;   // SHORT is what the standard has
@@ -39,7 +39,7 @@ std::optional<int> orientationIn(std::string_view exif)
 /// Chunks of length, name, content and check sum.
 std::optional<int> orientationOfPng(std::string_view rest)
 {
-    rest.remove_prefix(pngStart.size());
+    rest.remove_prefix(pngSignature.size());
     while (rest.size() >= 12) {
         const std::size_t length = std::min<std::size_t>(readUint32(rest, ByteOrder::Big), rest.size() - 12);
         if (rest.substr(4, 4) == "eXIf") {
@@ -74,7 +74,7 @@ std::optional<int> orientationOfJpeg(std::string_view rest)
 
 int exifOrientation(std::string_view picture)
 {
-    const auto stated = picture.starts_with(pngStart)     ? orientationOfPng(picture)
+    const auto stated = picture.starts_with(pngSignature) ? orientationOfPng(picture)
                         : picture.starts_with("\xff\xd8") ? orientationOfJpeg(picture)
                                                           : std::nullopt;
     return stated.value_or(1);

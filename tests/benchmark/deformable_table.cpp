@@ -134,7 +134,9 @@ std::vector<core::RigidTransform> registerRigidly(const std::vector<core::Regist
     if (inputs.size() == 1) {
         return {core::registerVessels(inputs.front()).value().cameraFromPatient};
     }
-    const core::MultiViewResult joint = core::registerViews(inputs, {}, {0.02, 0.05}).value();
+    const core::MultiViewResult joint =
+        core::registerViews(inputs, {}, {std::vector<core::StepSpread>(inputs.size(), {0.02, {0.05, 0.05, 0.05}}), {}})
+            .value();
     std::vector<core::RigidTransform> poses;
     for (std::size_t k = 0; k < inputs.size(); ++k) {   // the geometry is exact here
         poses.push_back(inputs[k].initialCameraFromPatient * inputs.front().initialCameraFromPatient.inverse() *

@@ -107,7 +107,7 @@ TEST(RegisterViews, DepthBecomesAsCertainAsTheShift)
     TwoViews two;
     two.startOff(typicalStep());
     const auto alone = registerVessels(two.inputs[0]);
-    const auto both = registerViews(two.inputs, {}, {0.05, 0.05});
+    const auto both = registerViews(two.inputs, {}, {.steps = {{}, {0.05, {0.05, 0.05, 0.05}}}});
     ASSERT_TRUE(alone && both);
     EXPECT_TRUE(both.value().trustworthy);
     EXPECT_LT(both.value().uncertainty.depthMm, 0.3 * alone.value().uncertainty.depthMm);

@@ -173,8 +173,8 @@ void expectShown(const std::string& path, int orientation)
             ASSERT_NEAR(frame.at(x, y), shownGrey(x, y), 2.0F) << path << " " << orientation << " at " << x << "," << y;
         }
     }
-    const bool isNamed = std::ranges::any_of(read.value().warnings,
-                                             [](const core::Message& each) { return each.is(io::says::imageTurned); });
+    const bool isNamed = std::ranges::any_of(
+        read.value().warnings, [](const core::Message& each) { return each.is(io::says::pictureTurned); });
     EXPECT_EQ(isNamed, orientation != 1);
 }
 

@@ -19,7 +19,7 @@ double widestVesselRadiusPx(const CArm& cArm, int width, int height)
     if (!(spacingMm > 0.0)) {
         return usualMaxVesselRadiusPx;
     }
-    const auto& [sidMm, sodMm] = std::tie(cArm.sourceToDetectorMm.value, cArm.sourceToPatientMm.value);
+    const auto& [sidMm, sodMm] = std::tie(cArm.sourceToDetectorMm.value, vesselDepthOf(cArm).value);
     const double magnification = sidMm && sodMm && *sodMm > 0.0 ? std::clamp(*sidMm / *sodMm, 1.0, 2.5) : 1.0;
     const double storedPx = leftMainRadiusMm * magnification / spacingMm;
     return std::clamp(storedPx * workingSizeOf(width, height).factor(), usualMaxVesselRadiusPx, mostRadiusPx);

@@ -15,7 +15,7 @@ core::CArm cArmOf(double spacingMm, double sidMm, double sodMm)
     cArm.columnSpacingMm = {spacingMm, core::Origin::Header, {}};
     cArm.rowSpacingMm = cArm.columnSpacingMm;
     cArm.sourceToDetectorMm = {sidMm, core::Origin::Header, {}};
-    cArm.sourceToPatientMm = {sodMm, core::Origin::Header, {}};
+    cArm.sourceToIsocenterMm = {sodMm, core::Origin::Header, {}};
     return cArm;
 }
 
