@@ -167,10 +167,6 @@
         <translation>%1 mm (%2 px)</translation>
     </message>
     <message>
-        <source>95 % nearer than</source>
-        <translation>95 % näher als</translation>
-    </message>
-    <message>
         <source>Traced vessels covered</source>
         <translation>Erkannte Gefäße abgedeckt</translation>
     </message>
@@ -309,6 +305,10 @@
     <message>
         <source>No check speaks against this pose. That is no proof: look at the picture.</source>
         <translation>Keine Prüfung spricht gegen diese Lage. Das ist kein Beweis: das Bild ansehen.</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
     </message>
 </context>
 <context>
@@ -1423,10 +1423,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Unsicherheit dieser Lage ist noch nicht bekannt.</translation>
     </message>
     <message>
-        <source>The image hardly tells these apart: ±%1 mm, mostly %2</source>
-        <translation>Das Bild unterscheidet diese kaum: ±%1 mm, vor allem %2</translation>
-    </message>
-    <message>
         <source>The run found no other solution.</source>
         <translation>Der Lauf fand keine andere Lösung.</translation>
     </message>
@@ -1449,6 +1445,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Other solution %1 of %2, score %3 · %4 takes it</source>
         <translation>Andere Lösung %1 von %2, Güte %3 · %4 übernimmt</translation>
+    </message>
+    <message>
+        <source>By image noise only, poses within ±%1 mm (2 σ, mostly %2) look alike</source>
+        <translation>Allein durch Bildrauschen sehen Lagen innerhalb von ±%1 mm (2 σ, vor allem %2) gleich aus</translation>
     </message>
 </context>
 <context>
@@ -1515,6 +1515,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Registered: median %1 mm</source>
         <translation>Registriert: Median %1 mm</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE · median %1 mm over %2 % of the tree</source>
+        <translation>NICHT VERLÄSSLICH · Median %1 mm über %2 % des Gefäßbaums</translation>
     </message>
 </context>
 <context>
@@ -1957,10 +1961,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>look closely</source>
-        <translation>genau ansehen</translation>
-    </message>
-    <message>
         <source>other frame</source>
         <translation>anderes Bild</translation>
     </message>
@@ -2011,6 +2011,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Nothing was traced in the scan. Place a seed or set the threshold beside its slices.</source>
         <translation>Im Scan wurde nichts erfasst. Neben den Schichten einen Startpunkt setzen oder die Schwelle wählen.</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE</source>
+        <translation>NICHT VERLÄSSLICH</translation>
+    </message>
+    <message>
+        <source>%1 mm median over %2 %</source>
+        <translation>%1 mm Median über %2 %</translation>
     </message>
 </context>
 <context>
@@ -2286,8 +2294,44 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einzelbild</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 (0–%2) · vollstes: %3</translation>
+        <source>start pose</source>
+        <translation>Ausgangslage</translation>
+    </message>
+    <message>
+        <source>a step of the run</source>
+        <translation>ein Schritt des Laufs</translation>
+    </message>
+    <message>
+        <source>a pose that image noise allows</source>
+        <translation>eine Lage, die das Bildrauschen zulässt</translation>
+    </message>
+    <message>
+        <source>another solution</source>
+        <translation>eine andere Lösung</translation>
+    </message>
+    <message>
+        <source>a kept pose</source>
+        <translation>eine behaltene Lage</translation>
+    </message>
+    <message>
+        <source>pose of this frame</source>
+        <translation>Lage dieses Bildes</translation>
+    </message>
+    <message>
+        <source>another pose</source>
+        <translation>eine andere Lage</translation>
+    </message>
+    <message>
+        <source>Preview: %1</source>
+        <translation>Vorschau: %1</translation>
+    </message>
+    <message>
+        <source>%1 · median of the whole tree %2 mm</source>
+        <translation>%1 · Median des ganzen Gefäßbaums %2 mm</translation>
+    </message>
+    <message>
+        <source>Opacification by frame · frame %1 of %2 · fullest: %3</source>
+        <translation>Kontrastfüllung je Bild · Bild %1 von %2 · vollstes: %3</translation>
     </message>
 </context>
 <context>
@@ -3481,11 +3525,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Unerwarteter Fehler: %1</translation>
     </message>
     <message>
-        <source>frame %1 does not exist. It has frames 0 to %2.</source>
-        <comment>command.frame-beyond-run</comment>
-        <translation>Bild %1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
-    </message>
-    <message>
         <source>there is no setting &apos;%1&apos;. The nearest are: %2.</source>
         <comment>setting.unknown</comment>
         <translation>es gibt keine Einstellung „%1“. Am nächsten kommen: %2.</translation>
@@ -3771,7 +3810,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es bietet %1 nicht an. Den Betreiber bitten, das unserem AE-Titel %2 zu erlauben.</translation>
     </message>
     <message>
-        <source>%1 failed with %2. Look into the archive's log, or ask who runs it.</source>
+        <source>%1 failed with %2. Look into the archive&apos;s log, or ask who runs it.</source>
         <comment>archive.status</comment>
         <translation>%1 schlug mit %2 fehl. In das Protokoll des Archivs sehen, oder den Betreiber fragen.</translation>
     </message>
@@ -3901,12 +3940,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Objekt ist größer als die Grenze von %1 und wurde nicht behalten. Die Grenze heben, wenn es gewollt ist (--max-object).</translation>
     </message>
     <message>
-        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive's log.</source>
+        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive&apos;s log.</source>
         <comment>archive.object-unreadable</comment>
         <translation>Ein Objekt, das kam, ist kein lesbares DICOM-Objekt und wurde nicht behalten. In das Protokoll des Archivs sehen.</translation>
     </message>
     <message>
-        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive's log.</source>
+        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive&apos;s log.</source>
         <comment>archive.object-foreign</comment>
         <translation>Ein Objekt, das kam, ist nicht das angekündigte (%1) und wurde nicht behalten. In das Protokoll des Archivs sehen.</translation>
     </message>
@@ -4054,11 +4093,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>after: at this pose</source>
         <comment>picture.after</comment>
         <translation>nachher: in dieser Lage</translation>
-    </message>
-    <message>
-        <source>frame %1 (0–%2)</source>
-        <comment>picture.frame</comment>
-        <translation>Bild %1 (0–%2)</translation>
     </message>
     <message>
         <source>%1 · median %2</source>
@@ -4941,11 +4975,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Empfindlichkeit der Erkennung muss über 0 liegen, nicht %1.</translation>
     </message>
     <message>
-        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
-        <comment>frame.missing</comment>
-        <translation>Bild %1 gibt es nicht: die Aufnahme hat die Bilder 0 bis %2.</translation>
-    </message>
-    <message>
         <source>The vessel mask has no vessel of at least %1 in it. Draw longer vessels, or lower the shortest length.</source>
         <comment>frame.mask-without-vessels</comment>
         <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1. Längere Gefäße zeichnen oder die kürzeste Länge senken.</translation>
@@ -4959,11 +4988,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The frames of the run differ in size and cannot be subtracted.</source>
         <comment>subtraction.sizes-differ</comment>
         <translation>Die Bilder der Serie sind verschieden groß und lassen sich nicht subtrahieren.</translation>
-    </message>
-    <message>
-        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
-        <comment>subtraction.mask-frame-missing</comment>
-        <translation>Maskenbild %1 gibt es nicht. Die Serie hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
         <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
@@ -5186,11 +5210,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Teile, die weniger hell sind als die Gefäße, wurden weggelassen: so sehen Venen und Organe aus. In die, die zum Baum gehören, einen Startpunkt setzen.</translation>
     </message>
     <message>
-        <source>A wide vessel that was not traced runs beside the traced ones for %1: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
-        <comment>tracing.other-lumen-beside</comment>
-        <translation>Ein weites Gefäß, das nicht erfasst wurde, läuft %1 weit neben den erfassten: bei einer eingerissenen Aorta das andere Lumen. In jedes Lumen einen Startpunkt setzen, um beide zu erfassen.</translation>
-    </message>
-    <message>
         <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
         <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
@@ -5394,11 +5413,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
         <comment>case.pose-not-rigid</comment>
         <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
-    </message>
-    <message>
-        <source>%1 does not exist. The image has frames 0 to %2.</source>
-        <comment>case.frame-missing</comment>
-        <translation>%1 gibt es nicht. Die Aufnahme hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
         <source>it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
@@ -6436,11 +6450,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nennt %1, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
-        <source>its coordinates are in %1. Export the curves in mm.</source>
-        <comment>tree.markups-unit</comment>
-        <translation>die Koordinaten sind in %1. Die Kurven in mm exportieren.</translation>
-    </message>
-    <message>
         <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
         <comment>tree.markups-none</comment>
         <translation>ist keine Slicer-Markups-Datei mit Kurven. Die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc exportieren.</translation>
@@ -6834,16 +6843,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
         <comment>volume.size-of-one</comment>
         <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: prüfen, ob sie unterwegs verloren ging.</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
-        <comment>volume.nifti-qform-used</comment>
-        <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die qform in Gerätekoordinaten gilt.</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the sform is used.</source>
-        <comment>volume.nifti-sform-used</comment>
-        <translation>Ihre zwei Lageangaben (qform und sform) weichen ab; die sform gilt.</translation>
     </message>
     <message>
         <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
@@ -7401,11 +7400,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Keine Registrierung ist bekannt, die zu dieser Lage führte. Zuerst registrieren.</translation>
     </message>
     <message>
-        <source>There are no frames %1 to %2 in that order: the run has frames 0 to %3. Choose others.</source>
-        <comment>movie.frames-beyond</comment>
-        <translation>Bilder %1 bis %2 gibt es in dieser Folge nicht: Die Serie hat die Bilder 0 bis %3. Andere wählen.</translation>
-    </message>
-    <message>
         <source>stopped before the movie was whole. Nothing was written.</source>
         <comment>movie.stopped</comment>
         <translation>angehalten, bevor der Film fertig war. Nichts wurde geschrieben.</translation>
@@ -7574,6 +7568,251 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>the audit file cannot be written (%1), so that what was done is not in it. Make room, or allow writing to it.</source>
         <comment>audit.not-written</comment>
         <translation>die Audit-Datei kann nicht geschrieben werden (%1), sodass nicht darin steht, was getan wurde. Schaffen Sie Platz, oder erlauben Sie das Schreiben.</translation>
+    </message>
+    <message>
+        <source>No header tells where the table stood: where the vessels lie in this view is found from its image, only the turn from angles.</source>
+        <comment>geometry.table-unknown</comment>
+        <translation>Kein Header sagt, wo der Tisch stand: Wo die Gefäße in dieser Ansicht liegen, folgt aus ihrem Bild, nur die Drehung aus den Winkeln.</translation>
+    </message>
+    <message>
+        <source>Only (0018,1111) tells a distance, and it differs between the views (%1, %2): it is no isocenter. The shift between the views is not used; type the distance source to isocenter (SOD) of both.</source>
+        <comment>geometry.isocenter-unknown</comment>
+        <translation>Nur (0018,1111) nennt einen Abstand, und er ist zwischen den Ansichten verschieden (%1, %2): Er ist kein Isozentrum. Die Verschiebung zwischen den Ansichten wird nicht verwendet; bitte für beide den Abstand Quelle–Isozentrum (SOD) eingeben.</translation>
+    </message>
+    <message>
+        <source>The table moved during one of the runs: the shift between the views counts as unknown (50 mm).</source>
+        <comment>geometry.table-moved-in-view</comment>
+        <translation>Der Tisch bewegte sich während einer der Serien: Die Verschiebung zwischen den Ansichten gilt als unbekannt (50 mm).</translation>
+    </message>
+    <message>
+        <source>Little was traced here but lines that stand still through the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
+        <comment>follow.stands-still</comment>
+        <translation>Hier wurde kaum etwas gefunden außer Linien, die in der ganzen Serie stillstehen, wie Blendenränder, Kabel und Knochen: das Bild zeigt kein Kontrastmittel, dem zu folgen wäre.</translation>
+    </message>
+    <message>
+        <source>Frame %1 does not exist: the image has frames 1 to %2.</source>
+        <comment>frame.missing</comment>
+        <translation>Bild %1 gibt es nicht: die Aufnahme hat die Bilder 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Mask frame %1 does not exist, counted from 1. The run has frames 1 to %2.</source>
+        <comment>subtraction.mask-frame-missing</comment>
+        <translation>Maskenbild %1 gibt es nicht, von 1 an gezählt. Die Serie hat die Bilder 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>A wide vessel that was not traced runs beside the traced ones for %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
+        <comment>tracing.other-lumen-beside</comment>
+        <translation>Neben den erkannten Gefäßen verläuft über %1 ein weites, nicht erkanntes Gefäß, bei %2: möglicherweise das falsche Lumen einer Dissektion. Einen Startpunkt in jedes Lumen setzen, um beide zu erkennen.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist: counted from 0, as in case files, the image has frames 0 to %2.</source>
+        <comment>case.frame-missing</comment>
+        <translation>%1 gibt es nicht: von 0 an gezählt, wie in Falldateien, hat die Aufnahme die Bilder 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>The image is shown as its orientation tag (%1) states, turned or mirrored from how its pixels are stored.</source>
+        <comment>image.turned</comment>
+        <translation>Das Bild wird so gezeigt, wie seine Orientierungsangabe (%1) es verlangt: gegenüber den gespeicherten Pixeln gedreht oder gespiegelt.</translation>
+    </message>
+    <message>
+        <source>page %1 has %2 x %3 pixels, the first has %4 x %5. Export the frames of one run, all equally large.</source>
+        <comment>image.pages-differ</comment>
+        <translation>Seite %1 hat %2 x %3 Pixel, die erste %4 x %5. Exportieren Sie die Bilder einer Serie, alle gleich groß.</translation>
+    </message>
+    <message>
+        <source>it has %1 pages. Export the mask as one image.</source>
+        <comment>centreline.mask-pages</comment>
+        <translation>sie hat %1 Seiten. Exportieren Sie die Maske als ein einziges Bild.</translation>
+    </message>
+    <message>
+        <source>The header announces %1 frames, but %2 are in the file: these are loaded. Copy or export it again where some are missing.</source>
+        <comment>dicom.frames-other</comment>
+        <translation>Der Header kündigt %1 Bilder an, in der Datei sind %2: Diese werden geladen. Neu kopieren oder exportieren, falls welche fehlen.</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself about the time between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <comment>dicom.frame-times</comment>
+        <translation>Der Header widerspricht sich bei der Zeit zwischen Bildern: Frame Time %1, Frame Time Vector %2. Es gilt %3.</translation>
+    </message>
+    <message>
+        <source>a volume made of projections (modality %1)</source>
+        <comment>dicom.reconstruction</comment>
+        <translation>ein aus Projektionen berechnetes Volumen (Modalität %1)</translation>
+    </message>
+    <message>
+        <source>The header&apos;s %1 shutter (0018,1600) leaves nothing of the image (%2): it is ignored. Check that no shutter edge is traced as a vessel.</source>
+        <comment>dicom.shutter-unusable</comment>
+        <translation>Die Blende %1 des Headers (0018,1600) lässt vom Bild nichts übrig (%2): sie wird ignoriert. Prüfen, dass kein Blendenrand als Gefäß nachgezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>The image is taken as turned clockwise by %1, after %2. Check that head and left are where they belong.</source>
+        <comment>dicom.image-turned</comment>
+        <translation>Das Bild gilt als um %1 im Uhrzeigersinn gedreht, nach %2. Bitte prüfen, ob Kopf und links am richtigen Ort sind.</translation>
+    </message>
+    <message>
+        <source>Patient Orientation (0020,0020) says %1, which no image at these angles can be: check the angles, and whether the image is mirrored or turned.</source>
+        <comment>dicom.orientation-unlike-angles</comment>
+        <translation>Patient Orientation (0020,0020) lautet %1, was bei diesen Winkeln kein Bild sein kann: Bitte die Winkel prüfen, und ob das Bild gespiegelt oder gedreht ist.</translation>
+    </message>
+    <message>
+        <source>The header has the object at %1 from the source, the isocenter at %2: the vessels start at the first, the gantry turns about the second.</source>
+        <comment>dicom.object-off-isocenter</comment>
+        <translation>Laut Header liegt das Objekt %1 von der Quelle entfernt, das Isozentrum %2: Die Gefäße beginnen im ersten Abstand, der C-Bogen dreht um den zweiten.</translation>
+    </message>
+    <message>
+        <source>The file states its unit (&quot;%1&quot;): one unit is read as %2. Give the unit if that is wrong.</source>
+        <comment>vessels.unit-stated</comment>
+        <translation>Die Datei nennt ihre Einheit („%1“): eine Einheit wird als %2 gelesen. Geben Sie die Einheit an, falls das nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>The file states its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as was asked for. Check the size.</source>
+        <comment>vessels.unit-overruled</comment>
+        <translation>Die Datei nennt ihre Einheit („%1“, also %2), aber eine Einheit wird wie verlangt als %3 gelesen. Prüfen Sie die Größe.</translation>
+    </message>
+    <message>
+        <source>The file states two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and give the unit if it is wrong.</source>
+        <comment>vessels.units-contradict</comment>
+        <translation>Die Datei nennt zwei Einheiten („%1“ und „%2“). Prüfen Sie die Größe und geben Sie die Einheit an, falls sie nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>its axes are %1, not LPS or RAS. Export it in patient coordinates (LPS).</source>
+        <comment>vessels.axes-other</comment>
+        <translation>ihre Achsen sind %1, nicht LPS oder RAS. Exportieren Sie sie in Patientenkoordinaten (LPS).</translation>
+    </message>
+    <message>
+        <source>In %1 lines the first points stood at the end: they were moved back to the beginning. Check the vessels.</source>
+        <comment>tree.turned-round</comment>
+        <translation>In %1 Linien standen die ersten Punkte am Ende: sie wurden an den Anfang zurückgesetzt. Prüfen Sie die Gefäße.</translation>
+    </message>
+    <message>
+        <source>The lines leap %1 times, by up to %2, over many usual steps: they were cut there. Check the order of the points.</source>
+        <comment>tree.leaps</comment>
+        <translation>Die Linien springen %1-mal um bis zu %2, weit mehr als ihr üblicher Punktabstand: sie wurden dort getrennt. Prüfen Sie die Reihenfolge der Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 points of the curves are not placed and were left out.</source>
+        <comment>tree.markups-not-placed</comment>
+        <translation>%1 Punkte der Kurven sind nicht gesetzt und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>its header declares %1 triangles, but the file holds %2. Copy or export it again.</source>
+        <comment>surface.stl-too-few</comment>
+        <translation>ihr Kopf nennt %1 Dreiecke, aber die Datei enthält %2. Kopieren oder exportieren Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>The header declares %1 triangles, but the file has room for %2: what is behind those declared was not read. Check that nothing is missing.</source>
+        <comment>surface.stl-too-many</comment>
+        <translation>Der Kopf nennt %1 Dreiecke, aber die Datei hat Platz für %2: was hinter den genannten steht, wurde nicht gelesen. Prüfen Sie, ob etwas fehlt.</translation>
+    </message>
+    <message>
+        <source>The text ends after %1 triangles without &quot;endsolid&quot;: it may be cut short. Check that nothing is missing.</source>
+        <comment>surface.stl-without-end</comment>
+        <translation>Der Text endet nach %1 Dreiecken ohne „endsolid“: er ist vielleicht abgeschnitten. Prüfen Sie, ob etwas fehlt.</translation>
+    </message>
+    <message>
+        <source>its coordinates are in &quot;%1&quot;, which is no unit of length known here. Export them in mm.</source>
+        <comment>tree.markups-unit</comment>
+        <translation>ihre Koordinaten sind in „%1“, einer hier unbekannten Längeneinheit. Exportieren Sie sie in mm.</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself: slices %1 apart (Spacing Between Slices), %2 by their positions. The positions are used.</source>
+        <comment>series.step</comment>
+        <translation>Der Header widerspricht sich: Schichtabstand %1 (Spacing Between Slices), nach den Positionen %2. Die Positionen gelten.</translation>
+    </message>
+    <message>
+        <source>part %1 of %2 (acquisition %3)</source>
+        <comment>series.acquisition</comment>
+        <translation>Teil %1 von %2 (Akquisition %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images of the series share a SOP Instance UID although they differ: all of them are read. Export the series again before you archive it.</source>
+        <comment>series.same-uid</comment>
+        <translation>%1 von %2 Bildern der Serie teilen sich eine SOP Instance UID, obwohl sie verschieden sind: Alle werden gelesen. Vor dem Archivieren die Serie neu exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 patients or studies share the UID of this series; each is listed by itself.</source>
+        <comment>series.of-several</comment>
+        <translation>%1 Patienten oder Studien teilen sich die UID dieser Serie; jede ist einzeln aufgeführt.</translation>
+    </message>
+    <message>
+        <source>The header gives lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
+        <comment>volume.unit-unknown</comment>
+        <translation>Der Header gibt Längen in „%1“ an, einer unbekannten Einheit: Millimeter werden angenommen. Voxelgröße prüfen.</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ by up to %1; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <comment>volume.nifti-qform-used</comment>
+        <translation>Ihre zwei Lageangaben (qform und sform) weichen um bis zu %1 ab; die qform in Gerätekoordinaten gilt.</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ by up to %1; the sform is used.</source>
+        <comment>volume.nifti-sform-used</comment>
+        <translation>Ihre zwei Lageangaben (qform und sform) weichen um bis zu %1 ab; die sform gilt.</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself about the voxel size: %1 (pixdim), %2 by its placement. The placement is used. Check which is right.</source>
+        <comment>volume.nifti-sizes</comment>
+        <translation>Der Header widerspricht sich bei der Voxelgröße: %1 (pixdim), %2 nach der Lageangabe. Die Lageangabe gilt. Prüfen, was stimmt.</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself about the voxel type: %1 bits (bitpix), but %2 bits by its datatype (%3), which is used.</source>
+        <comment>volume.nifti-bits</comment>
+        <translation>Der Header widerspricht sich beim Voxeltyp: %1 Bit (bitpix), aber %2 Bit nach dem Datentyp (%3), der gilt.</translation>
+    </message>
+    <message>
+        <source>The header says that the voxels begin at byte %1, which is inside the header: they are read from byte %2.</source>
+        <comment>volume.nifti-start-within-header</comment>
+        <translation>Laut Header beginnen die Voxel bei Byte %1, also innerhalb des Headers: Sie werden ab Byte %2 gelesen.</translation>
+    </message>
+    <message>
+        <source>a voxel size of %1 mm cannot be written. Correct the spacing, origin and directions of the volume.</source>
+        <comment>volume.no-size-to-write</comment>
+        <translation>eine Voxelgröße von %1 mm lässt sich nicht schreiben. Abstand, Ursprung und Richtungen des Volumens berichtigen.</translation>
+    </message>
+    <message>
+        <source>frame %1 does not exist, counted from 1. It has frames 1 to %2.</source>
+        <comment>command.frame-beyond-run</comment>
+        <translation>Bild %1 gibt es nicht, von 1 an gezählt. Die Aufnahme hat die Bilder 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE</source>
+        <comment>fit.not-reliable</comment>
+        <translation>NICHT VERLÄSSLICH</translation>
+    </message>
+    <message>
+        <source>These distances are over the %1 of the tree judged opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <comment>fit.over-opacified</comment>
+        <translation>Diese Abstände gelten für die %1 des Gefäßbaums, die als kontrastiert gelten. Ganzer Gefäßbaum: Median %2, 95. Perzentil %3.</translation>
+    </message>
+    <message>
+        <source>Excluded branches: %1 (medians). With them: median %2, 95th percentile %3.</source>
+        <comment>fit.without-excluded</comment>
+        <translation>Ausgeschlossene Äste: %1 (Mediane). Mit ihnen: Median %2, 95. Perzentil %3.</translation>
+    </message>
+    <message>
+        <source>Auxiliary branches: %1.</source>
+        <comment>fit.auxiliary</comment>
+        <translation>Hilfsäste: %1.</translation>
+    </message>
+    <message>
+        <source>at this pose all vessels lie at or behind the X-ray source, where nothing projects. Check the pose and its direction: camera from patient.</source>
+        <comment>pose.all-behind-source</comment>
+        <translation>in dieser Lage liegen alle Gefäße an oder hinter der Röntgenquelle, wo nichts abgebildet wird. Lage und ihre Richtung prüfen: Kamera aus Patient.</translation>
+    </message>
+    <message>
+        <source>At this pose no vessel lies inside the image. Check the pose.</source>
+        <comment>pose.all-outside-image</comment>
+        <translation>In dieser Lage liegt kein Gefäß im Bild. Lage prüfen.</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <comment>picture.frame</comment>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>There are no frames %1 to %2 in that order: the run has frames 1 to %3. Choose others.</source>
+        <comment>movie.frames-beyond</comment>
+        <translation>Die Bilder %1 bis %2 gibt es in dieser Reihenfolge nicht: die Serie hat die Bilder 1 bis %3. Andere wählen.</translation>
     </message>
 </context>
 <context>
@@ -7892,10 +8131,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
     </message>
     <message>
-        <source>frame %1 (0–%2)</source>
-        <translation>Bild %1 (0–%2)</translation>
-    </message>
-    <message>
         <source>Mirrored image, mirrored back by the view</source>
         <translation>Gespiegeltes Bild, von der Ansicht zurückgespiegelt</translation>
     </message>
@@ -7914,6 +8149,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>No angiogram yet: drop one here, or open it (%1).</source>
         <translation>Noch kein Angiogramm: hier eines ablegen oder öffnen (%1).</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -10849,16 +11088,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Median, mm</translation>
     </message>
     <message>
-        <source>Half of the vessel points lie nearer than this.</source>
-        <translation>Die Hälfte der Gefäßpunkte liegt näher.</translation>
-    </message>
-    <message>
         <source>95 %, mm</source>
         <translation>95 %, mm</translation>
-    </message>
-    <message>
-        <source>95 of 100 vessel points lie nearer than this.</source>
-        <translation>95 von 100 Gefäßpunkten liegen näher.</translation>
     </message>
     <message>
         <source>covered</source>
@@ -10871,10 +11102,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>± is one standard deviation.</source>
         <translation>± ist eine Standardabweichung.</translation>
-    </message>
-    <message>
-        <source>mm, all points</source>
-        <translation>mm, alle Punkte</translation>
     </message>
     <message>
         <source>nothing to judge yet</source>
@@ -10908,6 +11135,46 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <source>step %1</source>
         <translation>Schritt %1</translation>
     </message>
+    <message>
+        <source>median %1 mm over %2 % judged opacified, whole tree %3 mm</source>
+        <translation>Median %1 mm über als kontrastiert geltende %2 %, ganzer Gefäßbaum %3 mm</translation>
+    </message>
+    <message>
+        <source>median %1 mm</source>
+        <translation>Median %1 mm</translation>
+    </message>
+    <message>
+        <source>Moved by hand, not registered</source>
+        <translation>Von Hand bewegt, nicht registriert</translation>
+    </message>
+    <message>
+        <source>Inputs changed since this registration</source>
+        <translation>Eingaben seit dieser Registrierung geändert</translation>
+    </message>
+    <message>
+        <source>Start pose, not registered</source>
+        <translation>Ausgangslage, nicht registriert</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE · %1</source>
+        <translation>NICHT VERLÄSSLICH · %1</translation>
+    </message>
+    <message>
+        <source>No check speaks against it · %1</source>
+        <translation>Keine Prüfung spricht dagegen · %1</translation>
+    </message>
+    <message>
+        <source>Half of the vessel points judged opacified lie nearer than this.</source>
+        <translation>Die Hälfte der Gefäßpunkte, die als kontrastiert gelten, liegt näher.</translation>
+    </message>
+    <message>
+        <source>95 of 100 vessel points judged opacified lie nearer than this.</source>
+        <translation>95 von 100 Gefäßpunkten, die als kontrastiert gelten, liegen näher.</translation>
+    </message>
+    <message>
+        <source>mm, points judged opacified</source>
+        <translation>mm, als kontrastiert geltende Punkte</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ResultSentences</name>
@@ -10922,10 +11189,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Within 2 mm of the vessels with a probability of %1 %.</source>
         <translation>Mit einer Wahrscheinlichkeit von %1 % höchstens 2 mm neben den Gefäßen.</translation>
-    </message>
-    <message>
-        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
-        <translation>Im Raum, nach der Genauigkeit der Geometrie: Tiefe ±%1 mm, seitlich ±%2 mm.</translation>
     </message>
     <message>
         <source>Depth is the least certain: ±%1 mm.</source>
@@ -10944,10 +11207,6 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 und %2 liegen bis %3 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
     </message>
     <message>
-        <source>Look closely: this fit is not trustworthy.</source>
-        <translation>Genau ansehen: diese Einpassung ist nicht vertrauenswürdig.</translation>
-    </message>
-    <message>
         <source>Branch %1</source>
         <translation>Ast %1</translation>
     </message>
@@ -10962,6 +11221,10 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>Rotation ±%1°.</source>
         <translation>Drehung ±%1°.</translation>
+    </message>
+    <message>
+        <source>With the errors of the geometry: depth ±%1 mm, sideways ±%2 mm.</source>
+        <translation>Mit den Fehlern der Geometrie: Tiefe ±%1 mm, seitlich ±%2 mm.</translation>
     </message>
 </context>
 <context>
@@ -11384,6 +11647,22 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     <message>
         <source>The traced vessels replace the tree; undo brings it back.</source>
         <translation>Die erfassten Gefäße ersetzen den Gefäßbaum; Rückgängig bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Add seed</source>
+        <translation>Startpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Moves the slices to the vessel that was not traced.</source>
+        <translation>Führt die Schichten zu dem nicht erkannten Gefäß.</translation>
+    </message>
+    <message>
+        <source>Places a seed in this vessel, and one in the traced vessel beside it.</source>
+        <translation>Setzt einen Startpunkt in dieses Gefäß und einen in das erkannte daneben.</translation>
     </message>
 </context>
 <context>

@@ -167,10 +167,6 @@
         <translation>%1 mm（%2 px）</translation>
     </message>
     <message>
-        <source>95 % nearer than</source>
-        <translation>95 % 小于</translation>
-    </message>
-    <message>
         <source>Traced vessels covered</source>
         <translation>提取血管的覆盖率</translation>
     </message>
@@ -309,6 +305,10 @@
     <message>
         <source>No check speaks against this pose. That is no proof: look at the picture.</source>
         <translation>没有检查结果与此位姿相悖。这并非证明：请查看图像。</translation>
+    </message>
+    <message>
+        <source>95th percentile</source>
+        <translation>第 95 百分位数</translation>
     </message>
 </context>
 <context>
@@ -1423,10 +1423,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此位姿的不确定度尚未知。</translation>
     </message>
     <message>
-        <source>The image hardly tells these apart: ±%1 mm, mostly %2</source>
-        <translation>图像几乎无法区分：±%1 mm，主要为%2</translation>
-    </message>
-    <message>
         <source>The run found no other solution.</source>
         <translation>未找到其他解。</translation>
     </message>
@@ -1449,6 +1445,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Other solution %1 of %2, score %3 · %4 takes it</source>
         <translation>其他解 %1 / %2，评分 %3 · %4 采用</translation>
+    </message>
+    <message>
+        <source>By image noise only, poses within ±%1 mm (2 σ, mostly %2) look alike</source>
+        <translation>仅因图像噪声，±%1 mm 内的位姿（2 σ，主要为 %2）看起来相同</translation>
     </message>
 </context>
 <context>
@@ -1515,6 +1515,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Registered: median %1 mm</source>
         <translation>配准完成：中位数 %1 mm</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE · median %1 mm over %2 % of the tree</source>
+        <translation>不可靠 · 中位数 %1 mm（血管树的 %2 %）</translation>
     </message>
 </context>
 <context>
@@ -1957,10 +1961,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>look closely</source>
-        <translation>请仔细核对</translation>
-    </message>
-    <message>
         <source>other frame</source>
         <translation>其他帧</translation>
     </message>
@@ -2011,6 +2011,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Nothing was traced in the scan. Place a seed or set the threshold beside its slices.</source>
         <translation>扫描中未提取到任何内容。请在切片旁放置种子点或设置阈值。</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE</source>
+        <translation>不可靠</translation>
+    </message>
+    <message>
+        <source>%1 mm median over %2 %</source>
+        <translation>%1 mm 中位数（%2 %）</translation>
     </message>
 </context>
 <context>
@@ -2286,8 +2294,44 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单帧</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 (0–%2) · fullest: %3</source>
-        <translation>各帧充盈度 · 第 %1 帧（0–%2）· 最充盈：%3</translation>
+        <source>start pose</source>
+        <translation>初始位姿</translation>
+    </message>
+    <message>
+        <source>a step of the run</source>
+        <translation>配准过程中的一步</translation>
+    </message>
+    <message>
+        <source>a pose that image noise allows</source>
+        <translation>图像噪声允许的位姿</translation>
+    </message>
+    <message>
+        <source>another solution</source>
+        <translation>另一个解</translation>
+    </message>
+    <message>
+        <source>a kept pose</source>
+        <translation>保留的位姿</translation>
+    </message>
+    <message>
+        <source>pose of this frame</source>
+        <translation>此帧的位姿</translation>
+    </message>
+    <message>
+        <source>another pose</source>
+        <translation>另一位姿</translation>
+    </message>
+    <message>
+        <source>Preview: %1</source>
+        <translation>预览：%1</translation>
+    </message>
+    <message>
+        <source>%1 · median of the whole tree %2 mm</source>
+        <translation>%1 · 整棵树中位数 %2 mm</translation>
+    </message>
+    <message>
+        <source>Opacification by frame · frame %1 of %2 · fullest: %3</source>
+        <translation>各帧显影 · 第 %1 帧，共 %2 帧 · 最充盈：%3</translation>
     </message>
 </context>
 <context>
@@ -3481,11 +3525,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>意外故障：%1</translation>
     </message>
     <message>
-        <source>frame %1 does not exist. It has frames 0 to %2.</source>
-        <comment>command.frame-beyond-run</comment>
-        <translation>第 %1 帧不存在。该图像有第 0 至 %2 帧。</translation>
-    </message>
-    <message>
         <source>there is no setting &apos;%1&apos;. The nearest are: %2.</source>
         <comment>setting.unknown</comment>
         <translation>没有名为“%1”的设置。最接近的是：%2。</translation>
@@ -3771,7 +3810,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>它不提供 %1。请管理者为我方 AE 标题 %2 开放。</translation>
     </message>
     <message>
-        <source>%1 failed with %2. Look into the archive's log, or ask who runs it.</source>
+        <source>%1 failed with %2. Look into the archive&apos;s log, or ask who runs it.</source>
         <comment>archive.status</comment>
         <translation>%1 失败：%2。请查看归档日志，或询问管理者。</translation>
     </message>
@@ -3901,12 +3940,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有对象超过上限 %1，未予保留。如确需要请提高上限（--max-object）。</translation>
     </message>
     <message>
-        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive's log.</source>
+        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive&apos;s log.</source>
         <comment>archive.object-unreadable</comment>
         <translation>收到的一个对象不是可读的 DICOM 对象，未予保留。请查看归档日志。</translation>
     </message>
     <message>
-        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive's log.</source>
+        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive&apos;s log.</source>
         <comment>archive.object-foreign</comment>
         <translation>收到的一个对象与所通知的不符（%1），未予保留。请查看归档日志。</translation>
     </message>
@@ -4054,11 +4093,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>after: at this pose</source>
         <comment>picture.after</comment>
         <translation>之后：此位姿</translation>
-    </message>
-    <message>
-        <source>frame %1 (0–%2)</source>
-        <comment>picture.frame</comment>
-        <translation>第 %1 帧（0–%2）</translation>
     </message>
     <message>
         <source>%1 · median %2</source>
@@ -4941,11 +4975,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>识别灵敏度须大于 0，不能是 %1。</translation>
     </message>
     <message>
-        <source>Frame %1 does not exist: the image has frames 0 to %2.</source>
-        <comment>frame.missing</comment>
-        <translation>第 %1 帧不存在：图像有第 0 至 %2 帧。</translation>
-    </message>
-    <message>
         <source>The vessel mask has no vessel of at least %1 in it. Draw longer vessels, or lower the shortest length.</source>
         <comment>frame.mask-without-vessels</comment>
         <translation>血管掩膜中没有至少 %1 的血管。请画更长的血管或降低最短长度。</translation>
@@ -4959,11 +4988,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The frames of the run differ in size and cannot be subtracted.</source>
         <comment>subtraction.sizes-differ</comment>
         <translation>该序列各帧大小不同，无法减影。</translation>
-    </message>
-    <message>
-        <source>Mask frame %1 does not exist. The run has frames 0 to %2.</source>
-        <comment>subtraction.mask-frame-missing</comment>
-        <translation>蒙片第 %1 帧不存在。该序列有第 0 至 %2 帧。</translation>
     </message>
     <message>
         <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
@@ -5186,11 +5210,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 个不如血管明亮的部分已舍弃：静脉和器官即如此。请在属于血管树的部分中放置种子点。</translation>
     </message>
     <message>
-        <source>A wide vessel that was not traced runs beside the traced ones for %1: the other lumen, if the aorta is torn. Place a seed in each lumen to trace both.</source>
-        <comment>tracing.other-lumen-beside</comment>
-        <translation>一条未提取的粗血管与已提取的血管并行 %1：若主动脉存在夹层，它就是另一个腔。要提取两个腔，请在每个腔中各放置一个种子点。</translation>
-    </message>
-    <message>
         <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
         <translation>扫描中没有像亨氏单位下的空气那样暗的部分：如果其数值不是亨氏单位，就无法可靠地区分骨骼和血液。请检查血管中是否混入骨骼，或以亨氏单位重新导出扫描。</translation>
@@ -5394,11 +5413,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
         <comment>case.pose-not-rigid</comment>
         <translation>位姿不是有限数的刚体变换。保存前请重置位姿。</translation>
-    </message>
-    <message>
-        <source>%1 does not exist. The image has frames 0 to %2.</source>
-        <comment>case.frame-missing</comment>
-        <translation>第 %1 帧不存在。图像有第 0 至 %2 帧。</translation>
     </message>
     <message>
         <source>it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
@@ -6436,11 +6450,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其声明为 %1，这不可能。文件已损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>its coordinates are in %1. Export the curves in mm.</source>
-        <comment>tree.markups-unit</comment>
-        <translation>坐标单位为 %1。请以 mm 导出曲线。</translation>
-    </message>
-    <message>
         <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
         <comment>tree.markups-none</comment>
         <translation>不是含曲线的 Slicer markups 文件。请将中心线导出为 .mrk.json 曲线、.vtp、.vtk、.csv 或 .swc。</translation>
@@ -6834,16 +6843,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
         <comment>volume.size-of-one</comment>
         <translation>体素大小为 1 x 1 x 1 mm：请确认未在转换中丢失。</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the qform, in the scanner&apos;s coordinates, is used.</source>
-        <comment>volume.nifti-qform-used</comment>
-        <translation>两种定位（qform 与 sform）不一致；采用扫描仪坐标的 qform。</translation>
-    </message>
-    <message>
-        <source>Its two placements (qform and sform) differ; the sform is used.</source>
-        <comment>volume.nifti-sform-used</comment>
-        <translation>两种定位（qform 与 sform）不一致；采用 sform。</translation>
     </message>
     <message>
         <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
@@ -7401,11 +7400,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有得出此位姿的配准记录。请先配准。</translation>
     </message>
     <message>
-        <source>There are no frames %1 to %2 in that order: the run has frames 0 to %3. Choose others.</source>
-        <comment>movie.frames-beyond</comment>
-        <translation>没有按此顺序的第 %1 至 %2 帧：该序列有第 0 至 %3 帧。请另选。</translation>
-    </message>
-    <message>
         <source>stopped before the movie was whole. Nothing was written.</source>
         <comment>movie.stopped</comment>
         <translation>影片尚未完成即已停止。未写出任何内容。</translation>
@@ -7574,6 +7568,251 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>the audit file cannot be written (%1), so that what was done is not in it. Make room, or allow writing to it.</source>
         <comment>audit.not-written</comment>
         <translation>无法写入审计文件（%1），因此所做的操作未被记录。请腾出空间，或允许写入该文件。</translation>
+    </message>
+    <message>
+        <source>No header tells where the table stood: where the vessels lie in this view is found from its image, only the turn from angles.</source>
+        <comment>geometry.table-unknown</comment>
+        <translation>文件头未说明检查床的位置：血管在此视图中的位置由其图像求得，只有旋转取自角度。</translation>
+    </message>
+    <message>
+        <source>Only (0018,1111) tells a distance, and it differs between the views (%1, %2): it is no isocenter. The shift between the views is not used; type the distance source to isocenter (SOD) of both.</source>
+        <comment>geometry.isocenter-unknown</comment>
+        <translation>只有 (0018,1111) 给出距离，且在各视图间不同（%1、%2）：它不是等中心。视图间的位移不予使用；请为两者输入射线源到等中心的距离 (SOD)。</translation>
+    </message>
+    <message>
+        <source>The table moved during one of the runs: the shift between the views counts as unknown (50 mm).</source>
+        <comment>geometry.table-moved-in-view</comment>
+        <translation>检查床在其中一次采集期间移动：视图间的位移视为未知（50 mm）。</translation>
+    </message>
+    <message>
+        <source>Little was traced here but lines that stand still through the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
+        <comment>follow.stands-still</comment>
+        <translation>此帧几乎只提取到在整个序列中静止不动的线条，如遮光器边缘、导线和骨骼：没有可跟踪的造影剂。</translation>
+    </message>
+    <message>
+        <source>Frame %1 does not exist: the image has frames 1 to %2.</source>
+        <comment>frame.missing</comment>
+        <translation>第 %1 帧不存在：图像有第 1 到 %2 帧。</translation>
+    </message>
+    <message>
+        <source>Mask frame %1 does not exist, counted from 1. The run has frames 1 to %2.</source>
+        <comment>subtraction.mask-frame-missing</comment>
+        <translation>蒙片帧 %1 不存在（从 1 开始计数）。序列有第 1 到 %2 帧。</translation>
+    </message>
+    <message>
+        <source>A wide vessel that was not traced runs beside the traced ones for %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
+        <comment>tracing.other-lumen-beside</comment>
+        <translation>一条未提取的粗血管与已提取血管并行 %1，位于 %2：可能是夹层的假腔。请在每个腔内放置种子点以提取两者。</translation>
+    </message>
+    <message>
+        <source>%1 does not exist: counted from 0, as in case files, the image has frames 0 to %2.</source>
+        <comment>case.frame-missing</comment>
+        <translation>%1 不存在：按病例文件从 0 开始计数，图像有第 0 到 %2 帧。</translation>
+    </message>
+    <message>
+        <source>The image is shown as its orientation tag (%1) states, turned or mirrored from how its pixels are stored.</source>
+        <comment>image.turned</comment>
+        <translation>图像按其方向标记（%1）显示，相对于存储的像素已旋转或镜像。</translation>
+    </message>
+    <message>
+        <source>page %1 has %2 x %3 pixels, the first has %4 x %5. Export the frames of one run, all equally large.</source>
+        <comment>image.pages-differ</comment>
+        <translation>第 %1 页为 %2 x %3 像素，第一页为 %4 x %5。请导出同一序列中大小一致的各帧。</translation>
+    </message>
+    <message>
+        <source>it has %1 pages. Export the mask as one image.</source>
+        <comment>centreline.mask-pages</comment>
+        <translation>它有 %1 页。请将掩模导出为单幅图像。</translation>
+    </message>
+    <message>
+        <source>The header announces %1 frames, but %2 are in the file: these are loaded. Copy or export it again where some are missing.</source>
+        <comment>dicom.frames-other</comment>
+        <translation>文件头称有 %1 帧，但文件中有 %2 帧：已载入这些帧。如有缺失，请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself about the time between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <comment>dicom.frame-times</comment>
+        <translation>文件头中的帧间隔互相矛盾：Frame Time %1，Frame Time Vector %2。采用 %3。</translation>
+    </message>
+    <message>
+        <source>a volume made of projections (modality %1)</source>
+        <comment>dicom.reconstruction</comment>
+        <translation>由投影重建的体数据（模态 %1）</translation>
+    </message>
+    <message>
+        <source>The header&apos;s %1 shutter (0018,1600) leaves nothing of the image (%2): it is ignored. Check that no shutter edge is traced as a vessel.</source>
+        <comment>dicom.shutter-unusable</comment>
+        <translation>文件头中的 %1 遮光器 (0018,1600) 未留下任何图像区域（%2）：已忽略。请检查遮光器边缘是否被当作血管提取。</translation>
+    </message>
+    <message>
+        <source>The image is taken as turned clockwise by %1, after %2. Check that head and left are where they belong.</source>
+        <comment>dicom.image-turned</comment>
+        <translation>图像按%2视为顺时针旋转了%1。请检查头侧和左侧的位置是否正确。</translation>
+    </message>
+    <message>
+        <source>Patient Orientation (0020,0020) says %1, which no image at these angles can be: check the angles, and whether the image is mirrored or turned.</source>
+        <comment>dicom.orientation-unlike-angles</comment>
+        <translation>Patient Orientation (0020,0020) 为 %1，在这些角度下没有图像会如此：请检查角度，以及图像是否被镜像或旋转。</translation>
+    </message>
+    <message>
+        <source>The header has the object at %1 from the source, the isocenter at %2: the vessels start at the first, the gantry turns about the second.</source>
+        <comment>dicom.object-off-isocenter</comment>
+        <translation>文件头中物体距射线源 %1，等中心距射线源 %2：血管从前者开始配准，C 形臂绕后者旋转。</translation>
+    </message>
+    <message>
+        <source>The file states its unit (&quot;%1&quot;): one unit is read as %2. Give the unit if that is wrong.</source>
+        <comment>vessels.unit-stated</comment>
+        <translation>文件注明了单位（“%1”）：一个单位按 %2 读取。如有误，请指定单位。</translation>
+    </message>
+    <message>
+        <source>The file states its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as was asked for. Check the size.</source>
+        <comment>vessels.unit-overruled</comment>
+        <translation>文件注明了单位（“%1”，即 %2），但按要求一个单位按 %3 读取。请检查大小。</translation>
+    </message>
+    <message>
+        <source>The file states two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and give the unit if it is wrong.</source>
+        <comment>vessels.units-contradict</comment>
+        <translation>文件注明了两种单位（“%1”和“%2”）。请检查大小，如有误请指定单位。</translation>
+    </message>
+    <message>
+        <source>its axes are %1, not LPS or RAS. Export it in patient coordinates (LPS).</source>
+        <comment>vessels.axes-other</comment>
+        <translation>其坐标轴为 %1，既不是 LPS 也不是 RAS。请以患者坐标（LPS）导出。</translation>
+    </message>
+    <message>
+        <source>In %1 lines the first points stood at the end: they were moved back to the beginning. Check the vessels.</source>
+        <comment>tree.turned-round</comment>
+        <translation>%1 条线的起始点位于末尾：已移回开头。请检查血管。</translation>
+    </message>
+    <message>
+        <source>The lines leap %1 times, by up to %2, over many usual steps: they were cut there. Check the order of the points.</source>
+        <comment>tree.leaps</comment>
+        <translation>线条跳跃 %1 次，最大 %2，远超通常点距：已在该处断开。请检查点的顺序。</translation>
+    </message>
+    <message>
+        <source>%1 points of the curves are not placed and were left out.</source>
+        <comment>tree.markups-not-placed</comment>
+        <translation>曲线中有 %1 个点未放置，已忽略。</translation>
+    </message>
+    <message>
+        <source>its header declares %1 triangles, but the file holds %2. Copy or export it again.</source>
+        <comment>surface.stl-too-few</comment>
+        <translation>文件头声明 %1 个三角形，但文件中只有 %2 个。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>The header declares %1 triangles, but the file has room for %2: what is behind those declared was not read. Check that nothing is missing.</source>
+        <comment>surface.stl-too-many</comment>
+        <translation>文件头声明 %1 个三角形，但文件大小可容纳 %2 个：声明之后的内容未读取。请检查是否有缺失。</translation>
+    </message>
+    <message>
+        <source>The text ends after %1 triangles without &quot;endsolid&quot;: it may be cut short. Check that nothing is missing.</source>
+        <comment>surface.stl-without-end</comment>
+        <translation>文本在 %1 个三角形后结束且没有“endsolid”：文件可能被截断。请检查是否有缺失。</translation>
+    </message>
+    <message>
+        <source>its coordinates are in &quot;%1&quot;, which is no unit of length known here. Export them in mm.</source>
+        <comment>tree.markups-unit</comment>
+        <translation>其坐标单位为“%1”，不是此处已知的长度单位。请以 mm 导出。</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself: slices %1 apart (Spacing Between Slices), %2 by their positions. The positions are used.</source>
+        <comment>series.step</comment>
+        <translation>文件头互相矛盾：层间距为 %1（Spacing Between Slices），而按位置为 %2。采用位置。</translation>
+    </message>
+    <message>
+        <source>part %1 of %2 (acquisition %3)</source>
+        <comment>series.acquisition</comment>
+        <translation>第 %1 部分，共 %2 部分（采集 %3）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 images of the series share a SOP Instance UID although they differ: all of them are read. Export the series again before you archive it.</source>
+        <comment>series.same-uid</comment>
+        <translation>该序列 %2 幅图像中有 %1 幅共用 SOP Instance UID，但内容不同：全部读取。归档前请重新导出该序列。</translation>
+    </message>
+    <message>
+        <source>%1 patients or studies share the UID of this series; each is listed by itself.</source>
+        <comment>series.of-several</comment>
+        <translation>%1 个患者或检查共用该序列的 UID；已分别列出。</translation>
+    </message>
+    <message>
+        <source>The header gives lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
+        <comment>volume.unit-unknown</comment>
+        <translation>文件头的长度单位“%1”未知：按毫米处理。请检查体素大小。</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ by up to %1; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <comment>volume.nifti-qform-used</comment>
+        <translation>两种定位（qform 与 sform）相差最多 %1；采用扫描仪坐标的 qform。</translation>
+    </message>
+    <message>
+        <source>Its two placements (qform and sform) differ by up to %1; the sform is used.</source>
+        <comment>volume.nifti-sform-used</comment>
+        <translation>两种定位（qform 与 sform）相差最多 %1；采用 sform。</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself about the voxel size: %1 (pixdim), %2 by its placement. The placement is used. Check which is right.</source>
+        <comment>volume.nifti-sizes</comment>
+        <translation>文件头中的体素大小互相矛盾：%1（pixdim），而按定位为 %2。采用定位中的值。请确认哪个正确。</translation>
+    </message>
+    <message>
+        <source>The header contradicts itself about the voxel type: %1 bits (bitpix), but %2 bits by its datatype (%3), which is used.</source>
+        <comment>volume.nifti-bits</comment>
+        <translation>文件头中的体素类型互相矛盾：%1 位（bitpix），而按数据类型（%3）为 %2 位；采用数据类型。</translation>
+    </message>
+    <message>
+        <source>The header says that the voxels begin at byte %1, which is inside the header: they are read from byte %2.</source>
+        <comment>volume.nifti-start-within-header</comment>
+        <translation>文件头称体素从第 %1 字节开始，但该处位于文件头内：改从第 %2 字节读取。</translation>
+    </message>
+    <message>
+        <source>a voxel size of %1 mm cannot be written. Correct the spacing, origin and directions of the volume.</source>
+        <comment>volume.no-size-to-write</comment>
+        <translation>无法写入 %1 mm 的体素大小。请更正体数据的间距、原点和方向。</translation>
+    </message>
+    <message>
+        <source>frame %1 does not exist, counted from 1. It has frames 1 to %2.</source>
+        <comment>command.frame-beyond-run</comment>
+        <translation>第 %1 帧不存在（从 1 开始计数）。共有第 1 到 %2 帧。</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE</source>
+        <comment>fit.not-reliable</comment>
+        <translation>不可靠</translation>
+    </message>
+    <message>
+        <source>These distances are over the %1 of the tree judged opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <comment>fit.over-opacified</comment>
+        <translation>这些距离仅针对判为显影的 %1 血管树。整棵树：中位数 %2，第 95 百分位数 %3。</translation>
+    </message>
+    <message>
+        <source>Excluded branches: %1 (medians). With them: median %2, 95th percentile %3.</source>
+        <comment>fit.without-excluded</comment>
+        <translation>排除的分支：%1（中位数）。包括它们：中位数 %2，第 95 百分位数 %3。</translation>
+    </message>
+    <message>
+        <source>Auxiliary branches: %1.</source>
+        <comment>fit.auxiliary</comment>
+        <translation>辅助分支：%1。</translation>
+    </message>
+    <message>
+        <source>at this pose all vessels lie at or behind the X-ray source, where nothing projects. Check the pose and its direction: camera from patient.</source>
+        <comment>pose.all-behind-source</comment>
+        <translation>此位姿下所有血管位于 X 射线源处或其后，无法投影。请检查位姿及其方向：由患者到相机。</translation>
+    </message>
+    <message>
+        <source>At this pose no vessel lies inside the image. Check the pose.</source>
+        <comment>pose.all-outside-image</comment>
+        <translation>此位姿下图像内没有血管。请检查位姿。</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <comment>picture.frame</comment>
+        <translation>第 %1 帧，共 %2 帧</translation>
+    </message>
+    <message>
+        <source>There are no frames %1 to %2 in that order: the run has frames 1 to %3. Choose others.</source>
+        <comment>movie.frames-beyond</comment>
+        <translation>没有按此顺序的第 %1 到 %2 帧：序列有第 1 到 %3 帧。请另选。</translation>
     </message>
 </context>
 <context>
@@ -7892,10 +8131,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>叠加投影血管树的造影图像</translation>
     </message>
     <message>
-        <source>frame %1 (0–%2)</source>
-        <translation>第 %1 帧（0–%2）</translation>
-    </message>
-    <message>
         <source>Mirrored image, mirrored back by the view</source>
         <translation>镜像图像，视图已还原</translation>
     </message>
@@ -7914,6 +8149,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>No angiogram yet: drop one here, or open it (%1).</source>
         <translation>尚无造影图像：拖放到此处，或打开（%1）。</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>第 %1 帧，共 %2 帧</translation>
     </message>
 </context>
 <context>
@@ -10849,16 +11088,8 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>中位数，mm</translation>
     </message>
     <message>
-        <source>Half of the vessel points lie nearer than this.</source>
-        <translation>一半的血管点小于此距离。</translation>
-    </message>
-    <message>
         <source>95 %, mm</source>
         <translation>95 %，mm</translation>
-    </message>
-    <message>
-        <source>95 of 100 vessel points lie nearer than this.</source>
-        <translation>95% 的血管点小于此距离。</translation>
     </message>
     <message>
         <source>covered</source>
@@ -10871,10 +11102,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>± is one standard deviation.</source>
         <translation>± 为一个标准差。</translation>
-    </message>
-    <message>
-        <source>mm, all points</source>
-        <translation>mm，所有点</translation>
     </message>
     <message>
         <source>nothing to judge yet</source>
@@ -10908,6 +11135,46 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <source>step %1</source>
         <translation>第 %1 步</translation>
     </message>
+    <message>
+        <source>median %1 mm over %2 % judged opacified, whole tree %3 mm</source>
+        <translation>中位数 %1 mm（判为显影的 %2 %），整棵树 %3 mm</translation>
+    </message>
+    <message>
+        <source>median %1 mm</source>
+        <translation>中位数 %1 mm</translation>
+    </message>
+    <message>
+        <source>Moved by hand, not registered</source>
+        <translation>手动移动，未配准</translation>
+    </message>
+    <message>
+        <source>Inputs changed since this registration</source>
+        <translation>此次配准后输入已改变</translation>
+    </message>
+    <message>
+        <source>Start pose, not registered</source>
+        <translation>初始位姿，未配准</translation>
+    </message>
+    <message>
+        <source>NOT RELIABLE · %1</source>
+        <translation>不可靠 · %1</translation>
+    </message>
+    <message>
+        <source>No check speaks against it · %1</source>
+        <translation>没有检查反对 · %1</translation>
+    </message>
+    <message>
+        <source>Half of the vessel points judged opacified lie nearer than this.</source>
+        <translation>判为显影的血管点中一半小于此距离。</translation>
+    </message>
+    <message>
+        <source>95 of 100 vessel points judged opacified lie nearer than this.</source>
+        <translation>判为显影的血管点中 95% 小于此距离。</translation>
+    </message>
+    <message>
+        <source>mm, points judged opacified</source>
+        <translation>mm，判为显影的点</translation>
+    </message>
 </context>
 <context>
     <name>angiopose::ui::ResultSentences</name>
@@ -10922,10 +11189,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Within 2 mm of the vessels with a probability of %1 %.</source>
         <translation>位于血管 2 mm 以内的概率为 %1 %。</translation>
-    </message>
-    <message>
-        <source>In space, by how well the geometry is known: depth ±%1 mm, sideways ±%2 mm.</source>
-        <translation>在空间中，受几何参数精度所限：深度 ±%1 mm，侧向 ±%2 mm。</translation>
     </message>
     <message>
         <source>Depth is the least certain: ±%1 mm.</source>
@@ -10944,10 +11207,6 @@ Below: how far a step moved the vessels, root of the mean square over all points
         <translation>%1 和 %2 最多偏离 %3 mm：此帧可能未充盈，或已移位。</translation>
     </message>
     <message>
-        <source>Look closely: this fit is not trustworthy.</source>
-        <translation>请仔细核对：此配准不可信。</translation>
-    </message>
-    <message>
         <source>Branch %1</source>
         <translation>分支 %1</translation>
     </message>
@@ -10962,6 +11221,10 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>Rotation ±%1°.</source>
         <translation>旋转 ±%1°。</translation>
+    </message>
+    <message>
+        <source>With the errors of the geometry: depth ±%1 mm, sideways ±%2 mm.</source>
+        <translation>含几何误差：深度 ±%1 mm，横向 ±%2 mm。</translation>
     </message>
 </context>
 <context>
@@ -11383,6 +11646,22 @@ Below: how far a step moved the vessels, root of the mean square over all points
     <message>
         <source>The traced vessels replace the tree; undo brings it back.</source>
         <translation>提取的血管替换血管树；可撤销。</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Add seed</source>
+        <translation>添加种子点</translation>
+    </message>
+    <message>
+        <source>Moves the slices to the vessel that was not traced.</source>
+        <translation>将切面移到未提取的血管。</translation>
+    </message>
+    <message>
+        <source>Places a seed in this vessel, and one in the traced vessel beside it.</source>
+        <translation>在此血管及其旁的已提取血管内各放置一个种子点。</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ namespace {
 using test::DicomBytes;
 using test::TemporaryFolder;
 
-constexpr int columns = 12, rows = 10, layers = 6;
+constexpr int columnCount = 12, rowCount = 10, layers = 6;
 
 std::int16_t valueAt(int i, int j, int k)
 {
@@ -37,8 +37,8 @@ std::string multiFrame(const std::string& sopClass)
         DicomBytes frame;
         frame.sequence(0x0020, 0x9113, {item(0x0020, 0x0032, "DS", "-50\\-60\\" + std::to_string(10 + 2 * k))});
         frames.push_back(frame.content());
-        for (int at = 0; at < columns * rows; ++at) {
-            pixels.push_back(valueAt(at % columns, at / columns, k));
+        for (int at = 0; at < columnCount * rowCount; ++at) {
+            pixels.push_back(valueAt(at % columnCount, at / columnCount, k));
         }
     }
     DicomBytes shared;
@@ -54,8 +54,8 @@ std::string multiFrame(const std::string& sopClass)
     data.number(0x0028, 0x0002, 1);
     data.text(0x0028, 0x0004, "CS", "MONOCHROME2");
     data.text(0x0028, 0x0008, "IS", std::to_string(layers));
-    data.number(0x0028, 0x0010, rows);
-    data.number(0x0028, 0x0011, columns);
+    data.number(0x0028, 0x0010, rowCount);
+    data.number(0x0028, 0x0011, columnCount);
     data.number(0x0028, 0x0100, 16);
     data.number(0x0028, 0x0101, 16);
     data.number(0x0028, 0x0102, 15);
@@ -78,7 +78,7 @@ TEST(Reconstruction, OfOneFileIsAVolume)
         const auto loaded = io::readVolume(path);
         ASSERT_TRUE(loaded) << loaded.error().message;
         const core::Volume& volume = loaded.value().volume;
-        EXPECT_EQ(volume.geometry.size, Eigen::Vector3i(columns, rows, layers));
+        EXPECT_EQ(volume.geometry.size, Eigen::Vector3i(columnCount, rowCount, layers));
         EXPECT_LT((volume.geometry.spacingMm - Eigen::Vector3d(1, 1, 2)).norm(), 1e-9);
         EXPECT_LT((volume.geometry.originInPatient - Eigen::Vector3d(-50, -60, 10)).norm(), 1e-9);
         EXPECT_EQ(volume.value(volume.geometry.index(3, 5, 2)), valueAt(3, 5, 2) - 1024);
