@@ -7,8 +7,8 @@
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
-#include "io/surface/surface_formats.h"
 #include "io/vessel/stated_coordinates.h"
+#include "io/vessel/surface_formats.h"
 #include "io/vessel/vtk_lines.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "core/vessel/vessel_tree.h"
 #include "io/support/read_observer.h"
+#include "io/vessel/line_set.h"
 
 #include <string>
 
@@ -10,13 +10,6 @@ namespace angiopose::io {
 
 struct VesselTreeReadOptions {
     double unitMm = 0.0;   ///< length of one unit; 0: what the file states, else 1 mm. Slicer curves keep theirs
-};
-
-/// A tree, and what its reader noticed.
-struct ReadTree {
-    core::VesselTree tree;
-    core::Messages warnings;
-    bool isUnitStated = false;   ///< by the file
 };
 
 /// Centreline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves (FORMATS §4),

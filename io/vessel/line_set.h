@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "io/vessel_tree_file.h"
+#include "core/vessel/vessel_tree.h"
 
 #include <Eigen/Core>
 #include <set>
@@ -21,6 +21,13 @@ struct LineSet {
     core::Messages warnings;
     std::set<std::size_t> meetings;   ///< points that end branches, though no more than two lines may meet there
     bool hasSurface = false;   ///< polygons were there too
+};
+
+/// A tree, and what its reader noticed.
+struct ReadTree {
+    core::VesselTree tree;
+    core::Messages warnings;
+    bool isUnitStated = false;   ///< by the file
 };
 
 /// More points than this are no centreline.

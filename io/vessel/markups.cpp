@@ -1,16 +1,66 @@
 #include "io/vessel/markups.h"
 
 #include "io/messages/says.h"
+#include "io/messages/says_exchange.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
-#include "io/vessel/markup_points.h"
+#include "io/support/numbers.h"
+#include "io/vessel/fiducial_table.h"
+#include "io/vessel/stated_coordinates.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace angiopose::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// How the control points of one of Slicer's markups become LPS mm: the unit as a word or as [code, scheme, meaning],
+/// the axes in any case. Fails, naming it, on a unit or axes that are others.
+core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
+{
+    const std::string system = markup.value("coordinateSystem", "LPS");
+    const std::string axes = lowered(system);
+    if (axes != "lps" && axes != "ras") {
+        return fileError(path, says::fiducialsSystem(system.substr(0, 20)));
+    }
+    const auto stated = markup.find("coordinateUnits");
+    const std::string unit = stated == markup.end()                   ? "mm"
+                             : stated->is_array() && !stated->empty() ? stated->front().get<std::string>()
+                                                                      : stated->get<std::string>();
+    const auto unitMm = lengthUnitMm(unit);
+    if (!unitMm) {
+        return fileError(path, says::markupsUnit(unit.substr(0, 20)));
+    }
+    CoordinateRule rule;
+    rule.unitMm = *unitMm;
+    rule.isRas = axes == "ras";
+    return rule;
+}
+
+/// Nothing where the point is not placed. Throws where it is no point.
+std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateRule& rule)
+{
+    const auto position = control.find("position");
+    if (lowered(control.value("positionStatus", "defined")) != "defined" || position == control.end() ||
+        position->is_null()) {
+        return std::nullopt;
+    }
+    const auto numbers = position->get<std::vector<double>>();
+    return rule({numbers.at(0), numbers.at(1), numbers.at(2)});
+}
+
+/// `markups` as a file of Slicer.
+std::string markupsFile(Json markups)
+{
+    Json root;
+    root["@schema"] =
+        "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/"
+        "markups-schema-v1.0.3.json#";
+    root["markups"] = std::move(markups);
+    return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 bool isCurve(const Json& markup)
 {
@@ -34,6 +84,15 @@ std::size_t appendCurve(const Json& markup, const CoordinateRule& rule, LineSet&
     set.lines.push_back(std::move(line));
     set.names.push_back(markup.value("name", ""));
     return notPlaced;
+}
+
+void appendFiducials(const Json& markup, const CoordinateRule& rule, std::vector<Fiducial>& fiducials)
+{
+    for (const Json& control : markup.at("controlPoints")) {
+        if (const auto point = placedPoint(control, rule)) {
+            fiducials.push_back({*point, control.value("label", ""), control.value("description", "")});
+        }
+    }
 }
 
 }   // namespace
@@ -84,6 +143,45 @@ std::string markupsText(const core::VesselTree& tree)
         markups.push_back(std::move(curve));
     }
     return markupsFile(std::move(markups));
+}
+
+core::Result<std::vector<Fiducial>> parseFiducialMarkups(std::string_view json, const std::string& path)
+{
+    if (const auto valid = checkJson(json, path); !valid) {
+        return valid.error();
+    }
+    std::vector<Fiducial> fiducials;
+    try {
+        const Json root = Json::parse(json);
+        for (const Json& markup : root.at("markups")) {
+            if (markup.value("type", "") != "Fiducial") {
+                continue;
+            }
+            const auto rule = ruleOf(markup, path);
+            if (!rule) {
+                return rule.error();
+            }
+            appendFiducials(markup, rule.value(), fiducials);
+        }
+    } catch (const std::exception&) {   // missing keys, wrong kinds, too few coordinates
+        fiducials.clear();
+    }
+    return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, says::fiducialsNone())) : fiducials;
+}
+
+std::string fiducialMarkups(const std::vector<Fiducial>& fiducials)
+{
+    Json markup{{"type", "Fiducial"}, {"coordinateSystem", "LPS"}, {"coordinateUnits", "mm"}};
+    markup["controlPoints"] = Json::array();
+    for (std::size_t i = 0; i < fiducials.size(); ++i) {
+        const Eigen::Vector3d& point = fiducials[i].pointInPatient;
+        markup["controlPoints"].push_back({{"id", std::to_string(i + 1)},
+                                           {"label", fiducials[i].name},
+                                           {"description", fiducials[i].description},
+                                           {"position", {point.x(), point.y(), point.z()}},
+                                           {"positionStatus", "defined"}});
+    }
+    return markupsFile(Json::array({std::move(markup)}));
 }
 
 }   // namespace angiopose::io

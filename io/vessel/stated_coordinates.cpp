@@ -4,7 +4,7 @@
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
-#include "io/surface/surface_formats.h"
+#include "io/vessel/surface_formats.h"
 
 #include <algorithm>
 #include <array>

@@ -11,6 +11,7 @@
 #include "core/tracing/angiogram/curves/devices_from_rim.h"
 #include "core/tracing/angiogram/curves/lines_across.h"
 #include "core/tracing/angiogram/curves/painted_vessels.h"
+#include "core/tracing/angiogram/curves/seen_before.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/curves/vessel_branches.h"
@@ -27,7 +28,6 @@
 #include "core/tracing/angiogram/ridges/part_neighbours.h"
 #include "core/tracing/angiogram/ridges/vessel_threshold.h"
 #include "core/tracing/angiogram/ridges/vesselness.h"
-#include "core/tracing/angiogram/run/seen_before.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "core/tracing/angiogram/run/seen_before.h"
+#include "core/tracing/angiogram/curves/seen_before.h"
 
 #include "core/imaging/image_filters.h"
 
