@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 // 1-σ, DECISIONS says of what.
-constexpr double tableRotationDeg = 0.75, tableShiftMm = 6.0;   // table known: breathing, heart, its own rounding
+constexpr double tableRotationDeg = 0.75, tableShiftMm = 8.0;   // table known: breathing, heart, its own rounding
 constexpr double unknownAcrossMm = 60.0, unknownAlongMm = 30.0;   // table unknown
 constexpr double movingTableMm = 50.0;   // it moved while a view was taken
 constexpr double sameDistanceMm = 1.0;

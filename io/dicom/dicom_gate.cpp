@@ -1,5 +1,6 @@
 #include "io/dicom/dicom_gate.h"
 
+#include "io/dicom/siemens_tags.h"
 #include "io/messages/says.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ constexpr DicomTag sequenceEndTag = 0xfffee0dd;
 constexpr std::uint32_t undefinedLength = 0xffffffff;
 constexpr std::size_t maxDepth = 32;
 constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // no field that is asked for is longer
+constexpr std::size_t maxPrivateBytes = 64;   // numbers and names of blocks
 
 // PS3.5 §7.1.2: these have a 32-bit length, these a 16-bit one.
 constexpr std::string_view longVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
@@ -157,7 +159,8 @@ void pass(const ElementHead& head, std::string_view whole, bool isClean, DicomEn
     const DicomTag group = head.tag >> 16;
     const bool isOfStandard = group % 2 == 0 && group >= 0x0004;
     const bool isSequence = head.vr == "SQ" || head.length == undefinedLength;
-    if (isClean && isOfStandard && (isSequence || value.size() <= maxValueBytes)) {
+    const bool isOfGantry = group == siemensBlock >> 16U && !isSequence && value.size() <= maxPrivateBytes;
+    if (isClean && (isOfGantry || (isOfStandard && (isSequence || value.size() <= maxValueBytes)))) {
         (encoding.isExplicit && head.vr.empty() ? passed.withoutVr : passed.elements) += whole;
     }
 }

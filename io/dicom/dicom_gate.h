@@ -34,7 +34,8 @@ struct DicomPixels {
 };
 
 /// What goes on to DCMTK, which trusts lengths and nesting: elements of the standard that lie whole within the file, no
-/// deeper than 32 levels. Private elements, long values and pixels are passed by.
+/// deeper than 32 levels, and short plain ones of the private group in which rooms note their gantry. Other private
+/// elements, long values and pixels are passed by.
 struct PassedElements {
     std::string elements;
     std::string withoutVr;   ///< elements whose VR was forgotten in an explicit data set

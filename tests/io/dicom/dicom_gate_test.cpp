@@ -84,6 +84,20 @@ TEST(DicomGate, KeepsTheItemsOfSoundSequences)
     EXPECT_EQ(found[1].number(0x00181510), -5.0);
 }
 
+TEST(DicomGate, LetsThroughOnlyShortNumbersOfTheGantryAmongPrivateElements)
+{
+    const std::string creator = shortElement(0x00210010, "LO", "SIEMENS SMS-AX  ACQ 1.0 ");
+    const io::DicomFile file =
+        parsed(shortElement(0x00190010, "LO", "SOMEBODY") + creator + shortElement(0x00211017, "IS", "750 ") +
+               longElement(0x00211018, "UN", std::string(66, 'x')) +
+               longElement(0x00211019, "SQ", gateItem(shortElement(0x00181510, "DS", "30"))) + rowsElement);
+    EXPECT_EQ(file.dataset.number(0x00211017), 750.0);
+    for (const io::DicomTag tag : {0x00190010U, 0x00211018U, 0x00211019U}) {
+        EXPECT_FALSE(file.dataset.has(tag));
+    }
+    EXPECT_EQ(file.dataset.integer(0x00280010), 512);
+}
+
 TEST(DicomGate, LeavesOutWhatIsNestedTooDeeply)
 {
     std::string nested;
