@@ -1,5 +1,6 @@
 #include "app/messages/says.h"
 #include "app/texts/bent_vessels.h"
+#include "app/texts/case_texts.h"
 #include "tests/app/sample_picture.h"
 #include "tests/support/bent_case.h"
 
@@ -43,6 +44,22 @@ core::ColorImage columns(const core::ColorImage& whole, int from, int width)
         part.rgb.insert(part.rgb.end(), row, row + std::ptrdiff_t{3} * width);
     }
     return part;
+}
+
+TEST(CornerTexts, SayOfEachDistanceWhereItComesFrom)
+{
+    core::Case theCase;
+    core::CArm& arm = theCase.shown().geometry.cArm;
+    arm.sourceToDetectorMm = {1050.0, core::Origin::Header, ""};
+    arm.sourceToObjectMm = {683.0, core::Origin::Header, ""};
+    assumeIsocenter(arm);
+    const auto lines = englishTexts(cornerLines(theCase, Identity::Hidden)).bottomRight;
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_NE(lines.front().find("SID 1050 mm (header)"), std::string::npos) << lines.front();
+    EXPECT_NE(lines.front().find("SOD 683 mm (assumed)"), std::string::npos) << lines.front();
+    arm.sourceToIsocenterMm = {750.0, core::Origin::Header, ""};
+    EXPECT_EQ(englishTexts(cornerLines(theCase, Identity::Hidden)).bottomRight.front(),
+              "SID 1050 · SOD 750 mm (header)");
 }
 
 TEST_F(OverlayPicture, ShowsNearAndFarWhereTheWindowDoes)
