@@ -14,7 +14,7 @@ constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residual
 constexpr int maxShapeSteps = 8;
 constexpr double settledShapeSigmas = 0.1;   // the steps after are smaller still
 constexpr double leastShapeDamping = 1e-9;
-// Vessels within about 6° (rms) of one direction: what their traced directions scatter by says nothing of a slide.
+// Vessels within about 6° (rms) of one direction: traced directions scatter by as much and say nothing of a slide.
 constexpr double oneLineShare = 0.01;
 
 NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
@@ -72,17 +72,35 @@ bool isSettled(const Vector6d& step, const NormalEquations& equations, double va
     return squaredSigmas < settledShapeSigmas * settledShapeSigmas;
 }
 
+/// How the matched vessels run in the image: Σ of their length and squared direction, by what it tells of shifts
+/// across.
+Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const CentroidPose& pose)
+{
+    constexpr std::size_t apart = 5;   // rows: far enough that a direction is one of the vessel, not of its sampling
+    const auto seen = [&pose](const ResidualRow& row) {
+        const Eigen::Vector3d inCamera = row.fromCentroid + pose.centroidInCamera;
+        return Eigen::Vector2d(inCamera.head<2>() / inCamera.z());
+    };
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    for (std::size_t i = apart; i < rows.size(); ++i) {
+        const ResidualRow &from = rows[i - apart], &to = rows[i];
+        const double weight = from.branchIndex == to.branchIndex ? std::min(from.weight, to.weight) : 0.0;
+        const Eigen::Vector2d along = weight > 0.0 ? Eigen::Vector2d(seen(to) - seen(from)) : Eigen::Vector2d::Zero();
+        if (along.norm() > 0.0) {
+            const Eigen::Vector2d normal(-along.y(), along.x());
+            spread += weight / along.norm() * normal * normal.transpose();
+        }
+    }
+    return spread;
+}
+
 /// Where the matched vessels are one line in the image, a slide of the tree along it changes no distance across them:
 /// that step is taken out of the equations.
 template <int Parameters>
-EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows)
+EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows,
+                                         const CentroidPose& pose)
 {
-    Eigen::Matrix2d across = Eigen::Matrix2d::Zero();   // information of a shift in the image plane
-    for (const ResidualRow& row : rows) {
-        const Eigen::Vector2d shift = row.gradient.segment<2>(3);
-        across += row.weight * shift * shift.transpose();
-    }
-    const Axes<2> axes = axesOf(across);
+    const Axes<2> axes = axesOf(spreadOfNormals(rows, pose));
     if (axes.values[0] < oneLineShare * axes.values.sum()) {
         Eigen::Vector<double, Parameters> slide = Eigen::Vector<double, Parameters>::Zero();
         slide.template segment<2>(3) = axes.directions.col(0);
@@ -101,10 +119,10 @@ EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const Cent
     std::vector<ResidualRow> rows;
     const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
     if (!noise.hasOffsets()) {
-        return withoutOpenSlide(ofIndependentRows<Parameters>(rows, noise.rowVariance()), rows);
+        return withoutOpenSlide(ofIndependentRows<Parameters>(rows, noise.rowVariance()), rows, pose);
     }
     ShapeFieldOf<Parameters> field(rows, noise.rowVariance());
-    return withoutOpenSlide(field.equations(field.likelyOffsetPx(prior)), rows);
+    return withoutOpenSlide(field.equations(field.likelyOffsetPx(prior)), rows, pose);
 }
 
 /// Lays the turned tree over the vessels.
