@@ -145,7 +145,7 @@ TEST(WindowVerdict, OfAPoseThatIsLookedAtIsNotThatOfTheResult)
     ASSERT_EQ(chipOf(w).tone(), VerdictTone::Good);
     const int onVessels = countOf(w, ui::residualColor(0.0));
     const int above = countOf(w, ui::residualColorAboveScale());
-    ASSERT_GT(onVessels, 300);
+    ASSERT_GT(onVessels, 100);
 
     w.press(Qt::Key_Y);   // the start pose: off by millimetres
     QApplication::processEvents();
