@@ -57,7 +57,7 @@ Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
     return mean;
 }
 
-/// Of the curve's points, that have a line of like depth (half to twice) within 1 px in nearly all the other frames.
+/// Of the curve's points, that have a line at least half as deep within 1 px in nearly all the other frames.
 double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::vector<const ImageF*>& others,
                           double sign)
 {
@@ -69,7 +69,7 @@ double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::
             const double depth = meanAround(now, i)[mostShiftPx];
             const Depths mean = meanAround(there, i);
             const double near = std::max({mean[mostShiftPx - 1], mean[mostShiftPx], mean[mostShiftPx + 1]});
-            seen[i] += depth > 0.0 && near >= leastShareOfDepth * depth && leastShareOfDepth * near <= depth ? 1 : 0;
+            seen[i] += depth > 0.0 && near >= leastShareOfDepth * depth ? 1 : 0;
         }
     }
     const auto isStill = [&](std::size_t count) {

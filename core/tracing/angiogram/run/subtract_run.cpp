@@ -127,8 +127,11 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
         return {};
     }
     if (most < leastRise * opacity(shown.front())) {   // bones and edges of organs are ridges too
-        const ImageF& first = frames[static_cast<std::size_t>(shown.front())];
-        return showsContrast(first, polarity, shutter) ? std::vector<int>() : std::vector<int>{shown.front()};
+        const auto isFilled = [&](int frame) {
+            return showsContrast(frames[static_cast<std::size_t>(frame)], polarity, shutter);
+        };
+        const bool contrastComes = !isFilled(shown.front()) && isFilled(std::ranges::max(shown, {}, opacity));
+        return contrastComes ? std::vector<int>{shown.front()} : std::vector<int>();
     }
     const double limit = least + emptyShare * (most - least);
     const auto firstFilled = std::ranges::find_if(shown, [&](int frame) { return opacity(frame) > limit; });

@@ -49,8 +49,8 @@ struct RunTreatment {
 };
 
 /// The first frames, before the contrast medium arrives: up to eight with hardly more opacification than the least,
-/// frame 0 among them; frame 0 alone where only tracing tells that it shows no contrast. Empty when the run begins with
-/// contrast, or has fewer than two frames. `shutter` as for `findField`.
+/// frame 0 among them; frame 0 alone where only tracing tells that it shows no contrast while the fullest does. Empty
+/// when the run begins with contrast, or has fewer than two frames. `shutter` as for `findField`.
 std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter = {});
 
 /// Every frame less the averaged mask. Fails when mask frames do not exist, none can be suggested, or sizes differ.

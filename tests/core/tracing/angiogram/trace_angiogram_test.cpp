@@ -170,7 +170,7 @@ TEST(TraceAngiogram, NothingIsTracedOnOrBeyondTheShutter)
 {
     const Path path = test::line({90, 80}, {200, 190});
     const ImageF frame = test::drawnFrame(
-        256, 256, {path, test::line({40, 10}, {52, 250}), test::line({64, 4}, {64, 252})}, 3.0, {.noise = 2.0});
+        256, 256, {path, test::line({40, 40}, {52, 210}), test::line({64, 30}, {64, 225})}, 3.0, {.noise = 2.0});
     core::Angiogram run;
     run.frames = {frame};
     const auto reaches = [&](double column) {

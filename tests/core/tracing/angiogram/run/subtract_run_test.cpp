@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 using namespace angiopose;
@@ -148,22 +149,27 @@ TEST(SubtractRun, AShiftByHandIsTaken)
 /// Where bones are much darker than the vessels, all frames have about as many ridges.
 TEST(SuggestMaskFrames, TracingTellsWhetherTheFirstFrameShowsContrast)
 {
+    std::vector<test::Path> vessels(2);
+    for (double x = 20.0; x < 380.0; x += 1.0) {
+        vessels[0].emplace_back(x, 130.0 + 40.0 * std::sin(0.03 * x));
+        vessels[1].emplace_back(x, 280.0 + 40.0 * std::sin(0.04 * x));
+    }
+    std::vector<test::Path> bones;
+    for (double x = 15.0; x < 400.0; x += 28.0) {
+        bones.push_back(test::line({x, -20.0}, {x, 420.0}));
+    }
     std::vector<ImageF> frames;
-    for (int k = 0; k < 5; ++k) {
-        std::vector<test::Path> bars;
-        for (double x = 30.0; x < 300.0; x += 40.0) {
-            bars.push_back(test::line({x, -20.0}, {x, 320.0}));
-        }
-        ImageF frame = test::drawnFrame(300, 300, bars, 4.0, {.background = 900.0F, .depth = 350.0F});
-        if (k >= 2) {
-            const ImageF shadow = test::drawnFrame(300, 300, {test::line({20, 40}, {280, 250})}, 3.0,
-                                                   {.background = 1.0F, .depth = 0.2F});
-            std::ranges::transform(frame.pixels, shadow.pixels, frame.pixels.begin(), std::multiplies<>());
-        }
-        test::addNoise(frame, 10.0, static_cast<std::uint64_t>(k) + 1);
+    for (std::uint64_t k = 0; k < 5; ++k) {
+        ImageF frame = test::drawnFrame(400, 400, bones, 4.0, {.background = 900.0F, .depth = 300.0F});
+        const ImageF shadow =
+            test::drawnFrame(400, 400, vessels, 3.0, {.background = 1.0F, .depth = k < 2 ? 0.0F : 0.4F});
+        std::ranges::transform(frame.pixels, shadow.pixels, frame.pixels.begin(), std::multiplies<>());
+        test::addNoise(frame, 8.0, k + 1);
         frames.push_back(std::move(frame));
     }
     EXPECT_EQ(core::suggestMaskFrames(frames, Polarity::VesselsDark), std::vector<int>{0});
+    frames.erase(frames.begin(), frames.begin() + 2);
+    EXPECT_TRUE(core::suggestMaskFrames(frames, Polarity::VesselsDark).empty()) << "filled from the first frame on";
 }
 
 TEST(SubtractRun, RefusesInPlainWords)
