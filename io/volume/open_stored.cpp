@@ -3,9 +3,9 @@
 #include "io/messages/says.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
-#include "io/volume/itk_volume.h"
 #include "io/volume/nifti.h"
 #include "io/volume/nrrd.h"
+#include "io/volume/plain_volume.h"
 #include "io/volume/voxel_stream.h"
 
 namespace angiopose::io {
@@ -32,7 +32,7 @@ bool isStoredVolume(const std::string& path)
         return false;
     }
     const std::string_view content = input.value().view();
-    return isNrrd(content) || looksLikeNifti(unpackedHead(content, path)) || itkFormatOf(content, path).has_value();
+    return isNrrd(content) || looksLikeNifti(unpackedHead(content, path)) || plainFormatOf(content, path).has_value();
 }
 
 core::Result<StoredVolume> openStored(const std::string& path)
@@ -48,8 +48,8 @@ core::Result<StoredVolume> openStored(const std::string& path)
     if (const std::string head = unpackedHead(content, path); looksLikeNifti(head)) {
         return parseNifti(head, path);
     }
-    if (const auto format = itkFormatOf(content, path)) {
-        return openItkVolume(*format, content, path);
+    if (const auto format = plainFormatOf(content, path)) {
+        return openPlainVolume(*format, content, path);
     }
     const auto* found = describeContent(content);
     return fileError(path, found ? says::volumeIsOther((*found)()) : says::volumeUnknown());

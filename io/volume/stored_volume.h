@@ -28,6 +28,34 @@ constexpr std::string_view nameOf(VoxelType type)
     return names[static_cast<int>(type)];
 }
 
+/// Runs `work` with a value of the C++ type that `type` names.
+template <class Work>
+auto withType(VoxelType type, const Work& work)
+{
+    switch (type) {
+        case VoxelType::Int8:
+            return work(std::int8_t{});
+        case VoxelType::Uint8:
+            return work(std::uint8_t{});
+        case VoxelType::Int16:
+            return work(std::int16_t{});
+        case VoxelType::Uint16:
+            return work(std::uint16_t{});
+        case VoxelType::Int32:
+            return work(std::int32_t{});
+        case VoxelType::Uint32:
+            return work(std::uint32_t{});
+        case VoxelType::Int64:
+            return work(std::int64_t{});
+        case VoxelType::Uint64:
+            return work(std::uint64_t{});
+        case VoxelType::Float32:
+            return work(float{});
+        default:
+            return work(double{});
+    }
+}
+
 /// Hands out the voxels of an opened volume as they are stored, in this machine's byte order.
 class VoxelReader {
 public:

@@ -9,13 +9,13 @@
 
 namespace angiopose::io {
 
-/// Volumes that ITK's own classes read: MetaImage (.mha, or .mhd with its voxels beside it), legacy VTK images, GIPL.
-enum class ItkFormat { MetaImage, VtkImage, Gipl };
+/// Volumes with a short header: MetaImage (.mha, or .mhd with its voxels beside it), legacy VTK images, GIPL.
+enum class PlainFormat { MetaImage, VtkImage, Gipl };
 
 /// By the first bytes, and the extension where these do not decide.
-std::optional<ItkFormat> itkFormatOf(std::string_view content, const std::string& path);
+std::optional<PlainFormat> plainFormatOf(std::string_view content, const std::string& path);
 
 /// The header of such a volume (`content`: the whole file), patient LPS; one without orientation says so in a warning.
-core::Result<StoredVolume> openItkVolume(ItkFormat format, std::string_view content, const std::string& path);
+core::Result<StoredVolume> openPlainVolume(PlainFormat format, std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

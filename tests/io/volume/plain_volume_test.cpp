@@ -5,7 +5,7 @@
 
 using namespace angiopose;
 
-// Formats that ITK brings: they hold spacing and voxels, but not how the axes lie in the patient.
+// Formats that hold spacing and voxels, but not how the axes lie in the patient.
 
 namespace {
 
@@ -77,24 +77,19 @@ TEST(Analyze, IsReadAsAPair)
     test::expectRefused(folder.write("alone.hdr", header), "alone.img, which is not there");
 }
 
-// Found by fuzzing: MetaIO overruns its own room and ends the program.
-TEST(MetaImage, LinesThatItkCannotHoldAreRefused)
+// Found by fuzzing: MetaIO, which read them once, overran its own room and ended the program.
+TEST(MetaImage, LinesOfAnyLengthAreRead)
 {
     const test::TemporaryFolder folder;
     const std::string voxels(16, 'v');
-    const auto with = [&](const std::string& line) {
-        return folder.write("a.mha", test::metaImage("MET_SHORT", voxels, line + "\n"));
-    };
-    for (const char* key : {"Comment", "Name", "ObjectSubType"}) {
-        test::expectRefused(with(std::string(key) + " = " + std::string(300, 'a')), "line 5 of its header");
-        EXPECT_TRUE(io::readVolume(with(std::string(key) + " = " + std::string(200, 'a')))) << key;
+    for (const std::string& line :
+         {"Comment = " + std::string(3000, 'a'), std::string(255, 'k') + " = 1", "\r" + std::string(300, 'k'),
+          std::string("Modality MR"), std::string("Modality = MR\r\nSeries"), std::string("  \r\n\t")}) {
+        EXPECT_TRUE(io::readVolume(folder.write("a.mha", test::metaImage("MET_SHORT", voxels, line + "\n"))))
+            << line.substr(0, 20);
     }
-    test::expectRefused(with(std::string(255, 'k') + " = 1"), "line 5 of its header");
-    test::expectRefused(with("\r" + std::string(300, 'k')), "line 6 of its header");
-    test::expectRefused(with("Modality MR"), "line 5 of its header has no \"=\"");
-    test::expectRefused(with("Modality = MR\r\nSeries"), "line 6 of its header has no");
-    EXPECT_TRUE(io::readVolume(with("  \r\n\t")));
-    EXPECT_TRUE(io::readVolume(with("0008|103e = " + std::string(3000, 'a'))));   // as SimpleITK keeps DICOM's
+    test::expectRefused(folder.write("a.mha", test::metaImage("MET_SHORT", voxels, "Offset = 1,5 0 0\n")),
+                        "header cannot be read");
 }
 
 }   // namespace
