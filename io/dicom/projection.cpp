@@ -11,7 +11,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr DicomTag positionTag = 0x00200032;
+constexpr DicomTag placeTag = 0x00200032;
 
 /// CT, MR, and what is reconstructed from projections: angiography, head, breast.
 bool isClassOfSlices(std::string_view sopClass)
@@ -36,7 +36,7 @@ std::set<std::string> placesOf(const DicomDataset& data)
     std::set<std::string> places;
     for (const DicomDataset& frame : data.items(perFrameGroupsTag)) {
         for (const DicomDataset& plane : frame.items(0x00209113)) {
-            places.emplace(plane.text(positionTag));
+            places.emplace(plane.text(placeTag));
         }
     }
     return places;
@@ -48,7 +48,7 @@ bool isProjection(const DicomDataset& data)
 {
     static constexpr std::array<std::string_view, 5> modalities{"XA", "RF", "DX", "CR", "DR"};
     const std::string_view sopClass = data.text(0x00080016);
-    const bool isPlaced = data.number(positionTag) && data.number(0x00200037) && data.number(0x00280030);
+    const bool isPlaced = data.number(placeTag) && data.number(0x00200037) && data.number(0x00280030);
     return std::ranges::find(modalities, data.text(0x00080060)) != modalities.end() && !isClassOfSlices(sopClass) &&
            (isClassOfProjections(sopClass) || !isPlaced) && placesOf(data).size() < 2;
 }

@@ -197,7 +197,7 @@ std::optional<Eigen::Vector3d> lpsSignsOf(int space)
     }
 }
 
-std::string_view textOf(const char* unit)
+std::string_view unitText(const char* unit)
 {
     return unit ? unit : "";
 }
@@ -210,7 +210,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
     Eigen::Vector3i size;
     Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // of the space, for directions and origin
     for (int k = 0; k < 3 && nrrd.spaceDim == 3; ++k) {
-        unitMm[k] = millimetresPer(textOf(nrrd.spaceUnits[k]), warnings);
+        unitMm[k] = millimetresPer(unitText(nrrd.spaceUnits[k]), warnings);
     }
     for (int k = 0; k < 3; ++k) {
         const NrrdAxisInfo& axis = *axes.ofSpace[static_cast<std::size_t>(k)];
@@ -218,7 +218,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
         if (axes.haveDirections) {
             steps.col(k) = unitMm.cwiseProduct(Eigen::Map<const Eigen::Vector3d>(axis.spaceDirection));
         } else if (AIR_EXISTS(axis.spacing)) {
-            steps(k, k) = axis.spacing * millimetresPer(textOf(axis.units), warnings);
+            steps(k, k) = axis.spacing * millimetresPer(unitText(axis.units), warnings);
         } else {
             isSizeAssumed = true;
         }
