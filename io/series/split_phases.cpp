@@ -1,10 +1,12 @@
 #include "io/series/split_phases.h"
 
+#include "io/messages/says.h"
 #include "io/series/slice_stack.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 namespace angiopose::io {
@@ -53,29 +55,33 @@ std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
     return parts;
 }
 
-/// True for slices on a regular grid without gaps.
-bool isRegular(const Slices& sorted)
+/// How many slices are missing on the grid that these lie on; nothing where they lie on none.
+std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 {
     const SliceStack stack = stackOf(sorted);
-    return !stack.problem && stack.layers.size() == sorted.size() &&
-           std::ranges::all_of(stack.layers, [](const StackLayer& layer) { return layer.upperWeight == 0.0; });
+    const bool isUneven = std::ranges::any_of(
+        stack.warnings, [](const core::Message& warning) { return warning.is(says::seriesUnevenSlices); });
+    return stack.problem || isUneven ? std::nullopt : std::optional(stack.layers.size() - sorted.size());
 }
 
 /// Acquisitions at places of their own, each on a regular grid, that are no volume together: they lie apart, or the
-/// slices of one between those of another.
+/// slices of one between those of another. Where a few slices are missing they are one.
 std::vector<Slices> splitAcquisitions(const Slices& sorted)
 {
-    constexpr std::size_t leastSlices = 3;
+    constexpr std::size_t leastSlices = 3, missingOf = 8;
     std::vector<Slices> parts = splitByKey(sorted, 0);
-    if (parts.size() < 2 ||
-        !std::ranges::all_of(parts, [](const Slices& part) { return part.size() >= leastSlices && isRegular(part); })) {
+    if (parts.size() < 2 || !std::ranges::all_of(parts, [](const Slices& part) {
+            return part.size() >= leastSlices && missingOnGrid(part) == std::size_t{0};
+        })) {
         return {};
     }
     std::size_t changes = 1;
     for (std::size_t i = 1; i < sorted.size(); ++i) {
         changes += sorted[i].phaseKeys[0] == sorted[i - 1].phaseKeys[0] ? 0 : 1;
     }
-    return changes > parts.size() || !isRegular(sorted) ? parts : std::vector<Slices>{};
+    const auto missing = missingOnGrid(sorted);
+    const bool isVolume = changes == parts.size() && missing && missingOf * *missing <= sorted.size();
+    return isVolume ? std::vector<Slices>{} : parts;
 }
 
 }   // namespace
