@@ -133,6 +133,9 @@ void printSeries(const io::StudySeries& each)
                      series.part ? series.part->text() : "", each.bodyPart, count, size, spacing, missing});
     std::printf("    %-7s  %s\n", textOf(each.use), printableText(line).c_str());
     printText("             " + (each.reason ? each.reason->text() : "series " + series.id));
+    for (const core::Message& warning : series.warnings) {
+        printText("             warning: " + warning.text());
+    }
 }
 
 void printTree(const io::StudyTree& tree)
