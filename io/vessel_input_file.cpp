@@ -159,10 +159,13 @@ core::Result<LoadedVessels> traceSegmentation(const std::string& path, const cor
                                               const ReadObserver& observe)
 {
     const auto labels = readLabels(path, partOf(observe, 0.0, readShare));
-    const auto header = isVolumeFile(path) ? std::optional(describeVolume(path)) : std::nullopt;
-    return labels ? traceLabelImage(untraced(input, header && *header ? header->value().warnings : core::Messages()),
-                                    labels.value(), path, observe)
-                  : labels.error();
+    if (!labels) {
+        return labels.error();
+    }
+    const auto header = isVolumeFile(path) ? describeVolume(path) : core::Result<VolumeSummary>(VolumeSummary{});
+    core::Messages warnings = header ? header.value().warnings : core::Messages();
+    std::erase_if(warnings, [](const core::Message& warning) { return warning.is(says::volumeSizeOfOne); });
+    return traceLabelImage(untraced(input, std::move(warnings)), labels.value(), path, observe);
 }
 
 core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInput input, const ReadObserver& observe)
