@@ -42,12 +42,15 @@ std::optional<core::ProjectionCamera> cameraBeside(const PoseJson& root)
     if (found == root.end() || !found->is_object() || !found->contains("fx")) {
         return std::nullopt;
     }
-    const core::ProjectionCamera camera{found->at("fx").get<double>(), found->at("fy").get<double>(),
-                                        found->at("cx").get<double>(), found->at("cy").get<double>(),
-                                        found->value("width", 0),      found->value("height", 0)};
-    const bool isUsable = std::isfinite(camera.fx) && std::isfinite(camera.fy) && camera.fx != 0.0 &&
-                          camera.fy != 0.0 && std::isfinite(camera.cx) && std::isfinite(camera.cy);
-    return isUsable ? std::optional(camera) : std::nullopt;
+    return core::ProjectionCamera{found->at("fx").get<double>(), found->at("fy").get<double>(),
+                                  found->at("cx").get<double>(), found->at("cy").get<double>(),
+                                  found->value("width", 0),      found->value("height", 0)};
+}
+
+std::optional<core::Message> findProblemApartFromSize(core::ProjectionCamera camera)
+{
+    camera.width = camera.height = 1;
+    return core::findProblem(camera);
 }
 
 /// Of the inputs that a result names.
@@ -71,8 +74,12 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
         const PoseJson root = PoseJson::parse(text);
         const PoseJson& holder = root.contains("pose") ? root.at("pose") : root;
         const auto pose = poseFromRows(holder.at("cameraFromPatient").get<MatrixRows>());
-        return pose ? core::Result<PoseWithCamera>(PoseWithCamera{pose.value(), cameraBeside(root),
-                                                                  hashOf(root, "vessel"), hashOf(root, "angiogram")})
+        const auto camera = cameraBeside(root);
+        if (const auto problem = camera ? findProblemApartFromSize(*camera) : std::nullopt) {
+            return fileError(path, *problem);
+        }
+        return pose ? core::Result<PoseWithCamera>(
+                          PoseWithCamera{pose.value(), camera, hashOf(root, "vessel"), hashOf(root, "angiogram")})
                     : fileError(path, pose.error());
     } catch (const PoseJson::exception&) {
         return fileError(path, says::poseNoMatrix());

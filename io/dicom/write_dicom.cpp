@@ -1,5 +1,6 @@
 #include "io/dicom/write_dicom.h"
 
+#include "core/messages/says.h"
 #include "io/dicom/dicom_item.h"
 #include "io/dicom/new_uid.h"
 #include "io/dicom/siemens_tags.h"
@@ -30,10 +31,27 @@ void addDecimal(DicomItem& out, DicomTag tag, const core::Sourced<double>& numbe
     }
 }
 
+/// A distance or spacing that is none.
+std::optional<core::Message> findNoLength(const CArm& cArm)
+{
+    const auto isNone = [](const core::Sourced<double>& length) {
+        return length.value && !(std::isfinite(*length.value) && *length.value > 0.0);
+    };
+    if (isNone(cArm.sourceToDetectorMm)) {
+        return core::says::valueMissing(core::says::theSid());
+    }
+    return isNone(cArm.rowSpacingMm) || isNone(cArm.columnSpacingMm)
+               ? std::optional(core::says::valueMissing(core::says::theSpacing()))
+               : std::nullopt;
+}
+
 std::optional<core::Message> findUnwritable(const Angiogram& angiogram)
 {
     if (angiogram.frames.empty() || angiogram.frames.front().isEmpty()) {
         return says::dicomNoFramesToWrite();
+    }
+    if (const auto wrong = findNoLength(angiogram.cArm)) {
+        return wrong;
     }
     const int width = angiogram.width(), height = angiogram.height();
     for (const core::ImageF& frame : angiogram.frames) {

@@ -103,7 +103,10 @@ std::string axesIn(const std::string& line)
         return {};
     }
     std::string axes = found[2].matched ? "RAS" : found[3].matched ? "LPS" : found[1].str();
-    std::ranges::transform(axes, axes.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    const std::string name = lowered(axes);
+    if (name == "ras" || name == "lps" || found.str().find_first_of("=:") != std::string::npos) {
+        std::ranges::transform(axes, axes.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    }
     const bool isWhole = std::ranges::all_of(std::array{"RL", "AP", "SI"}, [&axes](const char* pair) {
         return axes.find_first_of(pair) != std::string::npos;
     });
@@ -125,7 +128,7 @@ std::optional<double> lengthUnitMm(std::string_view word)
     if (const std::size_t metre = name.find("metre"); metre != std::string::npos) {
         name.replace(metre, 5, "meter");
     }
-    if (name.size() > 5 && name.ends_with('s')) {
+    if (name.ends_with("meters") || name.ends_with("microns")) {
         name.pop_back();
     }
     const auto found = units.find(name);

@@ -24,6 +24,26 @@ using test::runCli;
 using test::TemporaryFolder;
 using test::writeText;
 
+TEST(Cli, NumbersThatAreNoneAreRefusedByTheOptionsName)
+{
+    const std::vector<std::vector<std::string>> commands = {
+        {"convert", "a.obj", "b.stl", "--unit-mm"},
+        {"convert", "a.obj", "b.nii", "--spacing-mm"},
+        {"convert", "a.json", "b.json", "--pose-to", "diffdrr", "--source-to-detector"},
+        {"trace-vessel", "a.nii", "--output", "b.vtp", "--threshold"},
+        {"trace-vessel", "a.nii", "--output", "b.vtp", "--point-spacing"},
+        {"simulate", "--seed", "1", "--output", "x", "--non-rigid"}};
+    for (const std::vector<std::string>& command : commands) {
+        for (const char* number : {"nan", "inf", "-inf", "NaN"}) {
+            std::vector<std::string> arguments = command;
+            arguments.back() += std::string("=") + number;
+            const auto outcome = runCli(arguments);
+            EXPECT_EQ(outcome.exitCode, 2) << arguments.back();
+            EXPECT_NE(outcome.messages.find(command.back()), std::string::npos) << outcome.messages;
+        }
+    }
+}
+
 TEST(Cli, ConvertsBetweenFormatsOfOneKind)
 {
     const TemporaryFolder folder;

@@ -208,4 +208,18 @@ TEST(ReadPoseWithCamera, DamagedTextsEndInAMessage)
     }
 }
 
+TEST(PoseCameraFile, ACameraWithoutFocalLengthIsNamedNotPassedBy)
+{
+    const test::TemporaryFolder folder;
+    const auto readWith = [&](const std::string& fx) {
+        return io::readPoseWithCamera(folder.write(
+            "p.json", R"({"cameraFromPatient": [[1,0,0,0],[0,1,0,0],[0,0,1,700],[0,0,0,1]], "camera": {"fx": )" + fx +
+                          R"(, "fy": 2000, "cx": 256, "cy": 256}})"));
+    };
+    EXPECT_TRUE(readWith("-2000").value().camera);
+    const auto none = readWith("0");
+    ASSERT_FALSE(none);
+    EXPECT_NE(none.error().message.text().find("focal lengths"), std::string::npos) << none.error().message;
+}
+
 }   // namespace

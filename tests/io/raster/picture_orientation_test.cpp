@@ -206,9 +206,9 @@ TEST(PictureOrientation, IsAsStoredWhereTheTagIsNone)
 TEST(PictureOrientation, HoldsForMasksToo)
 {
     const test::TemporaryFolder folder;
-    core::ImageF mask(40, 30, 0.0F);   // a line along the upper edge as shown, mirrored and turned as stored
-    for (int y = 5; y < 35; ++y) {
-        mask.at(4, y < 30 ? y : 29) = 255.0F;
+    core::ImageF mask(30, 80, 0.0F);   // a line along the upper edge as shown, mirrored and turned as stored
+    for (int y = 5; y < 75; ++y) {
+        mask.at(4, y) = 255.0F;
     }
     const auto curves = io::readCenterline2d(tiffOf(folder.file("mask.tif"), {{mask, 0}}, 5));
     ASSERT_TRUE(curves) << curves.error().message;

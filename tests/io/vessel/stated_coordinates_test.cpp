@@ -87,9 +87,11 @@ TEST(StatedCoordinates, AxesAreTurnedOrNamed)
         ASSERT_TRUE(rule) << other;
         EXPECT_FALSE(rule.value().isRas) << other;
     }
-    const auto wrong = io::coordinateRule("# SPACE=LAS", 0.0, "x");
-    ASSERT_FALSE(wrong);
-    EXPECT_TRUE(wrong.error().message.is(io::says::axesOther));
+    for (const char* wrong : {"# SPACE=LAS", "# space: rai", "# axes are LPI"}) {
+        const auto rule = io::coordinateRule(wrong, 0.0, "x");
+        ASSERT_FALSE(rule) << wrong;
+        EXPECT_TRUE(rule.error().message.is(io::says::axesOther)) << wrong;
+    }
 }
 
 /// A box of 70 x 50 x 30 from the origin.
