@@ -26,7 +26,7 @@ Curve2d drawnCurve(int id, Course course, Width width)
 
 const auto straightCourse = [](double) { return 0.0; };
 const auto arc = [](double x) { return std::sqrt(400.0 * 400.0 - (x - 80.0) * (x - 80.0)) - 400.0; };
-const auto winding = [](double x) { return 6.0 * std::sin(0.06 * x); };
+const auto windingCurve = [](double x) { return 6.0 * std::sin(0.06 * x); };
 const auto even = [](double) { return 2.0; };
 const auto tapering = [](double x) { return 3.0 - 0.009 * x; };
 
@@ -38,7 +38,7 @@ TEST(SuspectCurves, AreStraightOrEvenlyBentAndOfEvenWidth)
 
 TEST(SuspectCurves, VesselsWindOrTaper)
 {
-    const Centerline2d centerline{{drawnCurve(1, winding, even), drawnCurve(2, arc, tapering)}};
+    const Centerline2d centerline{{drawnCurve(1, windingCurve, even), drawnCurve(2, arc, tapering)}};
     EXPECT_TRUE(core::suspectCurves(centerline, frameSidePx).empty());
 }
 
