@@ -61,11 +61,11 @@ TEST(FollowFrames, DoesNotTrustWhatStandsStillWithoutContrast)
     dsa.missingBranchShare = dsa.extraBranchShare = dsa.catheterProbability = dsa.shutterProbability = 0.0;
     SimulatedCase simulated = simulateCase(5, {}, dsa);
     std::vector<test::Path> things;
-    for (std::size_t k = 0; k < simulated.trueTarget.curves.size(); k += 2) {
+    for (std::size_t k = 0; k < simulated.trueTarget.curves.size(); k += 3) {
         things.push_back(simulated.trueTarget.curves[k].pointsPx);
     }
     Angiogram& run = simulated.angiogram;
-    const ImageF shadow = test::drawnFrame(run.width(), run.height(), things, 3.0, {.background = 1.0F, .depth = 0.3F});
+    const ImageF shadow = test::drawnFrame(run.width(), run.height(), things, 3.0, {.background = 1.0F, .depth = 0.6F});
     for (ImageF& frame : run.frames) {
         std::ranges::transform(frame.pixels, shadow.pixels, frame.pixels.begin(), std::multiplies<>());
     }
@@ -79,7 +79,6 @@ TEST(FollowFrames, DoesNotTrustWhatStandsStillWithoutContrast)
     EXPECT_FALSE(first.tracked.isTrustworthy);
     ASSERT_TRUE(first.problem);
     EXPECT_EQ(first.problem->id(), "follow.stands-still");
-    EXPECT_GE(std::ranges::count_if(frames.value(), [](const auto& each) { return each.tracked.isTrustworthy; }), 3);
 }
 
 TEST(FollowFrames, FindsNoBendWhereNoneIsKnown)
