@@ -89,11 +89,15 @@ IterationObserver solverObserver(Course& course, const std::vector<std::size_t>&
     };
 }
 
-/// What holds for all views together belongs to the shown one: its depth is known from the others.
-RegistrationResult resultOfAll(const MultiViewResult& joint)
+/// What holds for all views together belongs to the first one: its depth is known from the others. Where they are not
+/// trusted together none of them is.
+RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
 {
-    RegistrationResult result = joint.views.front();
-    result.uncertainty = joint.uncertainty;
+    RegistrationResult result = joint.views[view];
+    if (view > 0 && joint.trustworthy) {
+        return result;
+    }
+    result.uncertainty = view == 0 ? joint.uncertainty : result.uncertainty;
     result.trustworthy = joint.trustworthy;
     for (const Message& warning : joint.warnings) {
         if (std::ranges::find(result.warnings, warning) == result.warnings.end()) {
@@ -167,7 +171,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
         notes.addTo(result, k, run.theCase.views[run.places[k]]);
-        RegistrationResult kept = k == 0 ? resultOfAll(*run.joint) : result;
+        RegistrationResult kept = resultOfAll(*run.joint, k);
         if (!run.joint->cameras.empty()) {
             kept.camera = run.joint->cameras[k];
         }

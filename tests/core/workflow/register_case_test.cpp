@@ -117,6 +117,24 @@ TEST(RegisterCase, TrustsNoFitOfDifferentPatientsUnlessSomebodyMadeSure)
     EXPECT_EQ(alone.warnings.front().id(), "patient.differs");
 }
 
+TEST(RegisterCase, TrustsNoViewWhereTheViewsAreNotTrustedTogether)
+{
+    Case values = test::twoViewCase();
+    Centerline2d mirrored = *values.views[0].target.centerline;
+    for (Curve2d& curve : mirrored.curves) {
+        for (Eigen::Vector2d& point : curve.pointsPx) {
+            point.x() = 1000.0 - point.x();
+        }
+    }
+    values.views[0].target.centerline = std::make_shared<const Centerline2d>(std::move(mirrored));
+    const RegisteredCase together = registerCase(values).value();
+    ASSERT_FALSE(together.joint->trustworthy);
+    for (const View& view : together.theCase.views) {
+        EXPECT_FALSE(view.result->trustworthy);
+        EXPECT_FALSE(view.result->warnings.empty());
+    }
+}
+
 /// The case with targets as noisy as traced ones: without noise every depth is certain.
 Case withNoise(Case values)
 {
