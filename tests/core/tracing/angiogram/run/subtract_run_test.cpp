@@ -155,12 +155,12 @@ TEST(SuggestMaskFrames, TracingTellsWhetherTheFirstFrameShowsContrast)
         vessels[1].emplace_back(x, 280.0 + 40.0 * std::sin(0.04 * x));
     }
     std::vector<test::Path> bones;
-    for (double x = 15.0; x < 400.0; x += 28.0) {
+    for (double x = 15.0; x < 400.0; x += 50.0) {
         bones.push_back(test::line({x, -20.0}, {x, 420.0}));
     }
     std::vector<ImageF> frames;
     for (std::uint64_t k = 0; k < 5; ++k) {
-        ImageF frame = test::drawnFrame(400, 400, bones, 4.0, {.background = 900.0F, .depth = 300.0F});
+        ImageF frame = test::drawnFrame(400, 400, bones, 4.0, {.background = 900.0F, .depth = 200.0F});
         const ImageF shadow =
             test::drawnFrame(400, 400, vessels, 3.0, {.background = 1.0F, .depth = k < 2 ? 0.0F : 0.4F});
         std::ranges::transform(frame.pixels, shadow.pixels, frame.pixels.begin(), std::multiplies<>());
