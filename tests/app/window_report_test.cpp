@@ -94,8 +94,8 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
     EXPECT_TRUE(page.contains(words(here.value().metrics.medianMm)));
     EXPECT_FALSE(page.contains(words(thereMm)));
     EXPECT_TRUE(page.contains(QStringLiteral("frame %1; picture and figures are of frame %2")
-                                  .arg(foundIn)
-                                  .arg(w.current().shown().frame)
+                                  .arg(foundIn + 1)
+                                  .arg(w.current().shown().frame + 1)
                                   .toUtf8()));
     const auto picture = drawOverlayVectors(w.current(), target.value());
     ASSERT_TRUE(picture);
@@ -103,7 +103,7 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
     for (const ui::VectorText& text : picture.value().texts) {
         told += text.text + "\n";
     }
-    EXPECT_NE(told.find("pose of frame " + std::to_string(foundIn)), std::string::npos) << told;
+    EXPECT_NE(told.find("pose of frame " + std::to_string(foundIn + 1)), std::string::npos) << told;
     EXPECT_EQ(told.find("median"), std::string::npos) << told;
 }
 
