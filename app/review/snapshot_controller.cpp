@@ -124,10 +124,9 @@ void SnapshotController::keep()
     const QString name = QString::fromStdString(kept.name);
     kept.kind = core::SnapshotKind::Kept;
     push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Keep %1").arg(name); });
-    const auto& now = document_.current().shown().snapshots;
-    if (!now.empty() && now.back().name == kept.name) {
-        mark(now.back().id, false);   // what comes next is compared with it
-    }
+    marks_.b.reset();   // what comes next is compared with it
+    isOnB_ = false;
+    showMarks();
     strip_.showStatus(tr("Kept as “%1” · Y compares").arg(name));
 }
 

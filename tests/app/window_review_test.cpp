@@ -171,30 +171,6 @@ TEST(WindowReview, FindsKeysByTyping)
     EXPECT_EQ(list->topLevelItemCount(), 0);
 }
 
-TEST(WindowReview, HidesResidualColorsOnPosesTheyDoNotBelongTo)
-{
-    OpenWindow w;
-    w.openSample();
-    const auto colored = [&w] {   // amber or orange pixels
-        QApplication::processEvents();
-        const QImage picture = w.window.angiogramView().grab().toImage();
-        int count = 0;
-        for (int y = 0; y < picture.height(); ++y) {
-            for (int x = 0; x < picture.width(); ++x) {
-                const QColor pixel = picture.pixelColor(x, y);
-                count += pixel.red() > 160 && pixel.blue() < 100;
-            }
-        }
-        return count;
-    };
-    const int shown = colored();
-    w.press(Qt::Key_F);
-    const int hidden = colored();   // of the chip alone
-    EXPECT_GT(shown, hidden + 50);   // the start pose is far off
-    w.press(Qt::Key_F);
-    EXPECT_EQ(colored(), shown);
-}
-
 TEST(WindowReview, ChoosesAuxiliaryBranchesByViewAndWidth)
 {
     OpenWindow w;

@@ -262,7 +262,7 @@ void ResultPanel::setDimmed(bool dimmed)
 {
     for (QWidget* part : {static_cast<QWidget*>(section_), static_cast<QWidget*>(residualSection_)}) {
         if (dimmed != (part->graphicsEffect() != nullptr)) {
-            auto* const effect = dimmed ? new QGraphicsOpacityEffect : nullptr;
+            auto* const effect = dimmed ? new QGraphicsOpacityEffect(part) : nullptr;
             if (effect) {
                 effect->setOpacity(0.35);
             }
