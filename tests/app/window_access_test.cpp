@@ -9,10 +9,12 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 
 #include <set>
+#include <vector>
 
 namespace angiopose::app {
 namespace {
@@ -101,18 +103,25 @@ TEST(WindowAccess, FocusIsSeenOnEveryKindOfControl)
 {
     OpenWindow w;
     w.openSample();
+    w.waitForJudgement();   // which makes rows anew
     std::set<std::string> kinds;
-    for (QWidget* widget : w.window.findChildren<QWidget*>()) {
-        const bool counts = isControl(*widget) && !isInner(*widget) && widget->isVisible() && widget->isEnabled() &&
-                            (widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->visibleRegion().isEmpty();
+    const QList<QWidget*> all = w.window.findChildren<QWidget*>();
+    for (const QPointer<QWidget>& widget : std::vector<QPointer<QWidget>>(all.begin(), all.end())) {
+        const bool counts = widget && isControl(*widget) && !isInner(*widget) && widget->isVisible() &&
+                            widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0 &&
+                            !widget->visibleRegion().isEmpty();
         if (!counts || !kinds.insert(widget->metaObject()->className()).second) {
             continue;
         }
         w.window.angiogramView().setFocus();
         QApplication::processEvents();
+        if (!widget) {
+            continue;
+        }
         const QImage without = widget->grab().toImage();
         widget->setFocus(Qt::TabFocusReason);
         QApplication::processEvents();
+        ASSERT_TRUE(widget);
         EXPECT_NE(widget->grab().toImage(), without) << described(*widget);
     }
     EXPECT_GT(kinds.size(), 4U);
