@@ -65,7 +65,7 @@ QStringList reportOf(app::CaseController& controller)
     if (!page) {
         return {QString::fromStdString(page.error().message.text())};
     }
-    static const QRegularExpression made(QStringLiteral("(>Made&nbsp;&nbsp;</td><td>)[^<]*"));
+    static const QRegularExpression made(QStringLiteral("(>Made&nbsp;&nbsp;</td><td[^>]*>)[^<]*"));
     static const QRegularExpression cells(QStringLiteral("(?=<(p|tr|td|h\\d|img)\\b)"));
     QStringList parts = QString::fromUtf8(page.value()).replace(made, QStringLiteral("\\1")).split(cells);
     for (QString& part : parts) {
