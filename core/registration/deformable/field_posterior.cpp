@@ -163,6 +163,9 @@ Eigen::VectorXf FieldPosterior::covariances(const MotionRow& row, const Eigen::V
 
 Eigen::VectorXd FieldPosterior::variancesOf(const std::vector<MotionRow>& others) const
 {
+    if (others.empty()) {
+        return {};
+    }
     const RowBasis basis = basisOf(others);
     Eigen::MatrixXf with(rowAt(rows_.size()), rowAt(others.size()));
     Eigen::VectorXd variances(rowAt(others.size()));
