@@ -28,6 +28,22 @@ struct KindWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
 };
 
+/// Name filters of the open dialog, all kinds first.
+QStringList openFilters()
+{
+    const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
+    const QString all = QStringLiteral(
+        "*.angiopose *.vtp *.vtk *.csv *.swc *.json *.dcm *.png *.tif *.tiff *.jpg *.jpeg "
+        "*.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv ");
+    return {KindWords::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
+            KindWords::tr("Cases (*.angiopose)"),
+            KindWords::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
+            KindWords::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
+            KindWords::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
+            KindWords::tr("Poses and points (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)"),
+            KindWords::tr("All files (*)")};
+}
+
 struct LengthUnit {
     const char* name;
     double mm;
@@ -56,21 +72,6 @@ std::vector<LengthUnit> unitsFor(double unitsAcross)
 }
 
 }   // namespace
-
-QStringList openFilters()
-{
-    const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
-    const QString all = QStringLiteral(
-        "*.angiopose *.vtp *.vtk *.csv *.swc *.json *.dcm *.png *.tif *.tiff *.jpg *.jpeg "
-        "*.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv ");
-    return {KindWords::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
-            KindWords::tr("Cases (*.angiopose)"),
-            KindWords::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
-            KindWords::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
-            KindWords::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
-            KindWords::tr("Poses and points (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)"),
-            KindWords::tr("All files (*)")};
-}
 
 OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notices& notices,
                          const Ui& ui, QObject* parent)

@@ -19,9 +19,6 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Name filters of the open dialog, all kinds first.
-QStringList openFilters();
-
 /// Asks what opening has to know: which files, which series, where moved inputs are, what a further scan or angiogram
 /// is for, the unit of a surface, whether the open case may go.
 class OpenDialogs : public QObject {

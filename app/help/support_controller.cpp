@@ -7,6 +7,7 @@
 #include "io/messages/catalogue.h"
 #include "io/sharing/case_identifiers.h"
 #include "io/sharing/case_summary.h"
+#include "io/sharing/known_words.h"
 #include "io/support/crash_dumps.h"
 #include "ui/actions/command_table.h"
 #include "ui/actions/window_actions.h"
@@ -23,6 +24,7 @@
 #include <QSettings>
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace angiopose::app {
 namespace {
@@ -59,20 +61,7 @@ bool isOwnKey(const QString& key)
            std::ranges::all_of(key, [](QChar c) { return c.unicode() < 128 && (c.isLetterOrNumber() || c == u'/'); });
 }
 
-QStringList inputsOf(const CaseDocument& document)
-{
-    const core::Case& current = document.current();
-    QStringList paths{document.path(), QString::fromStdString(current.vessels.file.path),
-                      QString::fromStdString(current.vessels.scanFile.path)};
-    for (const core::View& view : current.views) {
-        paths << QString::fromStdString(view.imageFile.path) << QString::fromStdString(view.caseFile.path);
-    }
-    paths.removeAll(QString());
-    return paths;
-}
-
-}   // namespace
-
+/// Toolkit, screens and who draws, as "key: value" in lines. On the window's thread.
 std::string windowFacts()
 {
     const ui::GlDriver& driver = ui::glDriver();
@@ -93,6 +82,7 @@ std::string windowFacts()
     return facts.toStdString();
 }
 
+/// Preferences that are switches, numbers or one of a few names; of texts only whether there is one.
 std::string settingsText()
 {
     const QSettings stored;
@@ -105,6 +95,7 @@ std::string settingsText()
     return text.toStdString();
 }
 
+/// Every word of the catalogues, in English and as the window speaks, and of the menus.
 io::KnownWords wordsOfProgram()
 {
     io::KnownWords words;
@@ -125,6 +116,20 @@ io::KnownWords wordsOfProgram()
     words.add("name path file uid date");   // what stands in place of what was taken out
     return words;
 }
+
+QStringList inputsOf(const CaseDocument& document)
+{
+    const core::Case& current = document.current();
+    QStringList paths{document.path(), QString::fromStdString(current.vessels.file.path),
+                      QString::fromStdString(current.vessels.scanFile.path)};
+    for (const core::View& view : current.views) {
+        paths << QString::fromStdString(view.imageFile.path) << QString::fromStdString(view.caseFile.path);
+    }
+    paths.removeAll(QString());
+    return paths;
+}
+
+}   // namespace
 
 SupportController::SupportController(const CaseDocument& document, const Ui& ui, QObject* parent)
     : QObject(parent),

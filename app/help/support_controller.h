@@ -2,15 +2,14 @@
 
 #include "app/document/case_document.h"
 #include "app/jobs/job.h"
-#include "io/sharing/known_words.h"
 #include "io/sharing/redaction.h"
 #include "io/sharing/support_bundle.h"
 
 #include <QDateTime>
 #include <QObject>
 #include <QStringList>
+
 #include <memory>
-#include <string>
 #include <vector>
 
 class QWidget;
@@ -22,15 +21,6 @@ class WindowActions;
 }   // namespace angiopose::ui
 
 namespace angiopose::app {
-
-/// Toolkit, screens and who draws, as "key: value" in lines. On the window's thread.
-std::string windowFacts();
-
-/// Preferences that are switches, numbers or one of a few names; of texts only whether there is one.
-std::string settingsText();
-
-/// Every word of the catalogues, in English and as the window speaks, and of the menus.
-io::KnownWords wordsOfProgram();
 
 using SharedTexts = std::shared_ptr<const std::vector<io::SupportText>>;
 

@@ -11,6 +11,7 @@
 #include "app/words/view_words.h"
 #include "core/case/registration_input.h"
 #include "core/support/utc_time.h"
+#include "core/support/verdict.h"
 #include "core/workflow/register_case.h"
 #include "io/opening/open_case_with.h"
 #include "io/sharing/audit_file.h"
@@ -25,6 +26,7 @@
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 namespace angiopose::app {
@@ -38,6 +40,40 @@ extern "C" void onStopSignal(int signal)
 {
     stopWished = true;
     std::signal(signal, SIG_DFL);
+}
+
+/// Ctrl+C, and being told to end, become a wish that running work answers; the second time the program ends at once.
+void catchStops()
+{
+    std::signal(SIGINT, onStopSignal);
+    std::signal(SIGTERM, onStopSignal);
+}
+
+bool isStopWished()
+{
+    return stopWished;
+}
+
+/// A line on stderr of how far the work is, where a person watches; Stop once that is wished.
+core::Verdict watchWork(std::string_view stage, double fraction)
+{
+    static const bool isWatched = io::isTerminal(stderr);
+    const int percent = static_cast<int>(100.0 * fraction);
+    if (isWatched && percent != lastPercent) {
+        lastPercent = percent;
+        std::fprintf(stderr, "\r\x1b[K%.*s %3d %%", static_cast<int>(stage.size()), stage.data(), percent);
+        std::fflush(stderr);
+    }
+    return isStopWished() ? core::Verdict::Stop : core::Verdict::Continue;
+}
+
+/// Takes that line away.
+void endWatch()
+{
+    if (lastPercent >= 0) {
+        std::fputs("\r\x1b[K", stderr);
+        lastPercent = -1;
+    }
 }
 
 // FORMATS §5.
@@ -191,37 +227,6 @@ int writeReportOf(const ReportWords& words)
 }
 
 }   // namespace
-
-void catchStops()
-{
-    std::signal(SIGINT, onStopSignal);
-    std::signal(SIGTERM, onStopSignal);
-}
-
-bool isStopWished()
-{
-    return stopWished;
-}
-
-core::Verdict watchWork(std::string_view stage, double fraction)
-{
-    static const bool isWatched = io::isTerminal(stderr);
-    const int percent = static_cast<int>(100.0 * fraction);
-    if (isWatched && percent != lastPercent) {
-        lastPercent = percent;
-        std::fprintf(stderr, "\r\x1b[K%.*s %3d %%", static_cast<int>(stage.size()), stage.data(), percent);
-        std::fflush(stderr);
-    }
-    return isStopWished() ? core::Verdict::Stop : core::Verdict::Continue;
-}
-
-void endWatch()
-{
-    if (lastPercent >= 0) {
-        std::fputs("\r\x1b[K", stderr);
-        lastPercent = -1;
-    }
-}
 
 int writeReport(int argc, char** argv, const ReportWords& words)
 {

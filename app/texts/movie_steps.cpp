@@ -1,6 +1,8 @@
 #include "app/texts/movie_steps.h"
 
 #include "app/messages/says.h"
+#include "app/texts/bent_vessels.h"
+#include "core/case/case.h"
 #include "core/geometry/angle_units.h"
 #include "core/registration/pose/centroid_pose.h"
 
@@ -52,6 +54,39 @@ core::ProjectionCamera cameraAround(double radius)
     return {pxPerSlope, pxPerSlope, middle, middle, sidePx, sidePx};
 }
 
+/// Vessels alone after they turned about the patient's long axis through their middle.
+core::Case turnedBy(core::Case alone, double degrees)
+{
+    const core::VesselTree& tree = *alone.vessels.tree;
+    const Eigen::Vector3d centre = middleOf(tree);
+    const Eigen::AngleAxisd turn(degrees / core::degreesPerRadian, Eigen::Vector3d::UnitZ());
+    const Eigen::Matrix3d rotation = fromFront() * turn.toRotationMatrix();
+    const Eigen::Vector3d inFront(0.0, 0.0, distanceInRadii * radiusMm(tree, centre));
+    alone.shown().cameraFromPatient = core::cameraFromPatient(core::CentroidPose{rotation, inFront}, centre);
+    return alone;
+}
+
+/// The vessels by themselves before a dark ground, as somebody sees them who stands in front of the patient: a view of
+/// its own in place of the shown one, which says nothing of image and pose. `shape` where bent ones are known.
+core::Case vesselsAlone(const core::Case& theCase, VesselShape shape)
+{
+    core::Case alone = theCase;
+    const core::View& shown = theCase.shown();
+    const core::VesselTree tree = drawnVessels(shown, theCase.vessels, shown.cameraFromPatient, shape).tree;
+    core::Angiogram ground;
+    ground.frames = {core::ImageF(sidePx, sidePx, 0.0F)};
+    if (shown.angiogram) {
+        ground.identity = shown.angiogram->identity;
+    }
+    core::View view;
+    view.imageFile = shown.imageFile;
+    view.angiogram = std::make_shared<const core::Angiogram>(std::move(ground));
+    view.geometry.cameraOverride = cameraAround(radiusMm(tree, middleOf(tree)));
+    alone.vessels.tree = std::make_shared<const core::VesselTree>(tree);
+    alone.shown() = view;
+    return turnedBy(std::move(alone), 0.0);
+}
+
 constexpr double usualPerSecond = 15.0;   // where the run does not say
 constexpr double turnSeconds = 6.0;
 constexpr double restMs = 1500.0;   // on the last pose of a convergence
@@ -95,36 +130,6 @@ std::size_t stepCount(const core::Case& theCase, const MoviePlan& plan)
 }
 
 }   // namespace
-
-core::Case vesselsAlone(const core::Case& theCase, VesselShape shape)
-{
-    core::Case alone = theCase;
-    const core::View& shown = theCase.shown();
-    const core::VesselTree tree = drawnVessels(shown, theCase.vessels, shown.cameraFromPatient, shape).tree;
-    core::Angiogram ground;
-    ground.frames = {core::ImageF(sidePx, sidePx, 0.0F)};
-    if (shown.angiogram) {
-        ground.identity = shown.angiogram->identity;
-    }
-    core::View view;
-    view.imageFile = shown.imageFile;
-    view.angiogram = std::make_shared<const core::Angiogram>(std::move(ground));
-    view.geometry.cameraOverride = cameraAround(radiusMm(tree, middleOf(tree)));
-    alone.vessels.tree = std::make_shared<const core::VesselTree>(tree);
-    alone.shown() = view;
-    return turnedBy(std::move(alone), 0.0);
-}
-
-core::Case turnedBy(core::Case alone, double degrees)
-{
-    const core::VesselTree& tree = *alone.vessels.tree;
-    const Eigen::Vector3d centre = middleOf(tree);
-    const Eigen::AngleAxisd turn(degrees / core::degreesPerRadian, Eigen::Vector3d::UnitZ());
-    const Eigen::Matrix3d rotation = fromFront() * turn.toRotationMatrix();
-    const Eigen::Vector3d inFront(0.0, 0.0, distanceInRadii * radiusMm(tree, centre));
-    alone.shown().cameraFromPatient = core::cameraFromPatient(core::CentroidPose{rotation, inFront}, centre);
-    return alone;
-}
 
 double framesPerSecondOf(const core::Angiogram& run)
 {

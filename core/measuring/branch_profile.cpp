@@ -1,17 +1,72 @@
 #include "core/measuring/branch_profile.h"
 
-#include "core/measuring/reference_line.h"
 #include "core/messages/says.h"
 #include "core/support/quantile.h"
 #include "core/vessel/polyline.h"
 
+#include <Eigen/Core>
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace angiopose::core {
 namespace {
+
+/// A diameter as it changes along a vessel.
+struct DiameterLine {
+    double startMm = 0.0;   ///< at arc length 0
+    double slope = 0.0;   ///< mm per mm
+
+    double at(double arcMm) const { return startMm + slope * arcMm; }
+};
+
+constexpr std::size_t leastDiameters = 6;
+constexpr double leastShareThatAgrees = 0.25;
+constexpr std::array sharesBelow{0.3, 0.2, 0.15, 0.1, 0.1, 0.1, 0.1};   // above: twice as much
+
+DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
+{
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& each : diameters) {
+        mean += each / static_cast<double>(diameters.size());
+    }
+    double along = 0.0;
+    double together = 0.0;
+    for (const Eigen::Vector2d& each : diameters) {
+        along += (each.x() - mean.x()) * (each.x() - mean.x());
+        together += (each.x() - mean.x()) * (each.y() - mean.y());
+    }
+    const double slope = along > 0.0 ? together / along : 0.0;
+    return {mean.y() - slope * mean.x(), slope};
+}
+
+/// The line through those of the diameters, (arc length, diameter) in mm, that belong to a healthy vessel: fitted to
+/// all, then again without those that lie too far below it or above it, ever more strictly (to 10 % and 20 %). Nothing
+/// from fewer than 6 diameters, or where fewer than a quarter of them agree.
+std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& diameters)
+{
+    if (diameters.size() < leastDiameters) {
+        return std::nullopt;
+    }
+    DiameterLine line = lineThrough(diameters);
+    for (const double shareBelow : sharesBelow) {
+        std::vector<Eigen::Vector2d> healthy;
+        for (const Eigen::Vector2d& each : diameters) {
+            const double expected = line.at(each.x());
+            if (each.y() > (1.0 - shareBelow) * expected && each.y() < (1.0 + 2.0 * shareBelow) * expected) {
+                healthy.push_back(each);
+            }
+        }
+        if (static_cast<double>(healthy.size()) < leastShareThatAgrees * static_cast<double>(diameters.size())) {
+            return std::nullopt;
+        }
+        line = lineThrough(healthy);
+    }
+    return line;
+}
 
 constexpr double profileSpacingMm = 0.5;
 constexpr double diameterReachMm = 1.0;

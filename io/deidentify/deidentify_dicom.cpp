@@ -1,6 +1,7 @@
 #include "io/deidentify/deidentify_dicom.h"
 
 #include "io/deidentify/kept_pixels.h"
+#include "io/dicom/dicom_file.h"
 #include "io/messages/says_deidentify.h"
 #include "io/support/file_error.h"
 
@@ -10,6 +11,9 @@
 
 namespace angiopose::io {
 namespace {
+
+/// What of DICOM can be freed of identity.
+enum class FreedClass { Image, Segmentation, Report, PresentationState, Registration };
 
 constexpr std::string_view storage = "1.2.840.10008.5.1.4.1.1.";
 constexpr std::string_view greyState = "11.1";
@@ -54,6 +58,17 @@ core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& pa
 bool hasPixels(FreedClass freed)
 {
     return freed == FreedClass::Image || freed == FreedClass::Segmentation;
+}
+
+/// By its SOP class; an image where that tells nothing else. Fails, naming the file, where words or pages of the object
+/// cannot be cleared for sure, and where it holds pixels that objects of its class do not have: they would be lost.
+core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& path)
+{
+    const auto freed = classOf(file.dataset, path);
+    if (freed && !hasPixels(freed.value()) && !file.pixels.empty()) {
+        return fileError(path, says::objectWithPixels(std::string(file.dataset.text(0x00080016))));
+    }
+    return freed;
 }
 
 /// A code of PS3.16 CID 7050.
@@ -179,15 +194,6 @@ core::Status copyBulk(FreedClass freed, const DicomFile& file, const std::string
 }
 
 }   // namespace
-
-core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& path)
-{
-    const auto freed = classOf(file.dataset, path);
-    if (freed && !hasPixels(freed.value()) && !file.pixels.empty()) {
-        return fileError(path, says::objectWithPixels(std::string(file.dataset.text(0x00080016))));
-    }
-    return freed;
-}
 
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
                                             const Deidentification& wished, const Pseudonyms& pseudonyms)

@@ -2,7 +2,7 @@
 
 #include "io/messages/says.h"
 #include "io/movie/gif_movie.h"
-#include "io/movie/mp4_file.h"
+#include "io/movie/mp4_movie.h"
 #include "io/movie/planar_picture.h"
 #include "io/support/file_error.h"
 

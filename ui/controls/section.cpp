@@ -2,10 +2,28 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QHash>
 #include <QPainter>
 #include <QStyle>
 
 namespace angiopose::ui {
+namespace {
+
+/// A label that remembers how high its words are at a width: layouts ask for it again whenever a column folds or
+/// unfolds, and each answer shapes the text anew.
+class WrappedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+    int heightForWidth(int width) const override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    mutable QString askedAbout_;   ///< text and role that the heights are of
+    mutable QHash<int, int> heightAt_;
+};
 
 int WrappedLabel::heightForWidth(int width) const
 {
@@ -27,6 +45,8 @@ void WrappedLabel::changeEvent(QEvent* event)
     heightAt_.clear();
     QLabel::changeEvent(event);
 }
+
+}   // namespace
 
 ElidedLabel::ElidedLabel(const char* role, QWidget* parent) : QLabel(parent)
 {

@@ -2,29 +2,12 @@
 
 #include "ui/words/spoken.h"
 
-#include <QHash>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidget>
 
 namespace angiopose::ui {
-
-/// A label that remembers how high its words are at a width: layouts ask for it again whenever a column folds or
-/// unfolds, and each answer shapes the text anew.
-class WrappedLabel : public QLabel {
-public:
-    using QLabel::QLabel;
-
-    int heightForWidth(int width) const override;
-
-protected:
-    void changeEvent(QEvent* event) override;
-
-private:
-    mutable QString askedAbout_;   ///< text and role that the heights are of
-    mutable QHash<int, int> heightAt_;
-};
 
 /// A line of text that yields: what does not fit ends in "…" and stands whole in the tool tip.
 class ElidedLabel : public QLabel {

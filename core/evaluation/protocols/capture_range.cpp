@@ -1,5 +1,3 @@
-#include "core/evaluation/protocols/capture_range.h"
-
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
 #include "core/evaluation/trial/projection_error.h"
@@ -7,6 +5,7 @@
 #include "core/support/format_number.h"
 
 #include <numbers>
+#include <vector>
 
 namespace angiopose::core {
 namespace {
@@ -21,6 +20,16 @@ struct CaptureSetting {
     double fromMm = 0.0;
     double toMm = 0.0;
 };
+
+/// Upper edges of the bins of initial mTRE, mm: 1, 2, … 20, then 25, 30, … 150 (ALGORITHMS §4.5).
+std::vector<double> captureBinEdgesMm()
+{
+    std::vector<double> edges;
+    for (int mm = 1; mm <= 150; mm += mm < 20 ? 1 : 5) {
+        edges.push_back(mm);
+    }
+    return edges;
+}
 
 std::vector<CaptureSetting> makeCaptureSettings()
 {
@@ -105,21 +114,6 @@ TrialMaker prepareCapture(std::size_t condition, std::uint64_t seed)
 }
 
 }   // namespace
-
-const std::vector<double>& captureBinEdgesMm()
-{
-    static const std::vector<double> edges = [] {
-        std::vector<double> values;
-        for (int mm = 1; mm <= 20; ++mm) {
-            values.push_back(mm);
-        }
-        for (int mm = 25; mm <= 150; mm += 5) {
-            values.push_back(mm);
-        }
-        return values;
-    }();
-    return edges;
-}
 
 Protocol captureRangeProtocol()
 {

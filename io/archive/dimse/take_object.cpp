@@ -3,23 +3,19 @@
 #include "io/messages/says_archive.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace angiopose::io {
 namespace {
 
-std::uint16_t statusOf(Arrivals::Fate fate)
-{
-    switch (fate) {
-        case Arrivals::Fate::Kept:
-            return dimse::success;
-        case Arrivals::Fate::Differs:
-            return dimse::duplicateInstance;
-        case Arrivals::Fate::Refused:
-            break;
-    }
-    return dimse::cannotUnderstand;
-}
+/// What stands before the data set of an object in a file (PS3.10 7.1).
+struct FileHeader {
+    std::string sopClass;
+    std::string sopInstance;
+    std::string transferSyntax;
+    std::string sourceTitle;   ///< of who sent it
+};
 
 constexpr const char* implementationClass = "2.25.277613902894205893846702311409541530624";
 constexpr const char* implementationVersion = "ANGIOPOSE";
@@ -47,6 +43,38 @@ void appendMeta(std::string& bytes, std::uint16_t element, std::string_view vr, 
         appendLittle(bytes, value.size(), 2);
     }
     bytes += value;
+}
+
+std::string encodedHeader(const FileHeader& header)
+{
+    std::string meta;
+    appendMeta(meta, 0x0001, "OB", std::string("\0\1", 2));
+    appendMeta(meta, 0x0002, "UI", header.sopClass);
+    appendMeta(meta, 0x0003, "UI", header.sopInstance);
+    appendMeta(meta, 0x0010, "UI", header.transferSyntax);
+    appendMeta(meta, 0x0012, "UI", implementationClass);
+    appendMeta(meta, 0x0013, "SH", implementationVersion, ' ');
+    if (!header.sourceTitle.empty()) {
+        appendMeta(meta, 0x0016, "AE", header.sourceTitle, ' ');
+    }
+    std::string length, bytes(128, '\0');
+    appendLittle(length, meta.size(), 4);
+    bytes += "DICM";
+    appendMeta(bytes, 0x0000, "UL", length);
+    return bytes + meta;
+}
+
+std::uint16_t statusOf(Arrivals::Fate fate)
+{
+    switch (fate) {
+        case Arrivals::Fate::Kept:
+            return dimse::success;
+        case Arrivals::Fate::Differs:
+            return dimse::duplicateInstance;
+        case Arrivals::Fate::Refused:
+            break;
+    }
+    return dimse::cannotUnderstand;
 }
 
 }   // namespace
@@ -82,25 +110,6 @@ core::Status takeObject(DimseLink& link, const DimseLink::Received& request, con
         return fate.error();
     }
     return link.send(request.context, request.command.response(statusOf(fate.value())));
-}
-
-std::string encodedHeader(const FileHeader& header)
-{
-    std::string meta;
-    appendMeta(meta, 0x0001, "OB", std::string("\0\1", 2));
-    appendMeta(meta, 0x0002, "UI", header.sopClass);
-    appendMeta(meta, 0x0003, "UI", header.sopInstance);
-    appendMeta(meta, 0x0010, "UI", header.transferSyntax);
-    appendMeta(meta, 0x0012, "UI", implementationClass);
-    appendMeta(meta, 0x0013, "SH", implementationVersion, ' ');
-    if (!header.sourceTitle.empty()) {
-        appendMeta(meta, 0x0016, "AE", header.sourceTitle, ' ');
-    }
-    std::string length, bytes(128, '\0');
-    appendLittle(length, meta.size(), 4);
-    bytes += "DICM";
-    appendMeta(bytes, 0x0000, "UL", length);
-    return bytes + meta;
 }
 
 }   // namespace angiopose::io

@@ -15,14 +15,42 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <ctime>
 #include <exception>
 #include <filesystem>
+#include <string_view>
 #include <typeinfo>
 
 namespace angiopose::io {
 namespace {
+
+/// The program and libraries as they lie in memory, read from the system while a signal is handled: no memory is asked
+/// for, no lock is taken.
+class LoadedModules {
+public:
+    struct Module {
+        std::uintptr_t begin = 0;   ///< where the file's first byte lies
+        std::uintptr_t end = 0;
+        const char* path = nullptr;
+    };
+
+    void read();
+    const Module* at(std::uintptr_t address) const;   ///< null: in no file
+
+    /// The last part of its path: nothing of whose machine it is.
+    static std::string_view nameOf(const Module& module);
+
+private:
+    void takeLine(char* line);
+
+    std::array<Module, 512> modules_{};
+    std::size_t count_ = 0;
+    std::array<char, 65536> paths_{};
+    std::size_t used_ = 0;
+};
 
 std::uintptr_t hexadecimalAt(const char*& at)
 {
@@ -109,6 +137,83 @@ const char* functionIn(const SymbolTable& table, std::uintptr_t offset)
         }
     }
     return nullptr;
+}
+
+void LoadedModules::read()
+{
+    const int file = ::open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
+    std::array<char, 1024> line{};
+    std::size_t size = 0;
+    for (std::array<char, 4096> piece{}; file >= 0;) {
+        const ssize_t got = ::read(file, piece.data(), piece.size());
+        if (got <= 0) {
+            break;
+        }
+        for (ssize_t i = 0; i < got; ++i) {
+            const char c = piece[static_cast<std::size_t>(i)];
+            if (c != '\n') {
+                line[size] = c;
+                size = std::min(size + 1, line.size() - 1);
+                continue;
+            }
+            line[size] = '\0';
+            takeLine(line.data());
+            size = 0;
+        }
+    }
+    if (file >= 0) {
+        ::close(file);
+    }
+}
+
+/// "begin-end rights offset device inode path"; a module's parts follow each other.
+void LoadedModules::takeLine(char* line)
+{
+    const char* path = std::strchr(line, '/');
+    const char* at = line;
+    const std::uintptr_t begin = hexadecimalAt(at);
+    const std::uintptr_t end = *at == '-' ? hexadecimalAt(++at) : 0;
+    if (path == nullptr || end == 0) {
+        return;
+    }
+    if (count_ > 0 && std::strcmp(modules_[count_ - 1].path, path) == 0) {
+        modules_[count_ - 1].end = end;
+        return;
+    }
+    const std::size_t length = std::strlen(path) + 1;
+    if (count_ < modules_.size() && length <= paths_.size() - used_) {
+        char* const kept = paths_.data() + used_;
+        std::memcpy(kept, path, length);
+        used_ += length;
+        modules_[count_++] = {begin, end, kept};
+    }
+}
+
+const LoadedModules::Module* LoadedModules::at(std::uintptr_t address) const
+{
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (address >= modules_[i].begin && address < modules_[i].end) {
+            return &modules_[i];
+        }
+    }
+    return nullptr;
+}
+
+std::string_view LoadedModules::nameOf(const Module& module)
+{
+    return std::strrchr(module.path, '/') + 1;
+}
+
+/// The function that an offset in a module lies in, as its symbol table has it (mangled); empty where it has none.
+/// Written into `place`.
+std::string_view functionAt(const char* modulePath, std::uintptr_t offset, std::array<char, 512>& place)
+{
+    const MappedModule file(modulePath);
+    const char* name = functionIn(tableOf(file, SHT_SYMTAB), offset);
+    name = name != nullptr ? name : functionIn(tableOf(file, SHT_DYNSYM), offset);
+    const std::size_t size = name != nullptr ? ::strnlen(name, place.size()) : 0;
+    std::copy_n(name, size, place.begin());
+    return {place.data(), size};
 }
 
 struct FaultSignal {
@@ -286,81 +391,6 @@ void prepare(const CrashWriter& writer)
 }
 
 }   // namespace
-
-void LoadedModules::read()
-{
-    const int file = ::open("/proc/self/maps", O_RDONLY | O_CLOEXEC);
-    std::array<char, 1024> line{};
-    std::size_t size = 0;
-    for (std::array<char, 4096> piece{}; file >= 0;) {
-        const ssize_t got = ::read(file, piece.data(), piece.size());
-        if (got <= 0) {
-            break;
-        }
-        for (ssize_t i = 0; i < got; ++i) {
-            const char c = piece[static_cast<std::size_t>(i)];
-            if (c != '\n') {
-                line[size] = c;
-                size = std::min(size + 1, line.size() - 1);
-                continue;
-            }
-            line[size] = '\0';
-            takeLine(line.data());
-            size = 0;
-        }
-    }
-    if (file >= 0) {
-        ::close(file);
-    }
-}
-
-/// "begin-end rights offset device inode path"; a module's parts follow each other.
-void LoadedModules::takeLine(char* line)
-{
-    const char* path = std::strchr(line, '/');
-    const char* at = line;
-    const std::uintptr_t begin = hexadecimalAt(at);
-    const std::uintptr_t end = *at == '-' ? hexadecimalAt(++at) : 0;
-    if (path == nullptr || end == 0) {
-        return;
-    }
-    if (count_ > 0 && std::strcmp(modules_[count_ - 1].path, path) == 0) {
-        modules_[count_ - 1].end = end;
-        return;
-    }
-    const std::size_t length = std::strlen(path) + 1;
-    if (count_ < modules_.size() && length <= paths_.size() - used_) {
-        char* const kept = paths_.data() + used_;
-        std::memcpy(kept, path, length);
-        used_ += length;
-        modules_[count_++] = {begin, end, kept};
-    }
-}
-
-const LoadedModules::Module* LoadedModules::at(std::uintptr_t address) const
-{
-    for (std::size_t i = 0; i < count_; ++i) {
-        if (address >= modules_[i].begin && address < modules_[i].end) {
-            return &modules_[i];
-        }
-    }
-    return nullptr;
-}
-
-std::string_view LoadedModules::nameOf(const Module& module)
-{
-    return std::strrchr(module.path, '/') + 1;
-}
-
-std::string_view functionAt(const char* modulePath, std::uintptr_t offset, std::array<char, 512>& place)
-{
-    const MappedModule file(modulePath);
-    const char* name = functionIn(tableOf(file, SHT_SYMTAB), offset);
-    name = name != nullptr ? name : functionIn(tableOf(file, SHT_DYNSYM), offset);
-    const std::size_t size = name != nullptr ? ::strnlen(name, place.size()) : 0;
-    std::copy_n(name, size, place.begin());
-    return {place.data(), size};
-}
 
 void writeCrashDumps(const CrashWriter& writer)
 {
