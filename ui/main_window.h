@@ -20,7 +20,7 @@
 #include "ui/panels/trial_bar.h"
 #include "ui/panels/view_strip.h"
 #include "ui/panels/welcome_page.h"
-#include "ui/places/column_layout.h"
+#include "ui/places/folding_column.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/tracing_panel.h"
 

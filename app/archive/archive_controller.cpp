@@ -1,14 +1,13 @@
 #include "app/archive/archive_controller.h"
 
-#include "app/archive/archive_cache.h"
 #include "app/archive/archive_habits.h"
 #include "app/archive/archive_nodes.h"
 #include "app/archive/archive_port.h"
 #include "app/archive/archive_retrieval.h"
 #include "ui/archive/archive_dialog.h"
-#include "ui/archive/node_bar.h"
 #include "ui/archive/receive_line.h"
 #include "ui/archive/search_fields.h"
+#include "ui/archive/send_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/words/message_text.h"
 

@@ -4,7 +4,6 @@
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
 #include "io/support/scratch_folder.h"
-#include "ui/archive/node_bar.h"
 #include "ui/archive/send_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/words/language.h"

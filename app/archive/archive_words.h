@@ -3,7 +3,6 @@
 #include "core/support/message.h"
 #include "io/archive/model/node.h"
 #include "io/archive/model/query.h"
-#include "io/archive/model/transfer.h"
 #include "ui/archive/archive_rows.h"
 
 #include <QString>

@@ -2,7 +2,6 @@
 
 #include "app/cli/console.h"
 #include "io/opening/read_case_inputs.h"
-#include "io/sharing/case_identifiers.h"
 #include "io/sharing/case_summary.h"
 #include "io/sharing/support_bundle.h"
 

@@ -2,13 +2,27 @@
 
 #include "app/files/recent_cases.h"
 #include "app/preferences/private_mode.h"
+#include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
+#include "ui/words/message_text.h"
 #include "ui/words/spoken.h"
 
 #include <QAction>
+#include <QFileDialog>
 
 namespace angiopose::app {
+namespace {
+
+void addPath(const std::string& path, QStringList& paths)
+{
+    const QString added = QString::fromStdString(path);
+    if (!added.isEmpty() && !paths.contains(added)) {
+        paths << added;
+    }
+}
+
+}   // namespace
 
 PrivacyController::PrivacyController(QAction& mode, QWidget& dialogParent, QObject* parent)
     : QObject(parent), mode_(mode), dialogParent_(dialogParent)
@@ -65,6 +79,84 @@ void PrivacyController::turnOff()
     settings::privateMode.write(false);
     ui::speakAgain();
     emit changed();
+}
+
+AuditController::AuditController(const CaseDocument& document, QAction& keep, QWidget& dialogParent, QObject* parent)
+    : QObject(parent), document_(document), keep_(keep), dialogParent_(dialogParent)
+{
+    keep_.setChecked(!auditPath().isEmpty());
+    keep_.setEnabled(io::auditFileOfEnvironment().empty());   // who set that does not want it switched off here
+    ui::withTip(&keep_, [] {
+        const QString kept = auditPath();
+        return kept.isEmpty() ? tr("One line for everything that is opened, saved and exported: when, by whom, with "
+                                   "the SHA-256 of the files.")
+                              : tr("Written to %1").arg(kept);
+    });
+    connect(&keep_, &QAction::triggered, this, &AuditController::choose);
+}
+
+void AuditController::choose(bool on)
+{
+    if (!on) {
+        settings::auditFile.write({});
+        ui::speakAgain();
+        return;
+    }
+    keep_.setChecked(false);   // until there is a file
+    auto* dialog = new QFileDialog(&dialogParent_, tr("Keep an audit file"),
+                                   suggestedPath({}, QStringLiteral("audit.jsonl")), tr("Audit files (*.jsonl)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);   // it is added to
+    dialog->setDefaultSuffix(QStringLiteral("jsonl"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
+        settings::auditFile.write(chosen);
+        keep_.setChecked(true);
+        ui::speakAgain();
+    });
+    dialog->open();
+}
+
+void AuditController::note(io::AuditEvent event, const QStringList& paths)
+{
+    const QString audit = auditPath();
+    if (audit.isEmpty()) {
+        return;
+    }
+    io::AuditRecord record{event, "angiopose", {}};
+    for (const QString& each : paths) {
+        record.paths.push_back(each.toStdString());
+    }
+    files_.run(
+        [audit, record]() -> core::Result<QString> {
+            const core::Status written = io::recordAudit(audit.toStdString(), record);
+            return written ? core::Result<QString>(audit) : written.error();
+        },
+        [this](const core::Result<QString>& outcome) {
+            if (!outcome) {
+                emit failed(ui::messageText(outcome.error().message));
+            }
+        });
+}
+
+void AuditController::noteOpened()
+{
+    const core::Case& current = document_.current();
+    QStringList paths;
+    addPath(document_.path().toStdString(), paths);
+    for (const core::InputFile* file : {&current.vessels.file, &current.vessels.scanFile}) {
+        addPath(file->path, paths);
+    }
+    for (const core::View& view : current.views) {
+        addPath(view.imageFile.path, paths);
+        addPath(view.target.file.path, paths);
+    }
+    note(io::AuditEvent::Opened, paths);
+}
+
+void AuditController::noteCase(io::AuditEvent event)
+{
+    note(event, document_.path().isEmpty() ? QStringList() : QStringList{document_.path()});
 }
 
 }   // namespace angiopose::app

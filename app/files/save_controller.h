@@ -2,7 +2,6 @@
 
 #include "app/document/case_document.h"
 #include "app/files/autosave.h"
-#include "app/files/case_keeper.h"
 #include "app/files/export_controller.h"
 #include "app/jobs/file_queue.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/files/audit_controller.h"
 #include "app/files/close_controller.h"
 #include "app/files/deidentify_controller.h"
 #include "app/files/dicom_controller.h"
@@ -10,7 +9,6 @@
 #include "app/files/open_dialogs.h"
 #include "app/files/privacy_controller.h"
 #include "app/files/recent_controller.h"
-#include "app/files/report_controller.h"
 #include "app/files/save_controller.h"
 #include "app/files/study_controller.h"
 #include "app/registration/registration_controller.h"

@@ -5,7 +5,6 @@
 #include "app/preferences/settings.h"
 #include "core/messages/catalogue.h"
 #include "io/messages/catalogue.h"
-#include "io/sharing/case_identifiers.h"
 #include "io/sharing/case_summary.h"
 #include "io/sharing/known_words.h"
 #include "io/support/crash_dumps.h"

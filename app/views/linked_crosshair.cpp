@@ -6,7 +6,6 @@
 #include "ui/actions/window_actions.h"
 #include "ui/panels/view_strip.h"
 #include "ui/places/side_by_side.h"
-#include "ui/places/view_pane.h"
 #include "ui/slices/slice_model.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"

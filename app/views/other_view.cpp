@@ -6,7 +6,7 @@
 #include "app/words/view_words.h"
 #include "core/case/registration_input.h"
 #include "core/evaluation/trial/branch_distances.h"
-#include "ui/places/view_pane.h"
+#include "ui/places/side_by_side.h"
 #include "ui/views/angiogram_view.h"
 
 #include <chrono>

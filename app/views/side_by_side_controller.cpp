@@ -8,7 +8,6 @@
 #include "ui/actions/window_actions.h"
 #include "ui/panels/view_strip.h"
 #include "ui/places/side_by_side.h"
-#include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
 #include "ui/words/spoken.h"

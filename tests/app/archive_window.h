@@ -8,8 +8,8 @@
 #include "tests/io/archive/orthanc.h"
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/match_list.h"
-#include "ui/archive/node_bar.h"
 #include "ui/archive/search_fields.h"
+#include "ui/archive/send_dialog.h"
 #include "ui/archive/transfer_line.h"
 
 #include <QElapsedTimer>

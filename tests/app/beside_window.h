@@ -4,7 +4,6 @@
 #include "tests/support/simulated_views.h"
 
 #include "ui/places/side_by_side.h"
-#include "ui/places/view_pane.h"
 
 #include <QCheckBox>
 

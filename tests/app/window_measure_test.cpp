@@ -4,7 +4,6 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 #include "ui/places/side_by_side.h"
-#include "ui/places/view_pane.h"
 
 #include <QComboBox>
 #include <QImage>

@@ -4,7 +4,7 @@
 #include "core/case/case_views.h"
 #include "core/case/registration_input.h"
 #include "core/workflow/pose_judgement.h"
-#include "ui/places/view_pane.h"
+#include "ui/places/side_by_side.h"
 
 #include <QListWidget>
 #include <QScrollBar>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/trial/trial.h"
+#include "core/evaluation/trial/run_record.h"
 #include "core/registration/track_frames.h"
 
 namespace angiopose::benchmarks {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/trial/trial.h"
+#include "core/evaluation/trial/run_record.h"
 
 #include <opencv2/core.hpp>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "io/evaluation/observer_readings.h"
 #include "io/evaluation/own_manifest.h"
-#include "io/evaluation/point_table.h"
 #include "io/fiducial_file.h"
 #include "io/opening/open_result.h"
 #include "io/pose_camera_file.h"

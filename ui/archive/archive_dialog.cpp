@@ -1,9 +1,9 @@
 #include "ui/archive/archive_dialog.h"
 
 #include "ui/archive/match_list.h"
-#include "ui/archive/node_bar.h"
 #include "ui/archive/receive_line.h"
 #include "ui/archive/search_fields.h"
+#include "ui/archive/send_dialog.h"
 #include "ui/archive/transfer_line.h"
 #include "ui/controls/screen_room.h"
 #include "ui/controls/section.h"

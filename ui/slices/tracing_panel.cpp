@@ -4,7 +4,7 @@
 #include "ui/controls/number_field.h"
 #include "ui/slices/label_choice.h"
 #include "ui/slices/mask_panel.h"
-#include "ui/slices/threshold_field.h"
+#include "ui/slices/seed_list.h"
 #include "ui/words/spoken.h"
 
 #include <QCheckBox>

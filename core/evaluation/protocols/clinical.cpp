@@ -1,5 +1,9 @@
 #include "core/evaluation/protocols/phantoms.h"
 #include "core/evaluation/protocols/protocol_rows.h"
+#include "core/geometry/angle_units.h"
+
+#include <algorithm>
+#include <numbers>
 
 namespace angiopose::core {
 namespace {
@@ -34,6 +38,142 @@ TrialMaker prepareClinical(std::size_t condition, std::uint64_t seed)
     };
 }
 
+constexpr int trustAnatomies = 6;
+constexpr std::uint64_t trustSeeds = 1000;
+constexpr std::uint64_t otherTreesFrom = 500;   // of an experiment's seeds
+
+/// What is done to a clinical case so that methods fail, or ought to.
+enum class Mischief { None, OtherTree, Mirrored, FarStart, HalfOutside };
+
+struct TrustSetting {
+    Condition condition;
+    Mischief mischief = Mischief::None;
+    DsaOptions dsa{};
+};
+
+DsaOptions withMissing(double missingShare, double extraShare)
+{
+    DsaOptions dsa;
+    dsa.missingBranchShare = missingShare;
+    dsa.extraBranchShare = extraShare;
+    return dsa;
+}
+
+DsaOptions bentBy(double stdMm)
+{
+    DsaOptions dsa;
+    dsa.nonRigidStdMm = stdMm;
+    return dsa;
+}
+
+const std::vector<TrustSetting>& trustSettings()
+{
+    static const std::vector<TrustSetting> rows{
+        {{"as-given", "start pose by the header"}, Mischief::None, {}},
+        {{"bent", "vessels deformed by 3 mm"}, Mischief::None, bentBy(3.0)},
+        {{"few-vessels", "most branches not filled, as many foreign ones"}, Mischief::None, withMissing(0.6, 0.6)},
+        {{"half-outside", "half of the image cut off"}, Mischief::HalfOutside, {}},
+        {{"far-start", "start 60–150 mm and 30–75° off"}, Mischief::FarStart, {}},
+        {{"other-tree", "the vessel tree of another patient"}, Mischief::OtherTree, {}},
+        {{"mirrored", "image mirrored, unknown to the camera"}, Mischief::Mirrored, {}},
+    };
+    return rows;
+}
+
+ImageF mirrored(ImageF image)
+{
+    for (int y = 0; y < image.height; ++y) {
+        const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(0, y));
+        std::reverse(row, row + image.width);
+    }
+    return image;
+}
+
+/// The window of the given size whose top left pixel is (left, top).
+ImageF cutOut(const ImageF& image, int left, int top, int width, int height)
+{
+    ImageF part(width, height);
+    for (int y = 0; y < height; ++y) {
+        const auto from = image.pixels.begin() + static_cast<std::ptrdiff_t>(image.index(left, top + y));
+        std::copy_n(from, width, part.pixels.begin() + static_cast<std::ptrdiff_t>(part.index(0, y)));
+    }
+    return part;
+}
+
+/// Leaves the left, right, upper or lower half of the image.
+void cutHalf(SimulatedCase& view, CounterRandom& random)
+{
+    const int side = random.index(4);
+    const bool isUpright = side < 2;
+    ImageF& frame = view.angiogram.frames.front();
+    const int width = isUpright ? frame.width / 2 : frame.width;
+    const int height = isUpright ? frame.height : frame.height / 2;
+    const int left = side == 1 ? frame.width - width : 0;
+    const int top = side == 3 ? frame.height - height : 0;
+    frame = cutOut(frame, left, top, width, height);
+    view.camera.cx -= left;
+    view.camera.cy -= top;
+    view.camera.width = width;
+    view.camera.height = height;
+}
+
+/// About the tree's centroid, in a random direction each: the turn, the shift across the ray, the one along it.
+void startFarOff(SimulatedCase& view, CounterRandom& random)
+{
+    const Eigen::Vector3d centroid = centroidInPatient(view.tree);
+    const RigidTransform& truth = view.trueCameraFromPatient;
+    const double turn = random.uniform(30.0, 75.0) * radiansPerDegree;
+    const Eigen::Matrix3d rotation = expSo3(randomDirection(turn, random)) * truth.rotation;
+    const double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
+    const double acrossMm = random.uniform(60.0, 150.0);
+    const Eigen::Vector3d shift(acrossMm * std::cos(direction), acrossMm * std::sin(direction),
+                                random.uniform(-60.0, 60.0));
+    view.initialCameraFromPatient = {rotation, truth * centroid + shift - rotation * centroid};
+}
+
+/// Another tree at the place where the start pose has the right one.
+void replaceTree(SimulatedCase& view, std::uint64_t treeSeed)
+{
+    const Eigen::Vector3d centroid = centroidInPatient(view.tree);
+    view.tree = simulateTree(treeSeed);
+    RigidTransform& start = view.initialCameraFromPatient;
+    start.translation += start.rotation * (centroid - centroidInPatient(view.tree));
+}
+
+Trial makeTrial(const TrustSetting& setting, std::uint64_t seed, std::uint64_t number)
+{
+    CounterRandom random = trialRandom(trustNumber, seed, number);
+    const std::uint64_t treeSeed = seed * trustSeeds + number % trustAnatomies;
+    DsaOptions dsa = setting.dsa;
+    dsa.frameCount = 1;
+    SimulatedCase view = simulateView(treeSeed, random(), {}, dsa);
+    switch (setting.mischief) {
+        case Mischief::None:
+            break;
+        case Mischief::OtherTree:
+            replaceTree(view, treeSeed + otherTreesFrom);
+            break;
+        case Mischief::Mirrored:
+            view.angiogram.frames.front() = mirrored(std::move(view.angiogram.frames.front()));
+            break;
+        case Mischief::FarStart:
+            startFarOff(view, random);
+            break;
+        case Mischief::HalfOutside:
+            cutHalf(view, random);
+            break;
+    }
+    Trial trial = tracedTrial(view);
+    trial.hasRightAnswer = setting.mischief != Mischief::OtherTree && setting.mischief != Mischief::Mirrored;
+    return trial;
+}
+
+TrialMaker prepareTrust(std::size_t condition, std::uint64_t seed)
+{
+    return
+        [setting = trustSettings()[condition], seed](std::uint64_t number) { return makeTrial(setting, seed, number); };
+}
+
 }   // namespace
 
 Protocol clinicalProtocol()
@@ -57,6 +197,17 @@ Protocol ownProtocol()
             Success::RayDistanceWithin2Mm,
             {},
             nullptr};
+}
+
+Protocol trustProtocol()
+{
+    return {"trust",
+            "Clinical images as they are, harder, and impossible ones: does a method know when it fails?",
+            60,
+            trustAnatomies,
+            Success::RayDistanceWithin2Mm,
+            conditionsOf(trustSettings()),
+            prepareTrust};
 }
 
 }   // namespace angiopose::core

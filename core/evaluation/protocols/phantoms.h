@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/trial/trial.h"
+#include "core/evaluation/trial/run_record.h"
 #include "core/simulation/phantom.h"
 #include "core/simulation/simulated_case.h"
 #include "core/support/random.h"

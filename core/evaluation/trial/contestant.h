@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/evaluation/trial/run_record.h"
-#include "core/evaluation/trial/trial.h"
 #include "core/registration/options/registration_options.h"
 #include "core/support/result.h"
 

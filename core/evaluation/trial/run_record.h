@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,5 +97,16 @@ void measureCovariance(const Truth& truth, const RegistrationResult& result, Run
 
 /// What the method says of itself, without any truth.
 void noteResult(const RegistrationResult& result, RunRecord& record);
+
+/// One registration of an experiment: what the methods get, and what only the judge knows.
+struct Trial {
+    RegistrationInput input;
+    std::shared_ptr<const VesselTree> tree;   ///< errors are measured on its points; input.tree may lack branches
+    RigidTransform trueCameraFromPatient;
+    bool hasRightAnswer = true;   ///< false: no pose is right, a method can only say so; its errors stay unknown
+    bool targetIsExact = false;   ///< every target point is the projection of a tree point
+    std::optional<Matrix6d> errorBound;   ///< Cramér–Rao covariance about the tree's centroid, where it is known
+    std::optional<double> traceMs;   ///< to get the target from the image, where there was one
+};
 
 }   // namespace angiopose::core

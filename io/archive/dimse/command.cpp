@@ -1,6 +1,6 @@
 #include "io/archive/dimse/command.h"
 
-#include "io/archive/model/transfer.h"
+#include "io/archive/model/query.h"
 
 namespace angiopose::io {
 namespace {

@@ -3,6 +3,8 @@
 #include "io/messages/says_archive.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <tuple>
 
 namespace angiopose::io {
@@ -74,6 +76,27 @@ void settleMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found)
         return std::tie(b.studyDate, b.studyTime, a.studyUid, a.seriesNumber, a.seriesUid) <
                std::tie(a.studyDate, a.studyTime, b.studyUid, b.seriesNumber, b.seriesUid);
     });
+}
+
+std::string sizeText(std::uint64_t bytes)
+{
+    constexpr std::array units = {"bytes", "kB", "MB", "GB", "TB"};
+    auto value = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    while (value >= 1000.0 && unit + 1 < units.size()) {
+        value /= 1000.0;
+        ++unit;
+    }
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g %s", value, units.at(unit));
+    return text.data();
+}
+
+std::string statusText(unsigned status)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "0x%04X", status & 0xffffU);
+    return text.data();
 }
 
 }   // namespace angiopose::io

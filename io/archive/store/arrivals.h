@@ -1,7 +1,6 @@
 #pragma once
 
 #include "io/archive/model/query.h"
-#include "io/archive/model/transfer.h"
 #include "io/archive/store/object_store.h"
 
 #include <atomic>

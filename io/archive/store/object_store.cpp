@@ -1,7 +1,6 @@
 #include "io/archive/store/object_store.h"
 
 #include "io/archive/model/query.h"
-#include "io/archive/model/transfer.h"
 #include "io/messages/says_archive.h"
 #include "io/study/study_file.h"
 #include "io/support/own_leftovers.h"

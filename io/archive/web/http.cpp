@@ -1,6 +1,6 @@
 #include "io/archive/web/http.h"
 
-#include "io/archive/model/transfer.h"
+#include "io/archive/model/query.h"
 #include "io/messages/says_archive.h"
 #include "io/support/input_bytes.h"
 

@@ -2,7 +2,6 @@
 
 #include "io/archive/model/node.h"
 #include "io/archive/model/query.h"
-#include "io/archive/model/transfer.h"
 #include "io/archive/store/arrivals.h"
 #include "io/archive/store/sendable_file.h"
 

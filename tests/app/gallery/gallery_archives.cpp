@@ -2,7 +2,6 @@
 
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/match_list.h"
-#include "ui/archive/node_bar.h"
 #include "ui/archive/node_dialog.h"
 #include "ui/archive/receive_line.h"
 #include "ui/archive/send_dialog.h"

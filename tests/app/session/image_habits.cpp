@@ -1,6 +1,5 @@
 #include "tests/app/session/habit.h"
 #include "ui/places/side_by_side.h"
-#include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>

@@ -1,6 +1,5 @@
 #include "io/sharing/support_bundle.h"
 
-#include "io/sharing/case_identifiers.h"
 #include "io/sharing/case_summary.h"
 #include "io/sharing/known_words.h"
 #include "io/support/system/machine_facts.h"

@@ -1,4 +1,4 @@
-#include "ui/slices/threshold_field.h"
+#include "ui/slices/seed_list.h"
 
 #include "ui/controls/number_field.h"
 

@@ -1,7 +1,6 @@
 #include "ui/places/side_by_side.h"
 
 #include "tests/ui/overlay_fixture.h"
-#include "ui/places/view_pane.h"
 #include "ui/views/angiogram_view.h"
 
 #include <gtest/gtest.h>
