@@ -10,7 +10,7 @@
 #include "io/evaluation/html_report.h"
 #include "io/evaluation/run_files.h"
 #include "io/evaluation/table_text.h"
-#include "io/messages/says_own.h"
+#include "io/messages/says_seldom.h"
 #include "io/plot/svg_plot.h"
 #include "io/support/atomic_file.h"
 

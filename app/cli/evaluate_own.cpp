@@ -10,7 +10,7 @@
 #include "core/workflow/register_case.h"
 #include "io/evaluation/observer_readings.h"
 #include "io/evaluation/own_manifest.h"
-#include "io/messages/says_own.h"
+#include "io/messages/says_seldom.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
 

@@ -1,7 +1,7 @@
 #include "io/case/batch_manifest.h"
 
 #include "io/messages/says.h"
-#include "io/messages/says_batch.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"

@@ -5,7 +5,7 @@
 #include "io/case/case_schema.h"
 #include "io/case/fields/vessel_fields.h"
 #include "io/case/fields/view_fields.h"
-#include "io/messages/says_batch.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "io/evaluation/observer_readings.h"
 
-#include "io/messages/says_own.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"

@@ -1,7 +1,7 @@
 #include "io/evaluation/own_manifest.h"
 
 #include "io/fiducial_file.h"
-#include "io/messages/says_own.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"

@@ -2,16 +2,11 @@
 
 #include "io/messages/says.h"
 #include "io/messages/says_archive.h"
-#include "io/messages/says_batch.h"
 #include "io/messages/says_deidentify.h"
 #include "io/messages/says_exchange.h"
 #include "io/messages/says_keeping.h"
 #include "io/messages/says_objects.h"
-#include "io/messages/says_own.h"
-#include "io/messages/says_readers.h"
-#include "io/messages/says_results.h"
-#include "io/messages/says_study.h"
-#include "io/messages/says_support.h"
+#include "io/messages/says_seldom.h"
 
 #include <array>
 

@@ -5,7 +5,7 @@
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/load_case_with.h"
-#include "io/messages/says_results.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 

@@ -1,7 +1,7 @@
 #include "io/sharing/audit_file.h"
 
 #include "io/file_hash.h"
-#include "io/messages/says_support.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/files_in_folder.h"
 #include "io/support/system/appended_line.h"
 #include "io/support/system/machine_facts.h"

@@ -1,6 +1,6 @@
 #include "io/simulation/study_file.h"
 
-#include "io/messages/says_study.h"
+#include "io/messages/says_seldom.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/json_text.h"
