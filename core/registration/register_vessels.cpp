@@ -1,17 +1,62 @@
 #include "core/registration/registration.h"
 
+#include "core/messages/says.h"
 #include "core/registration/bending_doubt.h"
-#include "core/registration/experience.h"
 #include "core/registration/frame_doubt.h"
 #include "core/registration/held_depth.h"
 #include "core/registration/judging/judge_pose.h"
+#include "core/registration/judging/within_2mm.h"
 #include "core/registration/methods/method.h"
 #include "core/registration/wire/judge_by_wire.h"
 #include "core/support/stopwatch.h"
 
+#include <algorithm>
+
 namespace angiopose::core {
 
 namespace {
+
+// Chosen in the made-up world (DECISIONS D73): fewer false alarms and fewer errors that are trusted than by rules
+// alone.
+constexpr double allButSure = 0.99;
+constexpr double oftenFails = 0.8;
+
+/// Rules of thumb that experience with many fits may overrule; what other poses or other frames say it may not.
+bool isRuleOfThumb(const Message& said)
+{
+    return said.is(says::trustFilledDoubtful) || said.is(says::trustLittleAgreement) ||
+           said.is(says::trustLittleExplained) || said.is(says::trustBetterAside) || said.is(says::trustPoseUncertain);
+}
+
+bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
+{
+    const bool isOff = result.bent && putsOverlayOff(*result.bent);
+    const bool isHeard = std::ranges::any_of(result.warnings, speaksAgainstTrust);
+    return !isOff && isHeard && std::ranges::all_of(result.warnings, [](const Message& said) {
+        return !speaksAgainstTrust(said) || isRuleOfThumb(said);
+    });
+}
+
+/// Lets a result of the default method from one view say how likely its overlay lies within 2 mm of the vessels, by
+/// experience with such fits, and trust follow where that is clear (ALGORITHMS §6.21): a fit that is all but sure is
+/// trusted though little agrees or little is filled, one that often fails is not. Of a fit that other signs
+/// speak against, a high probability is not stated.
+void heedExperience(RegistrationResult& result)
+{
+    const double probability = overlayProbability(result);
+    result.probabilityWithin2Mm = probability;
+    if (!result.trustworthy && probability >= allButSure && onlyRulesOfThumbSpeakAgainst(result)) {
+        std::erase_if(result.warnings, isRuleOfThumb);
+        result.trustworthy = true;
+    }
+    if (result.trustworthy && probability < oftenFails) {
+        result.trustworthy = false;
+        result.warnings.insert(result.warnings.begin(), says::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
+    }
+    if (!result.trustworthy && probability >= oftenFails) {   // it knows nothing of what speaks against this fit
+        result.probabilityWithin2Mm.reset();
+    }
+}
 
 /// What holds for a fit of our own, whatever way it was found: a depth that the image does not tell stays, unless
 /// branches were chosen to tell it, and a frame that may be mirrored or turned is named. Who stops that keeps the pose,

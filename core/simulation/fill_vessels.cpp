@@ -1,15 +1,106 @@
 #include "core/simulation/fill_vessels.h"
 
-#include "core/simulation/close_branches.h"
-#include "core/simulation/extra_vessels.h"
+#include "core/simulation/grow_tree.h"
+#include "core/simulation/smooth_path.h"
 #include "core/simulation/smooth_step.h"
+#include "core/vessel/polyline.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <vector>
 
 namespace angiopose::core {
 namespace {
+
+constexpr double catheterRadiusMm = 0.8;
+constexpr double catheterLengthMm = 320.0;
+
+Eigen::Vector3d randomNormal(const Eigen::Vector3d& direction, CounterRandom& random)
+{
+    const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
+    return Eigen::AngleAxisd(turn, direction) * direction.unitOrthogonal();
+}
+
+/// A side branch that leaves `parent` at its point `takeoff` and is thinner; id and name are the caller's.
+VesselBranch growSideBranch(const VesselBranch& parent, std::size_t takeoff, CounterRandom& random)
+{
+    const Eigen::Vector3d tangent = polylineTangents<3>(parent.pointsInPatient, 3)[takeoff];
+    const Eigen::Vector3d side = randomNormal(tangent, random);
+    PathPlan plan;
+    plan.start = parent.pointsInPatient[takeoff];
+    plan.startDirection = (tangent + random.uniform(0.6, 1.2) * side).normalized();
+    plan.endDirection = (0.4 * tangent + side).normalized();
+    plan.end = plan.start + random.uniform(25.0, 70.0) * (0.5 * tangent + side).normalized();
+    VesselBranch branch;
+    branch.pointsInPatient = smoothPath(plan, random);
+    const double inletRadiusMm = 0.6 * parent.radiusMm[takeoff];
+    for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
+        const double along = static_cast<double>(i) / static_cast<double>(branch.pointsInPatient.size() - 1);
+        branch.radiusMm.push_back(inletRadiusMm * (1.0 - 0.4 * along));
+    }
+    return branch;
+}
+
+/// A catheter that comes from outside the field and ends where the trunk begins.
+VesselBranch layCatheter(const VesselBranch& trunk, CounterRandom& random)
+{
+    const Eigen::Vector3d forward = polylineTangents<3>(trunk.pointsInPatient, 4).front();
+    const Eigen::Vector3d side = randomNormal(forward, random);
+    PathPlan plan;
+    plan.end = trunk.pointsInPatient.front();
+    plan.start = plan.end - catheterLengthMm * (forward + random.uniform(0.2, 0.7) * side).normalized();
+    plan.startDirection = forward;
+    plan.endDirection = forward;
+    plan.tortuosity = 0.6;
+    VesselBranch catheter;
+    catheter.pointsInPatient = smoothPath(plan, random);
+    catheter.radiusMm.assign(catheter.pointsInPatient.size(), catheterRadiusMm);
+    return catheter;
+}
+
+constexpr double thinRadiusMm = 1.2;   ///< branches below are missing twice as often
+
+bool hasFilledChild(const GrownTree& grown, const std::vector<bool>& filled, std::size_t branch)
+{
+    for (std::size_t child = branch + 1; child < filled.size(); ++child) {
+        if (filled[child] && grown.takeoffs[child].parentIndex == static_cast<int>(branch)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// A filled branch without filled children; 0, the trunk, when there is none.
+std::size_t drawEndBranch(const GrownTree& grown, const std::vector<bool>& filled, CounterRandom& random)
+{
+    std::vector<std::size_t> tickets;
+    for (std::size_t b = 1; b < filled.size(); ++b) {
+        if (filled[b] && !hasFilledChild(grown, filled, b)) {
+            const bool isThin = grown.tree.branches[b].radiusMm.front() < thinRadiusMm;
+            tickets.insert(tickets.end(), isThin ? 2 : 1, b);
+        }
+    }
+    return tickets.empty() ? 0 : tickets[static_cast<std::size_t>(random.index(static_cast<int>(tickets.size())))];
+}
+
+/// Which branches still carry blood when `missingShare` of them do not: one flag per branch. Vessels close from their
+/// ends, thin ones twice as often, so that no filled branch hangs on an empty one; the trunk stays open.
+std::vector<bool> drawFilledBranches(const GrownTree& grown, double missingShare, CounterRandom& random)
+{
+    std::vector<bool> filled(grown.tree.branches.size(), true);
+    const auto missing = static_cast<int>(std::lround(missingShare * static_cast<double>(filled.size())));
+    for (int i = 0; i < missing; ++i) {
+        const std::size_t branch = drawEndBranch(grown, filled, random);
+        if (branch != 0) {
+            filled[branch] = false;
+        }
+    }
+    return filled;
+}
 
 constexpr double mixingMm = 12.0;   ///< way over which a child takes on its own opacity
 constexpr double tipMm = 14.0;   ///< a vessel fades out over its last millimetres

@@ -1,7 +1,6 @@
 #include "ui/scenes/text_mask.h"
 
-#include "ui/scenes/interface_font.h"
-
+#include <fontconfig/fontconfig.h>
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
@@ -9,9 +8,62 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace angiopose::ui {
 namespace {
+
+/// A font in its file, which may hold several.
+struct FontFace {
+    std::string file;   ///< empty: none
+    int index = 0;
+};
+
+/// The best match; takes the pattern over.
+FontFace faceFor(FcPattern* wanted)
+{
+    FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
+    FcDefaultSubstitute(wanted);
+    FcResult outcome = FcResultNoMatch;
+    FcPattern* found = FcFontMatch(nullptr, wanted, &outcome);
+    FontFace face;
+    FcChar8* name = nullptr;
+    if (found && FcPatternGetString(found, FC_FILE, 0, &name) == FcResultMatch) {
+        face.file = reinterpret_cast<const char*>(name);
+        FcPatternGetInteger(found, FC_INDEX, 0, &face.index);
+    }
+    if (found) {
+        FcPatternDestroy(found);
+    }
+    FcPatternDestroy(wanted);
+    return face;
+}
+
+FcPattern* patternOf(const char* name)
+{
+    return FcNameParse(reinterpret_cast<const FcChar8*>(name));
+}
+
+/// For text in pictures: Inter where it is installed, else the system's sans serif.
+const FontFace& interfaceFont()
+{
+    static const FontFace face = faceFor(patternOf("Inter,sans-serif:style=Regular:outline=true"));
+    return face;
+}
+
+/// One that has the signs the interface font lacks, e.g. Chinese ones; none where nothing on the system has them.
+FontFace fontWith(const std::vector<char32_t>& signs)
+{
+    FcPattern* wanted = patternOf("sans-serif:style=Regular:outline=true:lang=zh-cn");
+    FcCharSet* needed = FcCharSetCreate();
+    for (const char32_t sign : signs) {
+        FcCharSetAddChar(needed, sign);
+    }
+    FcPatternAddCharSet(wanted, FC_CHARSET, needed);
+    FcCharSetDestroy(needed);
+    return faceFor(wanted);
+}
 
 struct FreeFace {
     void operator()(FT_Face face) const { FT_Done_Face(face); }

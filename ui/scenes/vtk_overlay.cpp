@@ -4,7 +4,6 @@
 #include "ui/scenes/line_layer.h"
 #include "ui/scenes/overlay_lines.h"
 #include "ui/scenes/overlay_pens.h"
-#include "ui/scenes/pinhole_view.h"
 #include "ui/scenes/stroke_actor.h"
 
 #include <vtkCamera.h>
@@ -14,8 +13,34 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace angiopose::ui {
 namespace {
+
+/// Points a VTK camera so that it sees what the X-ray source sees: a point in patient space (mm) falls on the pixel
+/// that `core::project` gives, and the part `rect` of the image fills the picture.
+void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const core::RigidTransform& cameraFromPatient,
+                const ViewRect& rect)
+{
+    const Eigen::Matrix3d& rotation = cameraFromPatient.rotation;
+    const Eigen::Vector3d source = -rotation.transpose() * cameraFromPatient.translation;
+    const Eigen::Vector3d ahead = source + rotation.row(2).transpose();
+    const Eigen::Vector3d up = -rotation.row(1).transpose();   // v counts down
+    view.SetPosition(source.x(), source.y(), source.z());
+    view.SetFocalPoint(ahead.x(), ahead.y(), ahead.z());
+    view.SetViewUp(up.x(), up.y(), up.z());
+
+    // Half of what is seen at depth 1, and its middle in halves beside the central ray; a mirrored image has fx > 0.
+    const double halfWidth = 0.5 * rect.width();
+    const double halfHeight = 0.5 * rect.height();
+    view.SetViewAngle(2.0 * std::atan(halfHeight / camera.fy) * 180.0 / std::numbers::pi);
+    view.UseExplicitAspectRatioOn();
+    view.SetExplicitAspectRatio((halfWidth / camera.fx) / (halfHeight / camera.fy));
+    view.SetWindowCenter((0.5 * (rect.left + rect.right) - camera.cx) / halfWidth,
+                         (camera.cy - 0.5 * (rect.top + rect.bottom)) / halfHeight);
+}
 
 /// For traced curves where no camera is known: any will do, they lie on the image.
 core::ProjectionCamera usableCamera(const core::ProjectionCamera& camera)

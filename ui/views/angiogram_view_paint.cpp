@@ -3,17 +3,48 @@
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
 #include "ui/views/crosshair_mark.h"
-#include "ui/views/cutout_edge.h"
 #include "ui/views/paint_marks.h"
 #include "ui/views/pivot_mark.h"
 
 #include <QPainter>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <utility>
 
 namespace angiopose::ui {
 namespace {
+
+/// What the cutout keeps bare of a widget of this size, in widget px; empty without a cutout.
+QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, const QSizeF& size)
+{
+    QPainterPath path;
+    const Eigen::Vector2d at = viewport.widgetFromImage(cutout.at);
+    const double width = size.width();
+    constexpr double outside = 4.0;   // the edges of the widget are none of the swipe
+    const double height = size.height() + 2.0 * outside;
+    if (cutout.shape == Cutout::Shape::Disc) {
+        const double radius = cutout.radiusPx * viewport.zoom();
+        path.addEllipse(QPointF(at.x(), at.y()), radius, radius);
+    } else if (cutout.shape == Cutout::Shape::RightOf && viewport.isMirrored()) {
+        path.addRect(QRectF(-outside, -outside, at.x() + outside, height));
+    } else if (cutout.shape == Cutout::Shape::RightOf) {
+        path.addRect(QRectF(at.x(), -outside, width - at.x() + outside, height));
+    }
+    return path;
+}
+
+/// The swipe's line or the lens's ring, so that the eye sees where the overlay ends.
+void paintCutoutEdge(QPainter& painter, const QPainterPath& path)
+{
+    const Palette& tones = palette(ThemeMode::Dark);   // the angiogram lies on black in every theme
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(toQColor(tones.canvas, 0.6), 3.0));
+    painter.drawPath(path);
+    painter.setPen(QPen(toQColor(tones.textStrong, 0.8), 1.2));
+    painter.drawPath(path);
+}
 
 /// Faint stripes where the mask is 0.
 QImage hatched(const core::Mask2d& fieldMask)

@@ -1,6 +1,5 @@
 #include "core/registration/judging/distance_metrics.h"
 
-#include "core/registration/matching/curve_distance.h"
 #include "core/registration/matching/grid_index.h"
 #include "core/support/quantile.h"
 
@@ -8,9 +7,39 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 namespace angiopose::core {
 namespace {
+
+/// Points of several curves, one after the other; neighbours with the same curve number are joined by a line.
+struct CurvePoints {
+    const std::vector<Eigen::Vector2d>& points;
+    const std::vector<int>& curveIndex;
+};
+
+double squaredDistanceToSegment(const Eigen::Vector2d& query, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+{
+    const Eigen::Vector2d along = to - from;
+    const double squaredLength = along.squaredNorm();
+    const double share = squaredLength > 0.0 ? std::clamp((query - from).dot(along) / squaredLength, 0.0, 1.0) : 0.0;
+    return (query - from - share * along).squaredNorm();
+}
+
+/// Distance from `query` to the two line segments that meet in point `nearest`.
+double distanceToCurve(const CurvePoints& curves, std::size_t nearest, const Eigen::Vector2d& query)
+{
+    const Eigen::Vector2d& point = curves.points[nearest];
+    const int curve = curves.curveIndex[nearest];
+    double squared = (query - point).squaredNorm();
+    if (nearest > 0 && curves.curveIndex[nearest - 1] == curve) {
+        squared = std::min(squared, squaredDistanceToSegment(query, curves.points[nearest - 1], point));
+    }
+    if (nearest + 1 < curves.points.size() && curves.curveIndex[nearest + 1] == curve) {
+        squared = std::min(squared, squaredDistanceToSegment(query, point, curves.points[nearest + 1]));
+    }
+    return std::sqrt(squared);
+}
 
 double imageDiagonalPx(const ProjectionCamera& camera)
 {
