@@ -1,12 +1,14 @@
 #include "io/dicom/shutter_tags.h"
 
 #include "io/dicom/c_arm_tags.h"
+#include "io/dicom/functional_groups.h"
 #include "io/messages/says.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@ namespace {
 using core::Mask2d;
 
 constexpr DicomTag shapeTag = 0x00181600;
+constexpr DicomTag frameShutterTag = 0x00189472;
 constexpr DicomTag verticesTag = 0x00181620;
 constexpr std::size_t mostCoordinates = 8192;
 constexpr double leastOpenShare = 0.01;   // less is no field of view but a mistake
@@ -131,23 +134,47 @@ std::string shutterValues(const DicomDataset& data, const std::vector<DicomTag>&
     return values;
 }
 
+/// Closes what a shutter hides; a shape that makes no sense is left out and said.
+void close(Mask2d& field, const DicomDataset& shutter, core::Messages& warnings)
+{
+    const int columns = field.width, rows = field.height;
+    for (std::size_t i = 0; i < shutterShapes().size(); ++i) {   // at most one of each
+        const auto shape = std::ranges::find(shutterShapes(), shutter.text(shapeTag, i), &ShutterShape::name);
+        if (shape == shutterShapes().end()) {
+            continue;
+        }
+        Mask2d both = shape->openField(shutter, columns, rows);
+        std::ranges::transform(both.pixels, field.pixels, both.pixels.begin(), std::bit_and<>());
+        if (static_cast<double>(std::ranges::count(both.pixels, 255)) < leastOpenShare * columns * rows) {
+            warnings.push_back(says::shutterUnusable(std::string(shape->name), shutterValues(shutter, shape->tags)));
+        } else {
+            field = std::move(both);
+        }
+    }
+}
+
+std::string valuesOf(const DicomDataset& shutter)
+{
+    std::string values(shutter.text(shapeTag));
+    for (const ShutterShape& shape : shutterShapes()) {
+        values += "; " + shutterValues(shutter, shape.tags);
+    }
+    return values;
+}
+
 }   // namespace
 
 core::Mask2d shutterOf(const DicomDataset& data, int columns, int rows, core::Messages& warnings)
 {
-    const DicomDataset flat = withFunctionalGroups(data);
+    const DicomDataset first = withFunctionalGroups(data);
     Mask2d field(columns, rows, 255);
-    for (std::size_t i = 0; i < shutterShapes().size(); ++i) {   // at most one of each
-        const auto shape = std::ranges::find(shutterShapes(), flat.text(shapeTag, i), &ShutterShape::name);
-        if (shape == shutterShapes().end()) {
-            continue;
-        }
-        Mask2d both = shape->openField(flat, columns, rows);
-        std::ranges::transform(both.pixels, field.pixels, both.pixels.begin(), std::bit_and<>());
-        if (static_cast<double>(std::ranges::count(both.pixels, 255)) < leastOpenShare * columns * rows) {
-            warnings.push_back(says::shutterUnusable(std::string(shape->name), shutterValues(flat, shape->tags)));
-        } else {
-            field = std::move(both);
+    close(field, first, warnings);
+    std::set<std::string> closed{valuesOf(first)};
+    for (const DicomDataset& frame : data.items(perFrameGroupsTag)) {
+        for (const DicomDataset& shutter : frame.items(frameShutterTag)) {
+            if (closed.insert(valuesOf(shutter)).second) {
+                close(field, shutter, warnings);
+            }
         }
     }
     return std::ranges::count(field.pixels, 0) == 0 ? Mask2d() : field;

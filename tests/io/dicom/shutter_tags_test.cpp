@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <string>
+#include <vector>
 
 using namespace angiopose;
 
@@ -13,22 +14,50 @@ struct ReadShutter {
     core::Messages warnings;
 };
 
-/// Of an image of 60 columns and 40 rows with these elements, in ascending order.
-ReadShutter shutterOf(std::initializer_list<std::pair<io::DicomTag, std::string>> elements)
+using Elements = std::initializer_list<std::pair<io::DicomTag, std::string>>;
+
+std::string littleEndian(std::size_t value, int bytes)
+{
+    std::string text;
+    for (int i = 0; i < bytes; ++i) {
+        text += static_cast<char>((value >> (8 * i)) & 0xffU);
+    }
+    return text;
+}
+
+std::string bytesOf(Elements elements)
 {
     std::string bytes;
     for (auto [tag, value] : elements) {
         value += value.size() % 2 == 1 ? " " : "";
-        for (const std::size_t number : {std::size_t{tag >> 16U}, std::size_t{tag & 0xffffU}}) {
-            bytes += {static_cast<char>(number & 0xffU), static_cast<char>(number >> 8U)};
-        }
-        bytes += tag == 0x00181600 ? "CS" : "IS";
-        bytes += {static_cast<char>(value.size() & 0xffU), static_cast<char>(value.size() >> 8U)};
-        bytes += value;
+        bytes += littleEndian(tag >> 16U, 2) + littleEndian(tag & 0xffffU, 2) + (tag == 0x00181600 ? "CS" : "IS") +
+                 littleEndian(value.size(), 2) + value;
     }
+    return bytes;
+}
+
+/// A sequence of these items.
+std::string sequence(io::DicomTag tag, const std::vector<std::string>& items)
+{
+    std::string content;
+    for (const std::string& item : items) {
+        content += littleEndian(0xfffe, 2) + littleEndian(0xe000, 2) + littleEndian(item.size(), 4) + item;
+    }
+    return littleEndian(tag >> 16U, 2) + littleEndian(tag & 0xffffU, 2) + "SQ" + littleEndian(0, 2) +
+           littleEndian(content.size(), 4) + content;
+}
+
+ReadShutter shutterIn(const std::string& bytes)
+{
     ReadShutter read;
     read.field = io::shutterOf(io::readElements(bytes, io::DicomEncoding{}), 60, 40, read.warnings);
     return read;
+}
+
+/// Of an image of 60 columns and 40 rows with these elements, in ascending order.
+ReadShutter shutterOf(Elements elements)
+{
+    return shutterIn(bytesOf(elements));
 }
 
 /// Open pixels of a row or column, first and last, counted from 0.
@@ -138,6 +167,20 @@ TEST(ShutterTags, AShapeThatMakesNoSenseLeavesTheOthers)
                                  {0x00181612, "10"}});
     EXPECT_EQ(read.warnings.size(), 1U);
     EXPECT_EQ(openInRow(read.field, 20), Span(20, 40));
+}
+
+TEST(ShutterTags, WhatTheShuttersOfAllFramesLeaveOpenIsOpen)
+{
+    const auto frame = [](const char* left, const char* right) {
+        return sequence(0x00189472, {bytesOf({{0x00181600, "RECTANGULAR"},
+                                              {0x00181602, left},
+                                              {0x00181604, right},
+                                              {0x00181606, "1"},
+                                              {0x00181608, "40"}})});
+    };
+    const auto read = shutterIn(sequence(0x52009230, {frame("11", "60"), frame("11", "60"), frame("1", "50")}));
+    EXPECT_TRUE(read.warnings.empty());
+    EXPECT_EQ(openInRow(read.field, 20), Span(10, 49));
 }
 
 }   // namespace
