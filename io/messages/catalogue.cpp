@@ -28,7 +28,6 @@ std::span<const core::MessageEntry* const> messageCatalogue()
 #include "io/messages/objects.def"
 #include "io/messages/opening.def"
 #include "io/messages/own.def"
-#include "io/messages/readers.def"
 #include "io/messages/results.def"
 #include "io/messages/study.def"
 #include "io/messages/support.def"

@@ -9,7 +9,6 @@ namespace angiopose::io::says {
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};
 #include "io/messages/batch.def"
 #include "io/messages/own.def"
-#include "io/messages/readers.def"
 #include "io/messages/results.def"
 #include "io/messages/study.def"
 #include "io/messages/support.def"
