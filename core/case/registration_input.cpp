@@ -26,6 +26,19 @@ std::shared_ptr<const ImageF> imageOf(const View& view, const ProjectionCamera& 
 
 }   // namespace
 
+RegistrationOptions optionsFor(const View& view, const Vessels& vessels, RegistrationOptions options)
+{
+    constexpr double objectPlaneMm = 55.0;   // 1-σ of the plane that a device assumes from the vessels
+    double& depthMm = options.angiopose.priorDepthMm;
+    const CArm& cArm = view.geometry.cArm;
+    const bool isAtPlane = !view.initialCameraFromPatient && isAtStart(view, vessels) &&
+                           !cArm.isocentreInPatientMm.value && &vesselDepthOf(cArm) == &cArm.sourceToObjectMm;
+    if (isAtPlane && depthMm == AngioPoseOptions().priorDepthMm) {
+        depthMm = objectPlaneMm;
+    }
+    return options;
+}
+
 Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target)
 {
     if (!vessels.tree) {

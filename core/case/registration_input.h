@@ -8,6 +8,10 @@
 
 namespace angiopose::core {
 
+/// The options for a run that starts with this view: where the vessels start in the object plane that the device
+/// assumed, and nobody said how far off that is, their depth there is as unsure as such planes are.
+RegistrationOptions optionsFor(const View& view, const Vessels& vessels, RegistrationOptions options);
+
 /// What a worker needs to register a view; fails naming what is still lacking. The registration starts from the current
 /// pose.
 Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target);

@@ -134,7 +134,8 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const C
     if (!spreads.empty()) {
         input.cameraSpread = spreads.front();
     }
-    auto found = registerVessels(input, run.theCase.options, observe);
+    auto found =
+        registerVessels(input, optionsFor(run.theCase.shown(), run.theCase.vessels, run.theCase.options), observe);
     if (!found) {
         return found.error();
     }
@@ -160,7 +161,8 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     for (std::size_t k = 0; k < spreads.size(); ++k) {
         inputs.views[k].cameraSpread = spreads[k];
     }
-    auto joint = registerViews(inputs.views, run.theCase.options, inputs.multiView, observe);
+    auto joint = registerViews(inputs.views, optionsFor(run.theCase.shown(), run.theCase.vessels, run.theCase.options),
+                               inputs.multiView, observe);
     if (!joint) {
         return joint.error();
     }
