@@ -6,10 +6,16 @@
 namespace angiopose::app {
 namespace {
 
-std::string nameOf(const core::VesselTree& tree, int branchId)
+std::vector<std::string> namedMedians(const core::VesselTree& tree,
+                                      const std::vector<std::pair<int, double>>& mediansMm)
 {
-    const core::VesselBranch* branch = tree.find(branchId);
-    return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
+    std::vector<std::string> words;
+    for (const auto& [branchId, medianMm] : mediansMm) {
+        const core::VesselBranch* branch = tree.find(branchId);
+        words.push_back((branch && !branch->name.empty() ? branch->name : std::to_string(branchId)) + ": " +
+                        fixedText(medianMm, 1) + " mm");
+    }
+    return words;
 }
 
 }   // namespace
@@ -21,19 +27,11 @@ core::Messages fitWords(const core::FitBasis& basis, const core::Vessels& vessel
     if (basis.judgedShare < 1.0) {
         words.push_back(says::overOpacified(core::Quantity{100.0 * basis.judgedShare, 0, "%"}, median, p95));
     }
-    std::vector<std::string> names;
-    for (const auto& [branchId, medianMm] : basis.excludedMm) {
-        names.push_back(nameOf(*vessels.tree, branchId) + ": " + fixedText(medianMm, 1) + " mm");
+    if (!basis.excludedMm.empty()) {
+        words.push_back(says::withoutExcluded(namedMedians(*vessels.tree, basis.excludedMm), median, p95));
     }
-    if (!names.empty()) {
-        words.push_back(says::withoutExcluded(names, median, p95));
-    }
-    names.clear();
-    for (const int branchId : vessels.auxiliaryBranchIds) {
-        names.push_back(nameOf(*vessels.tree, branchId));
-    }
-    if (!names.empty()) {
-        words.push_back(says::auxiliaryOf(names));
+    if (!basis.auxiliaryMm.empty()) {
+        words.push_back(says::auxiliaryOf(namedMedians(*vessels.tree, basis.auxiliaryMm)));
     }
     return words;
 }

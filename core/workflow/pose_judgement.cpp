@@ -37,13 +37,19 @@ std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& 
     }
     const double depthMm = (view.cameraFromPatient * centroidInPatient(*theCase.vessels.tree)).z();
     const double mmPerPx = millimetresPerPixel(camera.value(), std::max(depthMm, minProjectableDepthMm));
-    FitBasis basis{judgedShare(result), mmPerPx * quantile(all, 0.5), mmPerPx * quantile(all, 0.95), {}};
-    for (const int branchId : theCase.vessels.excludedBranchIds) {
-        if (const auto found = residualPx.find(branchId); found != residualPx.end() && !found->second.empty()) {
-            std::vector<double> own = found->second;
-            basis.excludedMm.emplace_back(branchId, mmPerPx * quantile(own, 0.5));
+    FitBasis basis{judgedShare(result), mmPerPx * quantile(all, 0.5), mmPerPx * quantile(all, 0.95), {}, {}};
+    const auto mediansOf = [&](const std::vector<int>& branchIds) {
+        std::vector<std::pair<int, double>> mediansMm;
+        for (const int branchId : branchIds) {
+            if (const auto found = residualPx.find(branchId); found != residualPx.end() && !found->second.empty()) {
+                std::vector<double> own = found->second;
+                mediansMm.emplace_back(branchId, mmPerPx * quantile(own, 0.5));
+            }
         }
-    }
+        return mediansMm;
+    };
+    basis.excludedMm = mediansOf(theCase.vessels.excludedBranchIds);
+    basis.auxiliaryMm = mediansOf(theCase.vessels.auxiliaryBranchIds);
     return basis;
 }
 

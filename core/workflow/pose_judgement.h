@@ -19,9 +19,7 @@ struct FitBasis {
     double judgedShare = 1.0;   ///< of the tree, 0…1: the rest is judged unopacified
     double wholeMedianMm = 0.0,
            wholeP95Mm = 0.0;   ///< over every point of the tree, whatever is excluded or unopacified
-    std::vector<std::pair<int, double>> excludedMm;   ///< branches that the user left out, and their medians
-
-    bool isPartial() const { return judgedShare < 1.0 || !excludedMm.empty(); }
+    std::vector<std::pair<int, double>> excludedMm, auxiliaryMm;   ///< branches and their medians
 };
 
 /// The basis of `result` of the shown view, whose distances `residualPx` are (see branchDistances); none of them: none.
