@@ -115,19 +115,28 @@ void RunController::showFinished(const core::RegistrationResult& result)
 {
     on_.treeView.scene().frameAnew();
     on_.treeView.requestRender();
+    const QString told = finishedText(result);
+    if (result.trustworthy || result.stopReason == core::StopReason::StoppedByUser) {
+        on_.notices.showNote(told);
+    } else {
+        on_.notices.showWarnings(told);
+    }
+}
+
+QString RunController::finishedText(const core::RegistrationResult& result)
+{
     const QString median = ui::numberText(result.metrics.medianMm, 2);
     if (result.stopReason == core::StopReason::StoppedByUser) {
-        on_.notices.showNote(tr("Stopped: the best pose so far is kept, undo takes it back"));
-    } else if (result.trustworthy) {
-        on_.notices.showNote(tr("Registered: median %1 mm").arg(median));
-    } else {
-        const auto reason = std::ranges::find_if(result.warnings, core::speaksAgainstTrust);
-        const auto told = reason == result.warnings.end() ? result.warnings.begin() : reason;
-        on_.notices.showWarnings(
-            tr("NOT RELIABLE · median %1 mm over %2 % of the tree")
-                .arg(median, ui::numberText(100.0 * core::judgedShare(result), 0)) +
-            (told == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*told)));
+        return tr("Stopped, NOT RELIABLE: the best pose so far is kept, undo takes it back");
     }
+    if (result.trustworthy) {
+        return tr("Registered: median %1 mm").arg(median);
+    }
+    const auto reason = std::ranges::find_if(result.warnings, core::speaksAgainstTrust);
+    const auto told = reason == result.warnings.end() ? result.warnings.begin() : reason;
+    return tr("NOT RELIABLE · median %1 mm over %2 % of the tree")
+               .arg(median, ui::numberText(100.0 * core::judgedShare(result), 0)) +
+           (told == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*told));
 }
 
 }   // namespace angiopose::app

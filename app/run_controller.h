@@ -48,6 +48,9 @@ public:
 
     void show();   ///< options, and why a run cannot start
 
+    /// What the status line says of a run that ended.
+    static QString finishedText(const core::RegistrationResult& result);
+
 private:
     void connectCommands();
     void connectRun();

@@ -1,4 +1,6 @@
+#include "app/cli/register_outputs.h"
 #include "app/report/case_report.h"
+#include "app/run_controller.h"
 #include "app/step_states.h"
 #include "core/registration/judging/unfilled_branches.h"
 #include "core/workflow/pose_judgement.h"
@@ -157,6 +159,16 @@ void expectDoubtInTheReport(const core::Case& theCase, const core::Centerline2d&
     EXPECT_LT(page.value().indexOf("NOT RELIABLE"), page.value().lastIndexOf("base64")) << "before the picture";
 }
 
+void expectDoubtInWords(const core::RegisteredCase& found)
+{
+    EXPECT_TRUE(RunController::finishedText(found.result()).contains(QStringLiteral("NOT RELIABLE")));
+    ::testing::internal::CaptureStdout();
+    printRegistered(found, "out");
+    const std::string printed = ::testing::internal::GetCapturedStdout();
+    EXPECT_TRUE(printed.starts_with("trustworthy    NO: NOT RELIABLE")) << printed;
+    EXPECT_EQ(printed.find("yes"), std::string::npos) << printed;
+}
+
 std::string wordsIn(const core::RegisteredCase& found)
 {
     const auto picture = drawOverlayVectors(found.theCase, found.targets.front());
@@ -177,6 +189,7 @@ TEST(LowConfidence, LooksSoWhereverAResultIsShown)
         ASSERT_FALSE(result.warnings.empty());
         EXPECT_LT(result.probabilityWithin2Mm.value_or(0.0), 0.8);
         expectDoubtInTheWindow(theCase);
+        expectDoubtInWords(fit.found);
         expectDoubtInThePicture(theCase, fit.found.targets.front());
         expectDoubtInTheReport(theCase, fit.found.targets.front());
         const auto json =
@@ -221,7 +234,8 @@ TEST(LowConfidence, NamesExcludedBranchesAndTheValueWithThem)
     const core::VesselBranch& branch = values.vessels.tree->branches.back();
     const std::string name = branch.name.empty() ? std::to_string(excluded) : branch.name;
     EXPECT_NE(told.find("Excluded branches: " + name + ": "), std::string::npos) << told;
-    EXPECT_NE(told.find("Auxiliary branches: "), std::string::npos) << told;
+    const std::string auxiliary = told.substr(told.find("Auxiliary branches: "));
+    EXPECT_NE(auxiliary.find(" mm (medians)"), std::string::npos) << told;
 }
 
 }   // namespace
