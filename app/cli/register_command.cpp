@@ -90,9 +90,11 @@ int runRegister(const RegisterArguments& arguments)
     if (!arguments.otherViews.empty() || !arguments.angiogramPath.empty()) {   // a case alone has compared its images
         printWarnings(core::findMismatch(theCase));
     }
+    for (core::View& view : theCase.views) {
+        view.isSamePatient = view.isSamePatient || arguments.isSamePatient;
+    }
     core::RegistrationPlan plan;
     plan.readMs = watch.lapMs();
-    plan.isSamePatient = arguments.isSamePatient;
     const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
     if (!registered) {
         return failInput(registered.error().about(inputPathOf(arguments)), arguments.format);

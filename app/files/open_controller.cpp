@@ -167,9 +167,10 @@ void OpenController::replaceOpenCase()
     }
 }
 
-void OpenController::openMismatched()
+void OpenController::openMismatched(bool isSamePatient)
 {
-    if (const auto opening = std::exchange(waiting_, std::nullopt)) {
+    if (auto opening = std::exchange(waiting_, std::nullopt)) {
+        opening->isSamePatient = isSamePatient;
         carryOut(*opening);
     }
 }

@@ -38,7 +38,7 @@ public:
     void addWaitingView();
     void replaceImage();
     /// Answers `mismatchNeedsConsent`.
-    void openMismatched();
+    void openMismatched(bool isSamePatient);
     /// Answers `cameraChoiceNeeded`.
     void openWaitingPose(ArrivingCamera camera);
     /// Answers `inputsMissing`: opens without those that can be done without.

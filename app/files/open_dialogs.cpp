@@ -191,14 +191,16 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
     auto* question = new ui::QuestionDialog(
         {tr("Not the same patient?"),
          ui::messagesText(mismatch) + patients + QStringLiteral("\n\n") +
-             tr("If “%1” is opened all the same, every picture and report of the case will say so.").arg(names),
+             tr("If “%1” is opened all the same, every picture and report of the case will say so, and no registration "
+                "of its images is trusted. Open it as the same patient where pseudonyms differ.")
+                 .arg(names),
          {}},
-        {tr("Do not open it"), tr("Open it all the same")}, &ui_.dialogParent);
+        {tr("Do not open it"), tr("Open it all the same"), tr("It is the same patient")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("patientQuestion"));
     question->setMeantByClosing(0);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
-        if (index == 1) {
-            open_.openMismatched();
+        if (index > 0) {
+            open_.openMismatched(index == 2);
         } else {
             open_.abandon();
         }

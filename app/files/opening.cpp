@@ -113,18 +113,21 @@ bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs)
 core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening)
 {
     const io::LoadedInputs& inputs = opening.inputs;
-    if (opening.way == Opening::Way::Replace) {
-        return inputs.wholeCase ? *inputs.wholeCase : io::withInputs({}, inputs);
-    }
-    if (opening.way == Opening::Way::Join) {
-        return io::withInputs(open, inputs);
-    }
-    auto added = io::viewFrom(open, inputs, opening.paths.front().toStdString());
-    if (!added) {
-        return added.error();
-    }
     core::Case wanted = open;
-    wanted.views.push_back(std::move(added).value());
+    if (opening.way == Opening::Way::Replace) {
+        wanted = inputs.wholeCase ? *inputs.wholeCase : io::withInputs({}, inputs);
+    } else if (opening.way == Opening::Way::Join) {
+        wanted = io::withInputs(open, inputs);
+    } else {
+        auto added = io::viewFrom(open, inputs, opening.paths.front().toStdString());
+        if (!added) {
+            return added.error();
+        }
+        wanted.views.push_back(std::move(added).value());
+    }
+    for (core::View& view : wanted.views) {
+        view.isSamePatient = opening.isSamePatient.value_or(view.isSamePatient);
+    }
     return wanted;
 }
 

@@ -17,6 +17,7 @@ struct Opening {
     io::LoadedInputs inputs;
     QStringList paths;
     Way way = Way::Join;
+    std::optional<bool> isSamePatient{};   ///< of all images, as the user answered; none: there was nothing to ask
     std::optional<QString> original;   ///< of a copy of a case: where that lives; empty: it was never saved
 };
 

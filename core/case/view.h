@@ -44,6 +44,7 @@ struct View {
     InputFile caseFile;   ///< the case file the view stands in, unchanged; no path: it stands in this case itself
 
     std::string name;   ///< what the user calls it; empty: its angles say which it is
+    bool isSamePatient = false;   ///< somebody made sure of that, whatever the headers say
     InputFile imageFile;
     std::shared_ptr<const Angiogram> angiogram;   ///< as it is shown and traced; null where it is not loaded
     std::shared_ptr<const Angiogram> storedRun;   ///< as the file has it, while `treatment` changes it; else null

@@ -254,7 +254,9 @@ void distrustOtherPatients(RegisteredCase& run)
     registered.vessels.scanIdentity = run.theCase.vessels.scanIdentity;
     registered.views.clear();
     for (const std::size_t place : run.places) {
-        registered.views.push_back(run.theCase.views[place]);
+        if (!run.theCase.views[place].isSamePatient) {
+            registered.views.push_back(run.theCase.views[place]);
+        }
     }
     Messages mismatch = findMismatch(registered);
     std::erase_if(mismatch, [](const Message& said) { return said.is(says::examinationOfRunsDiffers); });
@@ -354,9 +356,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     if (!status) {
         return status.error();
     }
-    if (!plan.isSamePatient) {
-        distrustOtherPatients(run);
-    }
+    distrustOtherPatients(run);
     for (const std::size_t place : run.places) {
         run.theCase.views[place].result->provenance.start = run.asked->views[place].cameraFromPatient;
     }

@@ -22,7 +22,6 @@ struct RegistrationPlan {
     double readMs = StageTimes::notMeasured;   ///< what reading the case took; kept with the result
     std::string author{};   ///< who asks for it; kept with the result
     std::string time{};   ///< when, ISO 8601, UTC; kept with the result
-    bool isSamePatient = false;   ///< whatever the headers say: somebody made sure
 };
 
 /// A case after its registration.
@@ -44,7 +43,8 @@ void takeOver(View& view, const View& registered);
 
 /// The main job: traces the vessels in each view, registers the tree to one view (registerVessels) or to all together
 /// (registerViews), and takes over what was found; where images contradict the geometry and the options want that, with
-/// the geometry that they show. Images of different patients, or of opposite sides, give no result to be trusted.
+/// the geometry that they show. Images of different patients, or of opposite sides, give no result to be trusted
+/// unless somebody made sure (View::isSamePatient).
 /// Fails naming the view and what it lacks. Stopped before there is any
 /// pose it ends as stopped, later it keeps the best pose.
 Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan = {}, const WorkObserver& observe = {});

@@ -1045,8 +1045,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nicht derselbe Patient?</translation>
     </message>
     <message>
-        <source>If “%1” is opened all the same, every picture and report of the case will say so.</source>
-        <translation>Wird „%1“ dennoch geöffnet, steht es auf jedem Bild und Bericht des Falls.</translation>
+        <source>If “%1” is opened all the same, every picture and report of the case will say so, and no registration of its images is trusted. Open it as the same patient where pseudonyms differ.</source>
+        <translation>Wird „%1“ dennoch geöffnet, steht es auf jedem Bild und Bericht des Falls, und keine Registrierung seiner Bilder gilt als verlässlich. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
     </message>
     <message>
         <source>Do not open it</source>
@@ -1055,6 +1055,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Open it all the same</source>
         <translation>Dennoch öffnen</translation>
+    </message>
+    <message>
+        <source>It is the same patient</source>
+        <translation>Es ist derselbe Patient</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1509,8 +1513,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrierung: %1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped: the best pose so far is kept, undo takes it back</source>
-        <translation>Angehalten: die bisher beste Lage bleibt, Rückgängig nimmt sie zurück</translation>
+        <source>Stopped, NOT RELIABLE: the best pose so far is kept, undo takes it back</source>
+        <translation>Gestoppt, NICHT VERLÄSSLICH: Die bisher beste Pose bleibt, Rückgängig nimmt sie zurück</translation>
     </message>
     <message>
         <source>Registered: median %1 mm</source>
@@ -3610,16 +3614,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>in der Startlage: nichts registriert</translation>
     </message>
     <message>
-        <source>line %1 of its header is longer than ITK can hold (%2 characters). Shorten it or take it out.</source>
-        <comment>reader.line-too-long</comment>
-        <translation>Zeile %1 seines Kopfes ist länger, als ITK fassen kann (%2 Zeichen). Kürzen Sie sie, oder nehmen Sie sie heraus.</translation>
-    </message>
-    <message>
-        <source>line %1 of its header has no &quot;=&quot;. The file is damaged, or not what its name says; export it again.</source>
-        <comment>reader.line-without-sign</comment>
-        <translation>Zeile %1 seines Kopfes hat kein „=“. Die Datei ist beschädigt oder nicht, was ihr Name sagt; exportieren Sie sie neu.</translation>
-    </message>
-    <message>
         <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
         <comment>result.not-one</comment>
         <translation>das ist kein Ergebnis einer Registrierung. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
@@ -5590,11 +5584,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine weitere Ansicht wird ausgelassen: %1</translation>
     </message>
     <message>
-        <source>line %1 names no case. Give the path of a case file.</source>
-        <comment>batch.no-case</comment>
-        <translation>Zeile %1 nennt keinen Fall. Den Pfad einer Falldatei angeben.</translation>
-    </message>
-    <message>
         <source>line %1: the name &apos;%2&apos; is no folder name. Use one without &apos;/&apos;.</source>
         <comment>batch.no-folder-name</comment>
         <translation>Zeile %1: „%2“ ist kein Ordnername. Einen ohne „/“ wählen.</translation>
@@ -5603,11 +5592,6 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <source>line %1: the frame &apos;%2&apos; is no whole number.</source>
         <comment>batch.frame-no-number</comment>
         <translation>Zeile %1: das Bild „%2“ ist keine ganze Zahl.</translation>
-    </message>
-    <message>
-        <source>a batch needs a header row with the column case, and a row for each case.</source>
-        <comment>batch.no-header</comment>
-        <translation>ein Stapel braucht eine Kopfzeile mit der Spalte case und eine Zeile je Fall.</translation>
     </message>
     <message>
         <source>line %1: the name &apos;%2&apos; is taken. Give each case its own.</source>
@@ -7625,9 +7609,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>sie hat %1 Seiten. Exportieren Sie die Maske als ein einziges Bild.</translation>
     </message>
     <message>
-        <source>The header announces %1 frames, but %2 are in the file: these are loaded. Copy or export it again where some are missing.</source>
+        <source>Frames in the header: %1, in the file: %2. Those in the file are loaded. Copy or export it again where some are missing.</source>
         <comment>dicom.frames-other</comment>
-        <translation>Der Header kündigt %1 Bilder an, in der Datei sind %2: Diese werden geladen. Neu kopieren oder exportieren, falls welche fehlen.</translation>
+        <translation>Bilder laut Header: %1, in der Datei: %2. Die in der Datei werden geladen. Neu kopieren oder exportieren, falls welche fehlen.</translation>
     </message>
     <message>
         <source>The header contradicts itself about the time between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
@@ -7680,9 +7664,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ihre Achsen sind %1, nicht LPS oder RAS. Exportieren Sie sie in Patientenkoordinaten (LPS).</translation>
     </message>
     <message>
-        <source>In %1 lines the first points stood at the end: they were moved back to the beginning. Check the vessels.</source>
+        <source>Lines whose first points stood at the end, moved back to the beginning: %1. Check the vessels.</source>
         <comment>tree.turned-round</comment>
-        <translation>In %1 Linien standen die ersten Punkte am Ende: sie wurden an den Anfang zurückgesetzt. Prüfen Sie die Gefäße.</translation>
+        <translation>Linien, deren erste Punkte am Ende standen und an den Anfang zurückgesetzt wurden: %1. Prüfen Sie die Gefäße.</translation>
     </message>
     <message>
         <source>The lines leap %1 times, by up to %2, over many usual steps: they were cut there. Check the order of the points.</source>
@@ -7790,9 +7774,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ausgeschlossene Äste: %1 (Mediane). Mit ihnen: Median %2, 95. Perzentil %3.</translation>
     </message>
     <message>
-        <source>Auxiliary branches: %1.</source>
+        <source>Auxiliary branches: %1 (medians).</source>
         <comment>fit.auxiliary</comment>
-        <translation>Hilfsäste: %1.</translation>
+        <translation>Hilfsäste: %1 (Mediane).</translation>
     </message>
     <message>
         <source>at this pose all vessels lie at or behind the X-ray source, where nothing projects. Check the pose and its direction: camera from patient.</source>

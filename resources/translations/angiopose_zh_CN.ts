@@ -1045,8 +1045,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不是同一患者？</translation>
     </message>
     <message>
-        <source>If “%1” is opened all the same, every picture and report of the case will say so.</source>
-        <translation>如果仍然打开“%1”，该病例的每张图片和报告都会注明这一点。</translation>
+        <source>If “%1” is opened all the same, every picture and report of the case will say so, and no registration of its images is trusted. Open it as the same patient where pseudonyms differ.</source>
+        <translation>如果仍然打开“%1”，该病例的每张图片和报告都会注明这一点，且其图像的任何配准都不被视为可信。如果只是假名不同，请作为同一患者打开。</translation>
     </message>
     <message>
         <source>Do not open it</source>
@@ -1055,6 +1055,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Open it all the same</source>
         <translation>仍然打开</translation>
+    </message>
+    <message>
+        <source>It is the same patient</source>
+        <translation>是同一患者</translation>
     </message>
     <message>
         <source>Open</source>
@@ -1509,8 +1513,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准中：%1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped: the best pose so far is kept, undo takes it back</source>
-        <translation>已停止：保留目前最佳位姿，可撤销</translation>
+        <source>Stopped, NOT RELIABLE: the best pose so far is kept, undo takes it back</source>
+        <translation>已停止，不可靠：保留目前最佳位姿，可撤销</translation>
     </message>
     <message>
         <source>Registered: median %1 mm</source>
@@ -3610,16 +3614,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>处于起始位姿：尚未配准</translation>
     </message>
     <message>
-        <source>line %1 of its header is longer than ITK can hold (%2 characters). Shorten it or take it out.</source>
-        <comment>reader.line-too-long</comment>
-        <translation>其文件头的第 %1 行超过 ITK 所能容纳的长度（%2 个字符）。请缩短或删除该行。</translation>
-    </message>
-    <message>
-        <source>line %1 of its header has no &quot;=&quot;. The file is damaged, or not what its name says; export it again.</source>
-        <comment>reader.line-without-sign</comment>
-        <translation>其文件头的第 %1 行没有“=”。文件已损坏，或与其名称不符；请重新导出。</translation>
-    </message>
-    <message>
         <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
         <comment>result.not-one</comment>
         <translation>这不是配准结果。请给出由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>
@@ -5590,11 +5584,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>省略另一视图：%1</translation>
     </message>
     <message>
-        <source>line %1 names no case. Give the path of a case file.</source>
-        <comment>batch.no-case</comment>
-        <translation>第 %1 行没有指定病例。请给出病例文件的路径。</translation>
-    </message>
-    <message>
         <source>line %1: the name &apos;%2&apos; is no folder name. Use one without &apos;/&apos;.</source>
         <comment>batch.no-folder-name</comment>
         <translation>第 %1 行：名称“%2”不能用作文件夹名。请使用不含“/”的名称。</translation>
@@ -5603,11 +5592,6 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <source>line %1: the frame &apos;%2&apos; is no whole number.</source>
         <comment>batch.frame-no-number</comment>
         <translation>第 %1 行：帧“%2”不是整数。</translation>
-    </message>
-    <message>
-        <source>a batch needs a header row with the column case, and a row for each case.</source>
-        <comment>batch.no-header</comment>
-        <translation>批处理表需要带有 case 列的表头行，并且每个病例一行。</translation>
     </message>
     <message>
         <source>line %1: the name &apos;%2&apos; is taken. Give each case its own.</source>
@@ -7625,9 +7609,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>它有 %1 页。请将掩模导出为单幅图像。</translation>
     </message>
     <message>
-        <source>The header announces %1 frames, but %2 are in the file: these are loaded. Copy or export it again where some are missing.</source>
+        <source>Frames in the header: %1, in the file: %2. Those in the file are loaded. Copy or export it again where some are missing.</source>
         <comment>dicom.frames-other</comment>
-        <translation>文件头称有 %1 帧，但文件中有 %2 帧：已载入这些帧。如有缺失，请重新复制或导出。</translation>
+        <translation>文件头中的帧数：%1，文件中：%2。已载入文件中的帧。如有缺失，请重新复制或导出。</translation>
     </message>
     <message>
         <source>The header contradicts itself about the time between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
@@ -7680,9 +7664,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其坐标轴为 %1，既不是 LPS 也不是 RAS。请以患者坐标（LPS）导出。</translation>
     </message>
     <message>
-        <source>In %1 lines the first points stood at the end: they were moved back to the beginning. Check the vessels.</source>
+        <source>Lines whose first points stood at the end, moved back to the beginning: %1. Check the vessels.</source>
         <comment>tree.turned-round</comment>
-        <translation>%1 条线的起始点位于末尾：已移回开头。请检查血管。</translation>
+        <translation>起始点位于末尾、已移回开头的线：%1。请检查血管。</translation>
     </message>
     <message>
         <source>The lines leap %1 times, by up to %2, over many usual steps: they were cut there. Check the order of the points.</source>
@@ -7790,9 +7774,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>排除的分支：%1（中位数）。包括它们：中位数 %2，第 95 百分位数 %3。</translation>
     </message>
     <message>
-        <source>Auxiliary branches: %1.</source>
+        <source>Auxiliary branches: %1 (medians).</source>
         <comment>fit.auxiliary</comment>
-        <translation>辅助分支：%1。</translation>
+        <translation>辅助分支：%1（中位数）。</translation>
     </message>
     <message>
         <source>at this pose all vessels lie at or behind the X-ray source, where nothing projects. Check the pose and its direction: camera from patient.</source>

@@ -12,6 +12,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include <algorithm>
+
 namespace angiopose::app {
 namespace {
 
@@ -186,7 +188,22 @@ TEST_P(AnotherPatient, IsAskedAboutHoweverTheFilesComeIn)
         bringIn(agreed, study, way);
         answer(agreed, "patientQuestion", QStringLiteral("Open it all the same"));
         EXPECT_FALSE(core::findMismatch(agreed.current()).empty());
+        EXPECT_FALSE(agreed.current().shown().isSamePatient);
     }
+}
+
+TEST(WindowPatient, WhoIsTheSameByTheUsersWordIsToldAndTrusted)
+{
+    const Study study(Trait::Number);
+    OpenWindow w;
+    bringIn(w, study, WayIn::CaseFile);
+    answer(w, "patientQuestion", QStringLiteral("It is the same patient"));
+    EXPECT_FALSE(core::findMismatch(w.current()).empty());
+    EXPECT_TRUE(std::ranges::all_of(w.current().views, &core::View::isSamePatient));
+    w.drop({study.file("other.dcm")});
+    answer(w, "viewQuestion", QStringLiteral("Add as a view"));
+    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
+    EXPECT_TRUE(std::ranges::none_of(w.current().views, &core::View::isSamePatient)) << "the last answer counts";
 }
 
 INSTANTIATE_TEST_SUITE_P(Traits, AnotherPatient,

@@ -69,9 +69,10 @@ TEST(Cli, TrustsNoFitWithTheViewOfAnotherPatientUnlessSomebodyMadeSure)
         EXPECT_FALSE(nlohmann::json::parse(test::readText(folder.file(name)))["trustworthy"].get<bool>()) << name;
     }
     std::vector<std::string> sure = command;
-    sure.emplace_back("--same-patient");
+    sure.insert(sure.end(), {"--same-patient", "--save", folder.file("sure.angiopose")});
     const auto made = runCli(sure);
     EXPECT_EQ(made.exitCode, 0) << made.output;
+    EXPECT_EQ(runCli({"register", folder.file("sure.angiopose")}).exitCode, 0) << "the case keeps the answer";
     EXPECT_NE(made.messages.find("different patients"), std::string::npos) << "still told";
 }
 

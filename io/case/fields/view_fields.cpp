@@ -197,6 +197,9 @@ const StoredFields<View>& viewFields()
         storedGroup<View>(
             "angiogram", objectSchema({}, {"image"}),
             {storedIfSet("name", about(textSchema(), "What the user calls this view."), &View::name), imageField(),
+
+             storedIfSet("samePatient", about(flagSchema(), "Somebody made sure, whatever the headers say."),
+                         &View::isSamePatient),
              frameField(), targetField(), subtractionField(), traceField(),
              storedIfSet("typedMmPerPx",
                          about(numberSchema(1e-6, 1000), "What a pixel measures in the patient, as typed."),
