@@ -82,7 +82,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
       scan_(document_, {window.actions(), window.treeView(), window.corner(), window.slices(), window.strip()}),
       detectorRadiograph_(document_, sync_, {window.actions(), window.treeView()}),
-      habits_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
+      preferences_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window),
       support_(document_, {window.actions(), window.strip(), window.faultBar(), window})
 {
@@ -92,7 +92,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connectReview();
     connect(&document_, &CaseDocument::changed, this, &CaseController::followDocument);
     connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
-    connect(&session_, &SessionController::startedAnew, &help_, &HelpController::offerTour);
+    connect(&session_, &SessionController::restarted, &help_, &HelpController::offerTour);
     restoreWindowLayout(window_);
     layout_.begin();
     ui::speak(this, [this] { followDocument(); });
@@ -142,9 +142,9 @@ void CaseController::connectNotes()
     connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
     connect(&treeActions_, &TreeActions::refused, &notices_, &Notices::showNote);
     connect(&views_, &ViewController::refused, &notices_, &Notices::showNote);
-    connect(&sideBySide_, &SideBySideController::told, &notices_, &Notices::showNote);
-    connect(&crosshair_, &LinkedCrosshair::told, &notices_, &Notices::showNote);
-    connect(&pivot_, &PivotController::told, &notices_, &Notices::showNote);
+    connect(&sideBySide_, &SideBySideController::reported, &notices_, &Notices::showNote);
+    connect(&crosshair_, &LinkedCrosshair::reported, &notices_, &Notices::showNote);
+    connect(&pivot_, &PivotController::reported, &notices_, &Notices::showNote);
     connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
     connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
@@ -161,10 +161,10 @@ void CaseController::connectTracing()
     connect(&session_.opening(), &OpenController::tookIn, &tracing_, &TracingController::knowWarnings);
     connect(&tracing_, &TracingController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
-    connect(&mask_, &MaskController::told, &notices_, &Notices::showNote);
+    connect(&mask_, &MaskController::reported, &notices_, &Notices::showNote);
     connect(&mask_, &MaskController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
-    connect(&paths_, &PathController::told, &notices_, &Notices::showNote);
+    connect(&paths_, &PathController::reported, &notices_, &Notices::showNote);
     connect(&paths_, &PathController::failed, &notices_, &Notices::showNote);
     connect(&session_.saving(), &SaveController::saved, &mask_, &MaskController::noteSaved);
 }

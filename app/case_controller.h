@@ -18,9 +18,9 @@
 #include "app/editing/tree_actions.h"
 #include "app/files/session_controller.h"
 #include "app/files/title_controller.h"
-#include "app/habits/habits.h"
 #include "app/help/help_controller.h"
 #include "app/help/support_controller.h"
+#include "app/preferences/user_preferences.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
 #include "app/review/detector_radiograph_controller.h"
@@ -80,7 +80,7 @@ public:
     const PosePreview& preview() const { return preview_; }
     FollowController& following() { return follow_; }
     const MovieController& movies() const { return movie_; }
-    Habits& habits() { return habits_; }
+    UserPreferences& preferences() { return preferences_; }
     const ScanController& scan() const { return scan_; }
     const SharedJudgement& judgement() const { return judgement_.current(); }
 
@@ -140,7 +140,7 @@ private:
     RadiographController radiograph_;
     ScanController scan_;
     DetectorRadiographController detectorRadiograph_;
-    Habits habits_;
+    UserPreferences preferences_;
     HelpController help_;
     SupportController support_;
 };

@@ -1,7 +1,7 @@
 #include "app/run_controller.h"
 
 #include "app/document/edit_case.h"
-#include "core/registration/bending_doubt.h"
+#include "core/registration/deformation_check.h"
 #include "core/registration/judging/unfilled_branches.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
@@ -113,13 +113,13 @@ void RunController::showProgress(const RunReport& report)
 
 void RunController::showFinished(const core::RegistrationResult& result)
 {
-    on_.treeView.scene().frameAnew();
+    on_.treeView.scene().frameAgain();
     on_.treeView.requestRender();
-    const QString told = finishedText(result);
+    const QString reported = finishedText(result);
     if (result.trustworthy || result.stopReason == core::StopReason::StoppedByUser) {
-        on_.notices.showNote(told);
+        on_.notices.showNote(reported);
     } else {
-        on_.notices.showWarnings(told);
+        on_.notices.showWarnings(reported);
     }
 }
 
@@ -133,10 +133,10 @@ QString RunController::finishedText(const core::RegistrationResult& result)
         return tr("Registered: median %1 mm").arg(median);
     }
     const auto reason = std::ranges::find_if(result.warnings, core::speaksAgainstTrust);
-    const auto told = reason == result.warnings.end() ? result.warnings.begin() : reason;
+    const auto reported = reason == result.warnings.end() ? result.warnings.begin() : reason;
     return tr("NOT RELIABLE · median %1 mm over %2 % of the tree")
                .arg(median, ui::numberText(100.0 * core::judgedShare(result), 0)) +
-           (told == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*told));
+           (reported == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*reported));
 }
 
 }   // namespace angiopose::app

@@ -5,8 +5,8 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/read_dicom.h"
 #include "io/dicom/write_dicom.h"
-#include "io/fullest_frame.h"
 #include "io/messages/says.h"
+#include "io/peak_frame.h"
 #include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -25,8 +25,8 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
         return raster.error();
     }
     core::Angiogram angiogram;
-    if (raster.value().wasColour) {
-        angiogram.warnings.push_back(says::colourToGrey());
+    if (raster.value().wasColor) {
+        angiogram.warnings.push_back(says::colorToGray());
     }
     if (raster.value().hadAlpha) {
         angiogram.warnings.push_back(says::transparencyIgnored());
@@ -61,10 +61,10 @@ core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std:
 
 core::Result<core::Angiogram> readAngiogram(const std::string& path)
 {
-    return readAngiogram(path, FullestFrame::Sought);
+    return readAngiogram(path, PeakFrame::Sought);
 }
 
-core::Result<core::Angiogram> readAngiogram(const std::string& path, FullestFrame fullest)
+core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame peak)
 {
     const auto input = openInput(path);
     if (!input) {
@@ -89,7 +89,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, FullestFram
     if (result.frames.size() == 1 && core::drawnMask(result.frames.front())) {
         result.warnings.push_back(says::pictureIsMask());
     }
-    if (result.frames.size() > 1 && fullest == FullestFrame::Sought) {
+    if (result.frames.size() > 1 && peak == PeakFrame::Sought) {
         result.suggestedFrame = core::suggestFrame(result.frames, result.polarity, result.shutter);
     }
     return result;

@@ -52,7 +52,7 @@ std::string branchTable(const core::VesselTree& tree)
         if (const auto measured = core::profileOf(branch)) {
             const core::BranchProfile& profile = measured.value();
             table += cellsOf({profile.lengthMm, profile.tortuosity, profile.greatestCurvaturePerMm,
-                              profile.meanDiameterMm, profile.leastDiameterMm, profile.greatestDiameterMm}) +
+                              profile.meanDiameterMm, profile.minDiameterMm, profile.greatestDiameterMm}) +
                      narrowingCells(profile.narrowing) + doubtsCell(profile.doubts);
         } else {
             table += ",,,,,," + narrowingCells({}) + doubtsCell({measured.error().message});

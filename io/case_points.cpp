@@ -2,14 +2,14 @@
 
 namespace angiopose::io {
 
-std::vector<Fiducial> pointsOf(const core::Case& theCase)
+std::vector<Fiducial> pointsOf(const core::Case& session)
 {
     std::vector<Fiducial> points;
-    for (const core::VesselMark& mark : theCase.vessels.marks) {
+    for (const core::VesselMark& mark : session.vessels.marks) {
         const bool isRing = mark.kind == core::VesselMarkKind::OstiumRing;
         points.push_back({mark.pointInPatient, mark.name, isRing ? "ostium ring" : "check point"});
     }
-    for (const core::Landmark& landmark : theCase.shown().landmarks) {
+    for (const core::Landmark& landmark : session.shown().landmarks) {
         points.push_back({landmark.pointInPatient, landmark.name, "landmark"});
     }
     return points;

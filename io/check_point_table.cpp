@@ -62,8 +62,8 @@ std::string viewCells(const core::CheckedView& checked)
     const core::ImageError& error = checked.error.value();
     const auto claimed = checked.claimed ? std::optional(checked.claimed->inPlaneMm) : std::nullopt;
     return where + pixelCells(error.seenPx) + "," + pixelCells(error.expectedPx) + "," + toText(error.px) + "," +
-           toText(error.mm) + "," + known(claimed) + "," + known(checked.bentMm) + "," + toText(error.depthMm) + "," +
-           notes;
+           toText(error.mm) + "," + known(claimed) + "," + known(checked.deformedMm) + "," + toText(error.depthMm) +
+           "," + notes;
 }
 
 std::string spaceCells(const core::CheckedPoint& checked)
@@ -84,8 +84,8 @@ OrderedJson viewJson(const core::CheckedView& checked)
         json["claimedMm"] = checked.claimed ? OrderedJson(checked.claimed->inPlaneMm) : OrderedJson();
         json["depthMm"] = error.depthMm;
     }
-    if (checked.bentMm) {
-        json["bentErrorMm"] = *checked.bentMm;
+    if (checked.deformedMm) {
+        json["bentErrorMm"] = *checked.deformedMm;
     }
     json["notes"] = sentencesOf(core::sentencesOf(checked));
     return json;
@@ -128,10 +128,10 @@ bool isRing(const core::VesselMark& mark)
 
 }   // namespace
 
-std::string checkPointTable(const core::Case& theCase)
+std::string checkPointTable(const core::Case& session)
 {
     std::string table(checkPointHeader);
-    for (const core::CheckedPoint& checked : core::checkedPoints(theCase)) {
+    for (const core::CheckedPoint& checked : core::checkedPoints(session)) {
         const std::string place = placeCells(checked.mark) + ",";
         for (const core::CheckedView& view : checked.views) {
             table += place + viewCells(view) + "\n";
@@ -142,24 +142,24 @@ std::string checkPointTable(const core::Case& theCase)
             table += place + ",,,,,,,,,,," + noteCell(core::spaceSentences(checked)) + "\n";
         }
     }
-    for (const core::VesselMark& mark : theCase.vessels.marks) {
+    for (const core::VesselMark& mark : session.vessels.marks) {
         table += isRing(mark) ? placeCells(mark) + ",,,,,,,,,,,,\n" : std::string();
     }
     return table;
 }
 
-core::Status writeCheckPoints(const core::Case& theCase, const std::string& path)
+core::Status writeCheckPoints(const core::Case& session, const std::string& path)
 {
-    return writeAtomically(path, checkPointTable(theCase));
+    return writeAtomically(path, checkPointTable(session));
 }
 
-std::string checkPointJson(const core::Case& theCase)
+std::string checkPointJson(const core::Case& session)
 {
     OrderedJson list = OrderedJson::array();
-    for (const core::CheckedPoint& checked : core::checkedPoints(theCase)) {
+    for (const core::CheckedPoint& checked : core::checkedPoints(session)) {
         list.push_back(checkedJson(checked));
     }
-    for (const core::VesselMark& mark : theCase.vessels.marks) {
+    for (const core::VesselMark& mark : session.vessels.marks) {
         if (isRing(mark)) {
             list.push_back(pointJson(mark));
         }

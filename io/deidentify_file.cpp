@@ -24,7 +24,7 @@ void addNew(const core::Messages& from, core::Messages& to)
     }
 }
 
-core::Result<NamelessDicom> namelessOf(const std::string& path, const Deidentification& wished,
+core::Result<NamelessDicom> namelessOf(const std::string& path, const Deidentification& requested,
                                        const Pseudonyms& pseudonyms)
 {
     const auto input = openDicom(path);
@@ -32,13 +32,13 @@ core::Result<NamelessDicom> namelessOf(const std::string& path, const Deidentifi
         return input.error();
     }
     const auto file = parseDicom(input.value().view(), path);
-    return file ? withoutIdentity(file.value(), path, wished, pseudonyms) : file.error();
+    return file ? withoutIdentity(file.value(), path, requested, pseudonyms) : file.error();
 }
 
 }   // namespace
 
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
-                                            const Deidentification& wished, const Pseudonyms& pseudonyms)
+                                            const Deidentification& requested, const Pseudonyms& pseudonyms)
 {
     if (!isDicomFile(path)) {
         const auto input = openInput(path);
@@ -46,7 +46,7 @@ core::Result<core::Messages> deidentifyFile(const std::string& path, const std::
         const core::Status written = stripped ? writeAtomically(output, stripped.value()) : stripped.error();
         return written ? core::Result<core::Messages>(core::Messages{}) : written.error();
     }
-    const auto nameless = namelessOf(path, wished, pseudonyms);
+    const auto nameless = namelessOf(path, requested, pseudonyms);
     if (!nameless) {
         return nameless.error();
     }
@@ -55,7 +55,7 @@ core::Result<core::Messages> deidentifyFile(const std::string& path, const std::
 }
 
 core::Result<core::Messages> deidentifyFolder(const std::string& path, const std::string& output,
-                                              const Deidentification& wished, const Pseudonyms& pseudonyms,
+                                              const Deidentification& requested, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe)
 {
     const auto files = filesInFolder(path, Reach::Below);
@@ -70,7 +70,7 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
     std::size_t leftOut = 0;
     for (std::size_t n = 0; n < files.value().size(); ++n) {
         const std::string& file = files.value()[n];
-        const auto image = namelessOf(file, wished, pseudonyms);
+        const auto image = namelessOf(file, requested, pseudonyms);
         if (!image) {
             if (++leftOut == 1) {
                 warnings.push_back(image.error().message);
@@ -82,7 +82,7 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
         }
         addNew(image.value().warnings, warnings);
         const double done = static_cast<double>(n + 1) / static_cast<double>(files.value().size());
-        if (isStopWished(observe, done)) {
+        if (isStopRequested(observe, done)) {
             return stoppedReading(path);
         }
     }

@@ -11,13 +11,13 @@ namespace angiopose::io {
 
 /// Writes a DICOM image or object, PNG, JPEG or TIFF without identity (FORMATS §7); warnings name what to look at.
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
-                                            const Deidentification& wished, const Pseudonyms& pseudonyms);
+                                            const Deidentification& requested, const Pseudonyms& pseudonyms);
 
 /// Writes the DICOM images and objects of a folder and of those below it to `series-1/00001.dcm` and on in `output`, a
 /// new or empty folder; series come in the order of their files' names. Other files are left out with a word. When it
 /// fails or is stopped, nothing is left behind.
 core::Result<core::Messages> deidentifyFolder(const std::string& path, const std::string& output,
-                                              const Deidentification& wished, const Pseudonyms& pseudonyms,
+                                              const Deidentification& requested, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

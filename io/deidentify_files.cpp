@@ -42,8 +42,8 @@ std::string pictureEnding(std::string_view picture)
 
 class FileCleaner {
 public:
-    FileCleaner(const std::string& output, const Deidentification& wished, const Pseudonyms& pseudonyms)
-        : folder_(output), wished_(wished), pseudonyms_(pseudonyms)
+    FileCleaner(const std::string& output, const Deidentification& requested, const Pseudonyms& pseudonyms)
+        : folder_(output), requested_(requested), pseudonyms_(pseudonyms)
     {
     }
 
@@ -65,7 +65,7 @@ private:
     {
         const auto input = openDicom(path);
         const auto file = input ? parseDicom(input.value().view(), path) : core::Result<DicomFile>(input.error());
-        const auto image = file ? withoutIdentity(file.value(), path, wished_, pseudonyms_)
+        const auto image = file ? withoutIdentity(file.value(), path, requested_, pseudonyms_)
                                 : core::Result<NamelessDicom>(file.error());
         if (!image) {
             return refuse(image.error());
@@ -100,7 +100,7 @@ private:
     }
 
     OutputFolder folder_;
-    const Deidentification& wished_;
+    const Deidentification& requested_;
     const Pseudonyms& pseudonyms_;
     DeidentifiedFiles done_;
 };
@@ -108,19 +108,19 @@ private:
 }   // namespace
 
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
-                                                const Deidentification& wished, const Pseudonyms& pseudonyms,
+                                                const Deidentification& requested, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe)
 {
     const auto files = filesOfAll(paths);
     if (!files) {
         return files.error();
     }
-    FileCleaner cleaner(output, wished, pseudonyms);
+    FileCleaner cleaner(output, requested, pseudonyms);
     if (const auto opened = cleaner.open(); !opened) {
         return opened.error();
     }
     for (std::size_t n = 0; n < files.value().size(); ++n) {
-        if (isStopWished(observe, static_cast<double>(n) / static_cast<double>(files.value().size()))) {
+        if (isStopRequested(observe, static_cast<double>(n) / static_cast<double>(files.value().size()))) {
             return stoppedReading(output);
         }
         if (const auto taken = cleaner.take(files.value()[n]); !taken) {

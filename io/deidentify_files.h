@@ -19,7 +19,7 @@ struct DeidentifiedFiles {
 /// and objects as `series-1/00001.dcm`, PNG, JPEG and TIFF as `picture-1.png`. What is neither is refused and told.
 /// Fails, leaving nothing behind, where nothing could be written, or when it is stopped.
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
-                                                const Deidentification& wished, const Pseudonyms& pseudonyms,
+                                                const Deidentification& requested, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

@@ -23,7 +23,7 @@ core::Result<std::vector<DicomSeries>> scan(const std::string& folder, Reach rea
     std::vector<DicomImages> images;
     const auto total = static_cast<double>(files.value().size());
     for (std::size_t i = 0; i < files.value().size(); ++i) {
-        if (i % 16 == 0 && isStopWished(observe, static_cast<double>(i) / total)) {
+        if (i % 16 == 0 && isStopRequested(observe, static_cast<double>(i) / total)) {
             return stoppedReading(folder);
         }
         if (auto image = readSliceRecords(files.value()[i])) {

@@ -30,7 +30,7 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
     }
 }
 
-constexpr double mostGrey = 65535.0;
+constexpr double maxGray = 65535.0;
 
 /// Nine digits tell a float exactly.
 std::string slopeText(double value)
@@ -41,12 +41,12 @@ std::string slopeText(double value)
 }
 
 /// value = slope · grey + offset
-struct GreyScale {
+struct GrayScale {
     double slope = 1.0;
     double offset = 0.0;
 };
 
-GreyScale greyScaleOf(const core::Angiogram& run)
+GrayScale grayScaleOf(const core::Angiogram& run)
 {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -58,10 +58,10 @@ GreyScale greyScaleOf(const core::Angiogram& run)
             isInteger = isInteger && value == std::floor(value);
         }
     }
-    if (isInteger && least >= 0.0 && most <= mostGrey) {
+    if (isInteger && least >= 0.0 && most <= maxGray) {
         return {};
     }
-    return {most > least ? (most - least) / mostGrey : 1.0, least};
+    return {most > least ? (most - least) / maxGray : 1.0, least};
 }
 
 }   // namespace
@@ -72,18 +72,18 @@ core::Status writePng(const core::ColorImage& image, const std::string& path,
     return writePixels({image.width, image.height, 3, &image.rgb, 8, dotsPerInch}, path, texts);
 }
 
-core::Status writeGreyPng(const core::Angiogram& run, int frame, const std::string& path,
+core::Status writeGrayPng(const core::Angiogram& run, int frame, const std::string& path,
                           std::map<std::string, std::string> texts, double dotsPerInch)
 {
     const core::ImageF& picture = run.frames[static_cast<std::size_t>(frame)];
-    const GreyScale scale = greyScaleOf(run);
+    const GrayScale scale = grayScaleOf(run);
     std::vector<std::uint8_t> bytes;
     bytes.reserve(2 * picture.pixels.size());
     for (const float value : picture.pixels) {
-        const auto grey = static_cast<unsigned>(
-            std::clamp<long>(std::lround((value - scale.offset) / scale.slope), 0, static_cast<long>(mostGrey)));
-        bytes.push_back(static_cast<std::uint8_t>(grey >> 8U));
-        bytes.push_back(static_cast<std::uint8_t>(grey & 0xffU));
+        const auto gray = static_cast<unsigned>(
+            std::clamp<long>(std::lround((value - scale.offset) / scale.slope), 0, static_cast<long>(maxGray)));
+        bytes.push_back(static_cast<std::uint8_t>(gray >> 8U));
+        bytes.push_back(static_cast<std::uint8_t>(gray & 0xffU));
     }
     texts["Values"] = "grey * " + slopeText(scale.slope) + " + " + slopeText(scale.offset);
     return writePixels({picture.width, picture.height, 1, &bytes, 16, dotsPerInch}, path, texts);

@@ -15,7 +15,7 @@ core::Status writePng(const core::ColorImage& image, const std::string& path,
 
 /// Writes a frame's grey values as 16-bit PNG: as they are where the whole run has integers of 0…65535, else stretched,
 /// for all frames alike. A text chunk "Values" says how values follow from grey.
-core::Status writeGreyPng(const core::Angiogram& run, int frame, const std::string& path,
+core::Status writeGrayPng(const core::Angiogram& run, int frame, const std::string& path,
                           std::map<std::string, std::string> texts, double dotsPerInch = 0.0);
 
 /// Writes an 8-bit grey PNG (0 and 255).

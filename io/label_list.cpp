@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostMentioned = 8;
+constexpr std::size_t maxMentioned = 8;
 
 template <std::size_t Count>
 bool holdsAny(const std::string& name, const std::array<std::string_view, Count>& words)
@@ -130,10 +130,10 @@ std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels)
 std::vector<std::string> labelTexts(const std::vector<ListedLabel>& labels)
 {
     std::vector<std::string> texts;
-    for (std::size_t i = 0; i < std::min(labels.size(), mostMentioned); ++i) {
+    for (std::size_t i = 0; i < std::min(labels.size(), maxMentioned); ++i) {
         texts.push_back(std::to_string(labels[i].label) + (labels[i].name.empty() ? "" : " " + labels[i].name));
     }
-    if (labels.size() > mostMentioned) {
+    if (labels.size() > maxMentioned) {
         texts.emplace_back("…");
     }
     return texts;

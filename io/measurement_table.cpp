@@ -105,24 +105,24 @@ void addSliceRow(std::string& table, const core::SliceMeasurement& measurement, 
 
 }   // namespace
 
-std::string measurementTable(const core::Case& theCase)
+std::string measurementTable(const core::Case& session)
 {
     std::string table(measurementHeader);
-    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
-        for (const core::ImageMeasurement& measurement : theCase.views[place].measurements) {
-            addMeasurementRow(table, place, {theCase.views[place], theCase.vessels.tree.get()}, measurement);
+    for (std::size_t place = 0; place < session.views.size(); ++place) {
+        for (const core::ImageMeasurement& measurement : session.views[place].measurements) {
+            addMeasurementRow(table, place, {session.views[place], session.vessels.tree.get()}, measurement);
         }
     }
-    const core::VolumeGeometry* scan = theCase.vessels.scan ? &theCase.vessels.scan->geometry : nullptr;
-    for (const core::SliceMeasurement& measurement : theCase.vessels.measurements) {
+    const core::VolumeGeometry* scan = session.vessels.scan ? &session.vessels.scan->geometry : nullptr;
+    for (const core::SliceMeasurement& measurement : session.vessels.measurements) {
         addSliceRow(table, measurement, scan);
     }
     return table;
 }
 
-core::Status writeMeasurements(const core::Case& theCase, const std::string& path)
+core::Status writeMeasurements(const core::Case& session, const std::string& path)
 {
-    return writeAtomically(path, measurementTable(theCase));
+    return writeAtomically(path, measurementTable(session));
 }
 
 }   // namespace angiopose::io

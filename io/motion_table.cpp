@@ -1,6 +1,6 @@
 #include "io/motion_table.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "io/support/atomic_file.h"
 #include "io/support/numbers.h"
 
@@ -28,13 +28,13 @@ void addRow(const core::VesselBranch& branch, const core::BranchMotion& motion, 
 
 }   // namespace
 
-core::Status writeMotion(const core::VesselTree& tree, const core::DeformableResult& bent, const std::string& path)
+core::Status writeMotion(const core::VesselTree& tree, const core::DeformableResult& deformed, const std::string& path)
 {
     std::string table = "x,y,z,radius,branch,dx,dy,dz,inPlaneSigma,depthSigma\n";
     const std::vector<core::VesselBranch> none;
-    for (const core::VesselBranch& branch : core::isOf(tree, bent) ? tree.branches : none) {
+    for (const core::VesselBranch& branch : core::isOf(tree, deformed) ? tree.branches : none) {
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-            addRow(branch, *core::motionOf(bent, branch.id), i, table);
+            addRow(branch, *core::motionOf(deformed, branch.id), i, table);
         }
     }
     return writeAtomically(path, table);

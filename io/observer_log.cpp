@@ -41,13 +41,13 @@ std::string pivotCells(const Eigen::Vector3d& pivot)
 std::string rowOf(const ObserverTrial& trial)
 {
     const core::PoseDifference difference =
-        core::differenceBetween(trial.centrePose, trial.finalPose, trial.pivotInPatient);
+        core::differenceBetween(trial.centerPose, trial.finalPose, trial.pivotInPatient);
     return csvCell(trial.startedAt) + "," + csvCell(trial.observer) + "," + csvCell(trial.caseTitle) + "," +
            csvCell(trial.imageSha256) + "," + std::to_string(trial.frame) + "," + std::to_string(trial.seed) + "," +
            toText(trial.rangeMm) + "," + toText(trial.rangeDeg) + "," + toText(trial.durationS) + "," +
            std::to_string(trial.editCount) + (trial.isAbandoned ? ",abandoned," : ",done,") +
            toText(difference.inPlaneMm) + "," + toText(difference.depthMm) + "," + toText(difference.rotationDeg) +
-           "," + poseCells(trial.startPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centrePose);
+           "," + poseCells(trial.startPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centerPose);
 }
 
 }   // namespace

@@ -23,7 +23,7 @@ struct ObserverTrial {
     bool isAbandoned = false;
     core::RigidTransform startPose;   ///< cameraFromPatient
     core::RigidTransform finalPose;
-    core::RigidTransform centrePose;   ///< of the range: the pose before the trial
+    core::RigidTransform centerPose;   ///< of the range: the pose before the trial
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
 };
 

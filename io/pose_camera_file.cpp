@@ -67,7 +67,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
     if (const auto valid = checkJson(text, path); !valid) {
         return valid.error();
     }
-    if (const NamedMatrices matrices = matricesOfJson(text); tellSight(matrices)) {
+    if (const NamedMatrices matrices = matricesOfJson(text); reportSight(matrices)) {
         return withCamera(sightOf(matrices), path);
     }
     try {

@@ -29,7 +29,7 @@ core::Result<core::Sight> sightOf(const DiffDrrParts& parts)
         return core::Error(says::diffDrrKeys("pose"));
     }
     return core::sightFromDiffDrr(
-        {*parts.detector, *parts.pose, parts.volumeCentreInPatient.value_or(Eigen::Vector3d::Zero())});
+        {*parts.detector, *parts.pose, parts.volumeCenterInPatient.value_or(Eigen::Vector3d::Zero())});
 }
 
 core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path)

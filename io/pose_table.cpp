@@ -19,8 +19,8 @@ core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const s
                 table += "," + toText(matrix(row, column));
             }
         }
-        table += frame.bent && !frame.bentAsInFrame
-                     ? "," + toText(frame.bent->meanMotionMm) + "," + toText(frame.bent->largestMotionMm)
+        table += frame.deformed && !frame.deformedAsInFrame
+                     ? "," + toText(frame.deformed->meanMotionMm) + "," + toText(frame.deformed->largestMotionMm)
                      : ",,";
         table += "\n";
     }

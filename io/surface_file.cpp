@@ -87,7 +87,7 @@ core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& ru
         return fileError(path, says::surfaceCoordinate());
     }
     bool isStopped = false;
-    mesh = core::welded(mesh, [&] { return !(isStopped = isStopped || isStopWished(observe, 1.0)); });
+    mesh = core::welded(mesh, [&] { return !(isStopped = isStopped || isStopRequested(observe, 1.0)); });
     return isStopped ? core::Result<LoadedSurface>(stoppedReading(path)) : loaded;
 }
 

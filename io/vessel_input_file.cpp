@@ -97,11 +97,11 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
                                                                           core::Quantity::asNeeded, "m"}));
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;
-    if (isStopWished(observe, surfaceShare)) {
+    if (isStopRequested(observe, surfaceShare)) {
         return stoppedReading(path);
     }
-    const auto goesOn = [&] { return !isStopWished(observe, surfaceShare); };
-    const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh), goesOn);
+    const auto shouldContinue = [&] { return !isStopRequested(observe, surfaceShare); };
+    const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh), shouldContinue);
     if (mask.isStopped()) {
         return stoppedReading(path);
     }

@@ -52,7 +52,7 @@ MainWindow::MainWindow(QWidget* parent)
       sideBySide_(new SideBySide(*angiogramView_)),
       views_(new ViewStrip),
       welcome_(new WelcomePage),
-      centre_(new QStackedWidget),
+      center_(new QStackedWidget),
       imageFrame_(new ViewFrame(*makeImagePlace(), [] { return tr("AngioPose: angiogram"); })),
       cornerFrame_(new ViewFrame(*corner_, [] { return tr("AngioPose: 3-D and slices"); })),
       slicesFrame_(new ViewFrame(*slicesPage_, [] { return tr("AngioPose: slices"); })),
@@ -113,7 +113,7 @@ void MainWindow::layOut()
 {
     columns_->setProperty("role", "columns");
     columns_->addWidget(leftColumn_);
-    columns_->addWidget(makeCentre());
+    columns_->addWidget(makeCenter());
     columns_->addWidget(rightColumn_);
     columns_->setStretchFactor(1, 1);
     columns_->setChildrenCollapsible(false);
@@ -164,16 +164,16 @@ QWidget* MainWindow::makeImagePlace()
     return place;
 }
 
-QWidget* MainWindow::makeCentre()
+QWidget* MainWindow::makeCenter()
 {
     imageFrame_->setProperty("role", "canvas");
     imageFrame_->setAttribute(Qt::WA_StyledBackground);
-    centre_->addWidget(welcome_);
-    centre_->addWidget(imageFrame_);
+    center_->addWidget(welcome_);
+    center_->addWidget(imageFrame_);
     slicesPage_->setSidePanel(tracing_);
-    centre_->addWidget(slicesFrame_);
-    centre_->setMinimumWidth(320);
-    return centre_;
+    center_->addWidget(slicesFrame_);
+    center_->setMinimumWidth(320);
+    return center_;
 }
 
 QWidget* MainWindow::makeRightColumn()
@@ -247,7 +247,7 @@ void MainWindow::showInRightColumn(QWidget* panel)
 
 void MainWindow::showImagePage()
 {
-    centre_->setCurrentWidget(slicesLarge_ && !slicesFrame_->isOut() ? slicesFrame_ : imageFrame_);
+    center_->setCurrentWidget(slicesLarge_ && !slicesFrame_->isOut() ? slicesFrame_ : imageFrame_);
 }
 
 void MainWindow::setSlicesLarge(bool large)
@@ -256,7 +256,7 @@ void MainWindow::setSlicesLarge(bool large)
     if (!large) {
         slicesFrame_->setOut(false);
     }
-    if (centre_->currentWidget() != welcome_) {
+    if (center_->currentWidget() != welcome_) {
         showImagePage();
     }
     QWidget* shown = large ? static_cast<QWidget*>(&slicesPage_->view(core::BodyPlane::Axial)) : angiogramView_;
@@ -280,7 +280,7 @@ void MainWindow::connectFrames()
     for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
         connect(frame, &ViewFrame::outChanged, this, [this] {
             placeViews();
-            if (centre_->currentWidget() != welcome_) {
+            if (center_->currentWidget() != welcome_) {
                 showImagePage();
             }
         });
@@ -315,13 +315,13 @@ void MainWindow::placeViews()
     cornerFrame_->setVisible(!cornerFrame_->isOut());
     leftColumn_->holdOpen(cornerAlone);
     leftColumn_->setVisible(!alone_ || cornerAlone);
-    centre_->setVisible(!cornerAlone);
+    center_->setVisible(!cornerAlone);
     rightColumn_->setVisible(!alone_);
 }
 
 void MainWindow::showWelcomePage()
 {
-    centre_->setCurrentWidget(welcome_);
+    center_->setCurrentWidget(welcome_);
     emit welcomeShown();
 }
 

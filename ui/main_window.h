@@ -117,7 +117,7 @@ protected:
 private:
     void layOut();
     QWidget* makeLeftColumn();
-    QWidget* makeCentre();
+    QWidget* makeCenter();
     QWidget* makeImagePlace();
     void connectSlices();
     void connectFrames();
@@ -146,7 +146,7 @@ private:
     SideBySide* sideBySide_;
     ViewStrip* views_;
     WelcomePage* welcome_;
-    QStackedWidget* centre_;
+    QStackedWidget* center_;
     ViewFrame* imageFrame_;
     ViewFrame* cornerFrame_;
     ViewFrame* slicesFrame_;

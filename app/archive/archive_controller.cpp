@@ -1,9 +1,9 @@
 #include "app/archive/archive_controller.h"
 
-#include "app/archive/archive_habits.h"
 #include "app/archive/archive_nodes.h"
 #include "app/archive/archive_port.h"
 #include "app/archive/archive_retrieval.h"
+#include "app/archive/archive_settings.h"
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/receive_line.h"
 #include "ui/archive/search_fields.h"
@@ -24,7 +24,7 @@ ArchiveController::ArchiveController(const Ui& ui, QObject* parent) : QObject(pa
         if (dialog_ && !problem.isEmpty()) {
             dialog_->line().showProblem(problem);
         } else if (!problem.isEmpty()) {
-            emit told(problem);
+            emit reported(problem);
         }
     });
 }
@@ -75,9 +75,9 @@ void ArchiveController::connectPort()
 void ArchiveController::retrieve()
 {
     const auto node = nodes_->node();
-    const auto wishes = finder_->wishes();
-    if (node && !wishes.empty()) {
-        retrieval_->start(*node, list_.settings(), wishes);
+    const auto requests = finder_->requests();
+    if (node && !requests.empty()) {
+        retrieval_->start(*node, list_.settings(), requests);
     }
 }
 
@@ -121,7 +121,7 @@ void ArchiveController::showPort()
 {
     if (!dialog_) {
         if (const QString words = portWords(); !words.isEmpty()) {
-            emit told(words);
+            emit reported(words);
         }
         return;
     }

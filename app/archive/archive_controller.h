@@ -36,7 +36,7 @@ public:
 signals:
     /// Folders of series, and what they are called together.
     void retrieved(const QStringList& folders, const QString& name);
-    void told(const QString& words);   ///< of the port, while the dialog is closed
+    void reported(const QString& words);   ///< of the port, while the dialog is closed
     void unaudited(const QString& reason);   ///< what came is not in the audit file
 
 private:

@@ -1,6 +1,6 @@
 #include "app/archive/archive_finder.h"
 
-#include "app/archive/archive_habits.h"
+#include "app/archive/archive_settings.h"
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
 #include "ui/archive/archive_dialog.h"
@@ -168,22 +168,22 @@ void ArchiveFinder::takeSeries(const io::ArchiveMatches& series)
 }
 
 /// A study that is chosen itself comes whole, whichever of its series are chosen beside it.
-std::vector<io::RetrieveWish> ArchiveFinder::wishes() const
+std::vector<io::RetrieveRequest> ArchiveFinder::requests() const
 {
-    std::vector<io::RetrieveWish> wishes;
+    std::vector<io::RetrieveRequest> requests;
     for (const auto& [study, series] : dialog_.list().chosen()) {
-        auto wish = std::ranges::find(wishes, study.toStdString(), &io::RetrieveWish::studyUid);
-        const bool isNew = wish == wishes.end();
+        auto request = std::ranges::find(requests, study.toStdString(), &io::RetrieveRequest::studyUid);
+        const bool isNew = request == requests.end();
         if (isNew) {
-            wish = wishes.insert(wish, {study.toStdString(), {}});
+            request = requests.insert(request, {study.toStdString(), {}});
         }
         if (series.isEmpty()) {
-            wish->seriesUids.clear();
-        } else if (isNew || !wish->seriesUids.empty()) {
-            wish->seriesUids.push_back(series.toStdString());
+            request->seriesUids.clear();
+        } else if (isNew || !request->seriesUids.empty()) {
+            request->seriesUids.push_back(series.toStdString());
         }
     }
-    return wishes;
+    return requests;
 }
 
 }   // namespace angiopose::app

@@ -32,7 +32,7 @@ public:
 
     /// Searches go there from now on; what another one held is not shown any more.
     void follow(const std::optional<io::ArchiveNode>& node);
-    std::vector<io::RetrieveWish> wishes() const;   ///< what is chosen, by study
+    std::vector<io::RetrieveRequest> requests() const;   ///< what is chosen, by study
 
 private:
     void find();

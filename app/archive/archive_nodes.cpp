@@ -1,6 +1,6 @@
 #include "app/archive/archive_nodes.h"
 
-#include "app/archive/archive_habits.h"
+#include "app/archive/archive_settings.h"
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
 #include "ui/archive/node_dialog.h"

@@ -1,6 +1,6 @@
 #include "app/archive/archive_port.h"
 
-#include "app/archive/archive_habits.h"
+#include "app/archive/archive_settings.h"
 #include "app/archive/archive_words.h"
 #include "app/archive/network_wait.h"
 #include "app/preferences/save_folder.h"
@@ -60,21 +60,21 @@ private:
     PortJob::Link& link_;
 };
 
-PortJob::Outcome receive(const ArchivePort::Wish& wish, const std::string& auditFile, PortJob::Link& link)
+PortJob::Outcome receive(const ArchivePort::Request& request, const std::string& auditFile, PortJob::Link& link)
 {
     const NetworkWait waiting;
-    const auto store = io::ObjectStore::open(wish.folder, io::defaultObjectBytes);
+    const auto store = io::ObjectStore::open(request.folder, io::defaultObjectBytes);
     if (!store) {
         return store.error();
     }
-    auto listening = io::Receiver::listen(wish.options);
+    auto listening = io::Receiver::listen(request.options);
     if (!listening) {
         return listening.error();
     }
     io::Receiver receiver = std::move(listening).value();
     io::TransferReport report;
     const io::ArchiveObserver observe = [&link](const io::ArchiveProgress&) { return link.verdict(); };
-    io::Arrivals arrivals(store.value(), {wish.mostBytes, io::StoreLimit::WhenFull::DropOldest}, report, observe);
+    io::Arrivals arrivals(store.value(), {request.maxBytes, io::StoreLimit::WhenFull::DropOldest}, report, observe);
     PortNews news(arrivals, auditFile, link);
     receiver.serve(arrivals, [&link, &news] {
         news.noteWhenDue();
@@ -125,11 +125,12 @@ ArchivePort::ArchivePort(QObject* parent)
 {
 }
 
-void ArchivePort::open(const Wish& wish)
+void ArchivePort::open(const Request& request)
 {
     arrived_ = {};
-    port_ = wish.options.port;
-    job_.start([wish, audit = auditPath().toStdString()](PortJob::Link& link) { return receive(wish, audit, link); });
+    port_ = request.options.port;
+    job_.start(
+        [request, audit = auditPath().toStdString()](PortJob::Link& link) { return receive(request, audit, link); });
 }
 
 void ArchivePort::take(const Arrived& arrived)

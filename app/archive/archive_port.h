@@ -21,10 +21,10 @@ namespace angiopose::app {
 class ArchivePort : public QObject {
     Q_OBJECT
 public:
-    struct Wish {
+    struct Request {
         io::ReceiverOptions options;
         std::string folder;
-        std::uint64_t mostBytes = 0;
+        std::uint64_t maxBytes = 0;
     };
     /// What came since it was switched on.
     struct Arrived {
@@ -36,7 +36,7 @@ public:
 
     explicit ArchivePort(QObject* parent = nullptr);
 
-    void open(const Wish& wish);
+    void open(const Request& request);
     void close();   ///< returns at once; `closed` follows
     bool isOpen() const { return job_.isRunning(); }
     const Arrived& arrived() const { return arrived_; }

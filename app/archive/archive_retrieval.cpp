@@ -70,23 +70,23 @@ ArchiveRetrieval::ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent)
 
 ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveNode& node,
                                                               const io::ArchiveSettings& settings,
-                                                              const std::vector<io::RetrieveWish>& wishes)
+                                                              const std::vector<io::RetrieveRequest>& requests)
 {
     const std::string audit = auditPath().toStdString();
-    return [node, settings, wishes, audit](JobLink<Progress>& link) -> core::Result<Came> {
+    return [node, settings, requests, audit](JobLink<Progress>& link) -> core::Result<Came> {
         const NetworkWait waiting;
         const auto store = io::ObjectStore::open(settings.cache(), io::defaultObjectBytes);
         if (!store) {
             return store.error();
         }
         io::StoreLimit limit;
-        limit.mostBytes = settings.cacheBytes;
+        limit.maxBytes = settings.cacheBytes;
         io::TransferReport sum;
-        for (std::size_t i = 0; i < wishes.size() && !sum.end; ++i) {
+        for (std::size_t i = 0; i < requests.size() && !sum.end; ++i) {
             const auto observe = [&](const io::ArchiveProgress& progress) {
-                return link.tell({progress, i + 1, wishes.size()});
+                return link.tell({progress, i + 1, requests.size()});
             };
-            add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, wishes[i], store.value(), limit, observe));
+            add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, requests[i], store.value(), limit, observe));
         }
         // Here and not by who hears of it: the dialog may be closed by then, and what came stays all the same.
         io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, node.name});
@@ -99,12 +99,12 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
 }
 
 void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
-                             const std::vector<io::RetrieveWish>& wishes)
+                             const std::vector<io::RetrieveRequest>& requests)
 {
     hasBegun_ = false;
     dialog_.offerPart(false);
     dialog_.line().showBusy(tr("Asking %1 …").arg(QString::fromStdString(node.name)));
-    job_.start(workOf(node, settings, wishes));
+    job_.start(workOf(node, settings, requests));
 }
 
 /// Before anything came, what hangs is not waited for.

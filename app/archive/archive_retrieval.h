@@ -24,7 +24,7 @@ public:
     explicit ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent = nullptr);
 
     void start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
-               const std::vector<io::RetrieveWish>& wishes);
+               const std::vector<io::RetrieveRequest>& requests);
     const QStringList& folders() const { return folders_; }   ///< of the series that came, in part at least
 
 signals:
@@ -45,7 +45,7 @@ private:
     using RetrievalJob = Job<Came, Progress>;
 
     static RetrievalJob::Work workOf(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
-                                     const std::vector<io::RetrieveWish>& wishes);
+                                     const std::vector<io::RetrieveRequest>& requests);
     void stop();
     void follow(const Progress& progress);
     void take(const io::TransferReport& report);

@@ -56,10 +56,10 @@ int runAngles(const AnglesArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error(), arguments.format);
     }
-    const core::Case& theCase = loaded.value();
-    const auto sight = core::sightOf(*theCase.vessels.tree, arguments.branchId,
+    const core::Case& session = loaded.value();
+    const auto sight = core::sightOf(*session.vessels.tree, arguments.branchId,
                                      arguments.isTakeOff ? core::SightOf::TakeOff : core::SightOf::Branch);
-    const auto poseAt = core::turningGantry(theCase.shown());
+    const auto poseAt = core::turningGantry(session.shown());
     if (!sight || !poseAt) {
         return failInput((sight ? poseAt.error() : sight.error()).about(arguments.casePath), arguments.format);
     }
@@ -71,10 +71,10 @@ int runAngles(const AnglesArguments& arguments)
     if (!map) {
         return failInput(map.error(), arguments.format);
     }
-    if (theCase.vessels.tree->find(arguments.branchId)->radiusMm.empty()) {
+    if (session.vessels.tree->find(arguments.branchId)->radiusMm.empty()) {
         printWarnings({core::says::radiiAssumed()});
     }
-    const core::GantryAngles now = *core::gantryAnglesOf(theCase.shown());
+    const core::GantryAngles now = *core::gantryAnglesOf(session.shown());
     printAll({now, sight.value().from(poseAt.value()(now))}, map.value(), arguments.format);
     if (!arguments.outputPath.empty()) {
         if (const auto status = io::writeAngleMap(map.value(), arguments.outputPath); !status) {

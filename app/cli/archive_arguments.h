@@ -27,10 +27,10 @@ struct ArchiveFindArguments {
 
 struct ArchiveRetrieveArguments {
     ArchiveArguments common;
-    io::RetrieveWish wish;
+    io::RetrieveRequest request;
     std::string folder;   ///< empty: the cache
     std::string auditFile;   ///< empty: none
-    double mostObjectGb = 4.0;
+    double maxObjectGb = 4.0;
 };
 
 struct ArchiveSendArguments {
@@ -42,8 +42,8 @@ struct ArchiveReceiveArguments {
     io::ReceiverOptions options;
     std::string folder;
     std::string auditFile;   ///< empty: none
-    double mostObjectGb = 4.0;
-    double mostGb = 0.0;   ///< of the folder; 0: as much as the disk takes
+    double maxObjectGb = 4.0;
+    double maxGb = 0.0;   ///< of the folder; 0: as much as the disk takes
     std::size_t count = 0;   ///< ends after so many objects; 0: never
     OutputFormat format = OutputFormat::Text;
 };

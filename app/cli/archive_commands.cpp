@@ -61,10 +61,11 @@ void addRetrieve(CLI::App& archive, int& exitCode)
     auto* command = archive.add_subcommand("retrieve", "Bring a study or series here");
     auto arguments = std::make_shared<ArchiveRetrieveArguments>();
     addNode(*command, arguments->common);
-    command->add_option("--study", arguments->wish.studyUid, "Study instance UID")->required();
-    command->add_option("--series", arguments->wish.seriesUids, "Series instance UID; may be repeated (default: all)");
+    command->add_option("--study", arguments->request.studyUid, "Study instance UID")->required();
+    command->add_option("--series", arguments->request.seriesUids,
+                        "Series instance UID; may be repeated (default: all)");
     command->add_option("--into", arguments->folder, "A folder instead of the cache");
-    command->add_option("--max-object", arguments->mostObjectGb, "Largest object taken, GB")
+    command->add_option("--max-object", arguments->maxObjectGb, "Largest object taken, GB")
         ->check(CLI::Range(1e-6, 1000.0));
     command->footer("Example: angiopose-cli archive retrieve pacs --study 1.2.840.1 --series 1.2.840.1.3");
     command->callback([arguments, &archive, &exitCode] {
@@ -93,9 +94,9 @@ void addReceive(CLI::App& archive, int& exitCode)
     command->add_option("--title", options.ownTitle, "Our AE title; callers must use it")->capture_default_str();
     command->add_option("--from-title", options.titles, "AE title that may call; may be repeated (default: any)");
     command->add_option("--from-host", options.hosts, "Address that may call; may be repeated (default: any)");
-    command->add_option("--max-object", arguments->mostObjectGb, "Largest object taken, GB")
+    command->add_option("--max-object", arguments->maxObjectGb, "Largest object taken, GB")
         ->check(CLI::Range(1e-6, 1000.0));
-    command->add_option("--max-total", arguments->mostGb, "Most that the folder may hold, GB (default: no limit)")
+    command->add_option("--max-total", arguments->maxGb, "Most that the folder may hold, GB (default: no limit)")
         ->check(CLI::Range(1e-6, 1e6));
     command->add_option("--count", arguments->count, "End after so many objects");
     auto* certificate =

@@ -204,14 +204,14 @@ int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
     }
     const bool isCache = arguments.folder.empty();
     const auto store =
-        io::ObjectStore::open(isCache ? settings.value().cache() : arguments.folder, bytesOf(arguments.mostObjectGb));
+        io::ObjectStore::open(isCache ? settings.value().cache() : arguments.folder, bytesOf(arguments.maxObjectGb));
     if (!store) {
         return failInput(store.error(), format);
     }
     io::StoreLimit limit;
-    limit.mostBytes = isCache ? settings.value().cacheBytes : 0;
+    limit.maxBytes = isCache ? settings.value().cacheBytes : 0;
     ProgressLine line("retrieving");
-    const auto report = io::retrieveFromArchive(node.value(), arguments.common.way, arguments.wish, store.value(),
+    const auto report = io::retrieveFromArchive(node.value(), arguments.common.way, arguments.request, store.value(),
                                                 limit, showing(line));
     auditRetrieved(arguments.auditFile, report, node.value().name);
     return finishTransfer(report, "came", format);
@@ -230,7 +230,7 @@ int runArchiveSend(const ArchiveSendArguments& arguments)
 
 int runArchiveReceive(const ArchiveReceiveArguments& arguments)
 {
-    const auto store = io::ObjectStore::open(arguments.folder, bytesOf(arguments.mostObjectGb));
+    const auto store = io::ObjectStore::open(arguments.folder, bytesOf(arguments.maxObjectGb));
     if (!store) {
         return failInput(store.error(), arguments.format);
     }
@@ -244,7 +244,7 @@ int runArchiveReceive(const ArchiveReceiveArguments& arguments)
     printMessage("listening on port " + std::to_string(options.port) + ", Ctrl+C ends it");
     io::TransferReport report;
     const io::ArchiveObserver observer;
-    const io::StoreLimit limit{bytesOf(arguments.mostGb), io::StoreLimit::WhenFull::Refuse};
+    const io::StoreLimit limit{bytesOf(arguments.maxGb), io::StoreLimit::WhenFull::Refuse};
     io::Arrivals arrivals(store.value(), limit, report, observer);
     io::AuditBatch audit(arguments.auditFile, {io::AuditEvent::Received, "angiopose-cli", {}});
     arrivals.tell([&arguments, &audit](const io::StoredObject& object) {

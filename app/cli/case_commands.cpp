@@ -60,7 +60,7 @@ void addRegister(CLI::App& app, int& exitCode)
                         "Case of the same vessels in another view, registered together; may be repeated");
     command->add_flag("--same-patient", arguments->isSamePatient,
                       "All images are of one patient, whatever their headers say: otherwise no result is trusted");
-    command->add_flag("--deformable", arguments->isBending,
+    command->add_flag("--deformable", arguments->isDeformation,
                       "Bend the vessels afterwards where the image asks for it: bent.vtp, motion.csv");
     command->add_option("--output", arguments->outputFolder,
                         "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
@@ -86,7 +86,7 @@ void addTrack(CLI::App& app, int& exitCode)
     command->add_option("--output", arguments->outputPath, "Table of poses to write, .csv")->required();
     command->add_flag("--keep-pose", arguments->keepPose,
                       "Follow from the pose of the case (default: its frame is registered first)");
-    command->add_option("--bent", arguments->bentFolder,
+    command->add_option("--bent", arguments->deformedFolder,
                         "Folder for the vessels as they are bent in each frame (frame0.vtp, …), where they are");
     command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
     command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });

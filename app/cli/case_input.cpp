@@ -13,8 +13,8 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
     core::Messages warnings;
     auto loaded = [&] {
         ProgressLine progress("reading");
-        const io::CaseWish wish{{}, io::FullestFrame::NotNeeded};
-        return io::openCaseWith(wish, path, warnings, [&progress](double fraction) {
+        const io::CaseRequest request{{}, io::PeakFrame::NotNeeded};
+        return io::openCaseWith(request, path, warnings, [&progress](double fraction) {
             progress.show(fraction, "");
             return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
         });
@@ -48,21 +48,21 @@ core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional
     return loaded ? atFrame(std::move(loaded).value(), frame, pair.angiogramPath) : loaded;
 }
 
-core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path)
+core::Result<core::Case> atFrame(core::Case session, std::optional<int> frame, const std::string& path)
 {
     if (!frame) {
-        return theCase;
+        return session;
     }
-    const int frameCount = theCase.shown().angiogram ? theCase.shown().angiogram->frameCount() : 0;
+    const int frameCount = session.shown().angiogram ? session.shown().angiogram->frameCount() : 0;
     if (*frame < 0 || *frame >= frameCount) {
         return core::Error(says::frameBeyondRun(*frame + 1, frameCount).about(path));
     }
-    core::View& shown = theCase.shown();
+    core::View& shown = session.shown();
     if (core::findFrame(shown.followed, *frame) && *frame != shown.frame) {
         shown = core::withFrame(std::move(shown), *frame);
     }
     shown.frame = *frame;
-    return theCase;
+    return session;
 }
 
 }   // namespace angiopose::app

@@ -21,6 +21,6 @@ core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStag
 core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame);
 
 /// The case moved to `frame`, where one is given; fails naming `path` where its run has no such frame.
-core::Result<core::Case> atFrame(core::Case theCase, std::optional<int> frame, const std::string& path);
+core::Result<core::Case> atFrame(core::Case session, std::optional<int> frame, const std::string& path);
 
 }   // namespace angiopose::app

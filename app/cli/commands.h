@@ -33,7 +33,7 @@ struct RegisterArguments {
     std::vector<std::string> locks;   ///< ids of core::PoseAxis; empty: the case's own
     std::optional<int> frame;
     std::vector<std::string> otherViews;   ///< cases registered together with this one, beside its own `views`
-    bool isBending = false;   ///< the vessels are bent after the registration
+    bool isDeformation = false;   ///< the vessels are bent after the registration
     bool isSamePatient = false;   ///< whatever the headers say
     std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;
@@ -43,7 +43,7 @@ int runRegister(const RegisterArguments& arguments);
 struct TrackArguments {
     std::string casePath;
     std::string outputPath;   ///< table of poses
-    std::string bentFolder;   ///< of a tree for every frame in which vessels are bent; empty: none
+    std::string deformedFolder;   ///< of a tree for every frame in which vessels are bent; empty: none
     bool keepPose = false;   ///< follow from the case's pose instead of registering its frame first
 };
 int runTrack(const TrackArguments& arguments);

@@ -171,13 +171,13 @@ Status withoutIdentity(const ConvertArguments& arguments)
     if (!pseudonyms) {
         return pseudonyms.error();
     }
-    const io::Deidentification wished = *deidentificationOf(*arguments.identity);
+    const io::Deidentification requested = *deidentificationOf(*arguments.identity);
     const std::string& in = arguments.inputPath;
     const std::string& out = arguments.outputPath;
     ProgressLine progress("reading");
     const auto done = fs::is_directory(in)
-                          ? io::deidentifyFolder(in, out, wished, pseudonyms.value(), observer(progress))
-                          : io::deidentifyFile(in, out, wished, pseudonyms.value());
+                          ? io::deidentifyFolder(in, out, requested, pseudonyms.value(), observer(progress))
+                          : io::deidentifyFile(in, out, requested, pseudonyms.value());
     if (done) {
         printWarnings(done.value());
     }

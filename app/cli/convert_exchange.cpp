@@ -112,7 +112,7 @@ core::Result<ExchangedPose> readXreg(const std::string& path, std::optional<Exch
 }
 
 /// Middle of the outer voxels' centres, as torchio has it.
-core::Result<std::optional<Eigen::Vector3d>> volumeCentre(const ExchangeArguments& exchange)
+core::Result<std::optional<Eigen::Vector3d>> volumeCenter(const ExchangeArguments& exchange)
 {
     if (exchange.volumePath.empty()) {
         return std::optional<Eigen::Vector3d>();
@@ -141,12 +141,12 @@ core::Result<ExchangedPose> readFromDiffDrr(const std::string& path, const Excha
         }
         view.detector = detector.value().detector;
     }
-    const auto centre = volumeCentre(exchange);
-    if (!centre) {
-        return centre.error();
+    const auto center = volumeCenter(exchange);
+    if (!center) {
+        return center.error();
     }
-    if (centre.value()) {
-        view.volumeCentreInPatient = centre.value();
+    if (center.value()) {
+        view.volumeCenterInPatient = center.value();
     }
     const auto sight = io::sightOf(view);
     if (!sight) {
@@ -189,14 +189,14 @@ Status writeToDiffDrr(const ExchangedPose& pose, const std::string& path, const 
     if (!pose.pose.camera || pose.pose.camera->width == 0) {
         return core::Error(io::says::exchangeNoCamera().about(path));
     }
-    const auto centre = volumeCentre(exchange);
-    if (!centre) {
-        return centre.error();
+    const auto center = volumeCenter(exchange);
+    if (!center) {
+        return center.error();
     }
     const double known = pose.sourceToDetectorMm.value_or(usualSourceToDetectorMm);
     const double sdd = exchange.sourceToDetectorMm > 0.0 ? exchange.sourceToDetectorMm : known;
     return io::writeDiffDrr(core::diffDrrView({*pose.pose.camera, pose.pose.cameraFromPatient}, sdd,
-                                              centre.value().value_or(Eigen::Vector3d::Zero())),
+                                              center.value().value_or(Eigen::Vector3d::Zero())),
                             path);
 }
 

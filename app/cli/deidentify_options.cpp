@@ -6,7 +6,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::size_t leastKeyBytes = 16;
+constexpr std::size_t minKeyBytes = 16;
 
 }   // namespace
 
@@ -38,9 +38,10 @@ std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments
     if (!arguments.isWanted) {
         return {};
     }
-    return io::Deidentification{arguments.dates == "shifted" ? io::KeptDates::Shifted : io::KeptDates::None,
-                                arguments.areLettersBlackedOut ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Told,
-                                arguments.patientName};
+    return io::Deidentification{
+        arguments.dates == "shifted" ? io::KeptDates::Shifted : io::KeptDates::None,
+        arguments.areLettersBlackedOut ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Reported,
+        arguments.patientName};
 }
 
 core::Result<io::Pseudonyms> pseudonymsOf(const DeidentifyArguments& arguments)
@@ -53,7 +54,7 @@ core::Result<io::Pseudonyms> pseudonymsOf(const DeidentifyArguments& arguments)
         return key.error();
     }
     const std::string_view bytes = key.value().view();
-    return bytes.size() < leastKeyBytes
+    return bytes.size() < minKeyBytes
                ? core::Result<io::Pseudonyms>(core::Error(io::says::keyTooShort().about(arguments.keyPath)))
                : io::Pseudonyms(std::string(bytes));
 }

@@ -64,7 +64,7 @@ nlohmann::ordered_json geometryJson(const core::CArm& cArm, const core::Angiogra
         {"secondaryAngleDeg", sourcedJson(cArm.secondaryAngleDeg)},
         {"rollDeg", sourcedJson(cArm.rollDeg)},
         {"principalPointPx", sourcedJson(cArm.principalPointPx)},
-        {"isocentreInPatientMm", sourcedJson(cArm.isocentreInPatientMm)},
+        {"isocentreInPatientMm", sourcedJson(cArm.isocenterInPatientMm)},
         {"mirrored", cArm.mirrored.value.value_or(false)},
         {"shown", shownFrom(cArm)},
     };

@@ -39,13 +39,13 @@ std::string directionText(const Eigen::Vector3d& direction)
 Json gridJson(const core::VolumeGeometry& geometry)
 {
     const Eigen::Vector3d extent = geometry.size.cast<double>().cwiseProduct(geometry.spacingMm);
-    const Eigen::Vector3d centre = geometry.patientFromVoxel() * (0.5 * (geometry.size.cast<double>().array() - 1.0));
+    const Eigen::Vector3d center = geometry.patientFromVoxel() * (0.5 * (geometry.size.cast<double>().array() - 1.0));
     return {
         {"size", listOf(geometry.size)},
         {"spacingMm", listOf(geometry.spacingMm)},
         {"extentMm", listOf(extent)},
         {"originInPatientMm", listOf(geometry.originInPatient)},
-        {"centreInPatientMm", listOf(centre)},
+        {"centreInPatientMm", listOf(center)},
         {"axesRunTo", Json::array({directionText(geometry.direction.col(0)), directionText(geometry.direction.col(1)),
                                    directionText(geometry.direction.col(2))})},
         {"memoryMiB", static_cast<double>(geometry.voxelCount()) * 2.0 / 1048576.0}};

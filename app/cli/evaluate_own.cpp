@@ -52,12 +52,12 @@ core::Result<core::OwnTruth> truthOf(const io::OwnEntry& entry)
         return reference.error();
     }
     truth.cameraFromPatient = reference.value();
-    if (!entry.bentPath.empty()) {
-        auto bent = io::readVesselTree(entry.bentPath);
-        if (!bent) {
-            return bent.error();
+    if (!entry.deformedPath.empty()) {
+        auto deformed = io::readVesselTree(entry.deformedPath);
+        if (!deformed) {
+            return deformed.error();
         }
-        truth.bentTree = std::make_shared<const core::VesselTree>(std::move(bent).value());
+        truth.deformedTree = std::make_shared<const core::VesselTree>(std::move(deformed).value());
     }
     if (!entry.landmarksPath.empty()) {
         auto landmarks = io::readLandmarks(entry.landmarksPath);
@@ -136,23 +136,23 @@ public:
     /// Records of all methods and of the poses found elsewhere. Nothing once the user has stopped.
     std::vector<core::RunRecord> judge(const OwnTask& task)
     {
-        const auto theCase = loaded(task);
+        const auto session = loaded(task);
         const auto camera =
-            theCase ? core::cameraOf(theCase.value().shown()) : core::Result<core::ProjectionCamera>(theCase.error());
-        if (!camera || !theCase.value().vessels.tree) {
+            session ? core::cameraOf(session.value().shown()) : core::Result<core::ProjectionCamera>(session.error());
+        if (!camera || !session.value().vessels.tree) {
             tell(task, camera ? core::Error(core::says::noVesselTree()) : camera.error());
             return unknownRecords(task);
         }
-        const core::VesselTree* bent = task.truth.bentTree.get();
-        if (bent && !core::isTruthOf(*bent, *theCase.value().vessels.tree)) {
-            tell(task, core::Error(io::says::ownBentOther()).about(task.entry.bentPath));
+        const core::VesselTree* deformed = task.truth.deformedTree.get();
+        if (deformed && !core::isTruthOf(*deformed, *session.value().vessels.tree)) {
+            tell(task, core::Error(io::says::ownDeformedOther()).about(task.entry.deformedPath));
             return unknownRecords(task);
         }
-        const core::OwnCase own{*theCase.value().vessels.tree, camera.value(),
-                                theCase.value().shown().cameraFromPatient, task.truth};
+        const core::OwnCase own{*session.value().vessels.tree, camera.value(),
+                                session.value().shown().cameraFromPatient, task.truth};
         std::vector<core::RunRecord> records;
         for (const OwnMethod& method : methods_) {
-            records.push_back(named(judgeMethod(task, own, theCase.value(), method), task, method.label));
+            records.push_back(named(judgeMethod(task, own, session.value(), method), task, method.label));
         }
         for (const auto& [name, pose] : task.found) {
             records.push_back(named(core::judgeOwn(own, pose), task, name));
@@ -163,7 +163,7 @@ public:
 private:
     void tell(const OwnTask& task, const core::Error& error)
     {
-        const std::lock_guard lock(telling_);
+        const std::lock_guard lock(informative_);
         printMessage("line " + std::to_string(task.entry.line) + ": " + std::string(error.message.text()));
     }
 
@@ -175,19 +175,19 @@ private:
         if (!read) {
             return read.error();
         }
-        core::Case theCase = std::move(read).value();
-        theCase.shown().cameraFromPatient = task.start.value_or(theCase.shown().cameraFromPatient);
-        return theCase;
+        core::Case session = std::move(read).value();
+        session.shown().cameraFromPatient = task.start.value_or(session.shown().cameraFromPatient);
+        return session;
     }
 
-    core::RunRecord judgeMethod(const OwnTask& task, const core::OwnCase& own, core::Case theCase,
+    core::RunRecord judgeMethod(const OwnTask& task, const core::OwnCase& own, core::Case session,
                                 const OwnMethod& method)
     {
         if (method.options) {
-            theCase.options = *method.options;
+            session.options = *method.options;
         }
         const core::ThreadStopwatch processor;
-        const auto registered = core::registerCase(std::move(theCase), {}, [](const auto&) {
+        const auto registered = core::registerCase(std::move(session), {}, [](const auto&) {
             return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
         });
         if (!registered) {
@@ -220,7 +220,7 @@ private:
 
     const std::vector<OwnMethod>& methods_;
     std::mutex loading_;
-    std::mutex telling_;
+    std::mutex informative_;
 };
 
 /// The same records for any number of threads.

@@ -50,7 +50,7 @@ core::Result<DicomExport> exportFor(const ExportDicomArguments& arguments)
     }
     wanted.look.widthPx = arguments.widthPx;
     wanted.look.coloring = OverlayColoring::Branches;
-    wanted.look.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
+    wanted.look.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Deformed;
     wanted.look.identity = arguments.isIdentityShown ? Identity::Shown : Identity::Hidden;
     wanted.author = arguments.author;
     if (!arguments.reportPath.empty()) {
@@ -68,18 +68,18 @@ core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
         return loaded;
     }
     if (!arguments.isRegistered) {
-        const core::Case& theCase = loaded.value();
-        const bool isUnwanted = !arguments.isStartWanted && core::isAtStart(theCase.shown(), theCase.vessels);
+        const core::Case& session = loaded.value();
+        const bool isUnwanted = !arguments.isStartWanted && core::isAtStart(session.shown(), session.vessels);
         return isUnwanted ? core::Error(says::exportAtStart().about(arguments.casePath)) : loaded;
     }
     auto found = registerForCommand(std::move(loaded).value(), "registering");
-    return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
+    return found ? core::Result<core::Case>(std::move(found).value().session) : core::Result<core::Case>(found.error());
 }
 
-core::Result<DicomFiles> writeObjects(const core::Case& theCase, const DicomExport& wanted, const std::string& folder)
+core::Result<DicomFiles> writeObjects(const core::Case& session, const DicomExport& wanted, const std::string& folder)
 {
     ProgressLine progress("writing");
-    return writeDicomObjects(theCase, {}, wanted, folder, [&progress](double fraction) {
+    return writeDicomObjects(session, {}, wanted, folder, [&progress](double fraction) {
         progress.show(fraction, "");
         return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
     });
@@ -92,11 +92,11 @@ int runExportDicom(const ExportDicomArguments& arguments)
         printMessage(wanted.error().message.text());
         return exitUsage;
     }
-    const auto theCase = caseFor(arguments);
-    if (!theCase) {
-        return failInput(theCase.error());
+    const auto session = caseFor(arguments);
+    if (!session) {
+        return failInput(session.error());
     }
-    const auto files = writeObjects(theCase.value(), wanted.value(), arguments.outputFolder);
+    const auto files = writeObjects(session.value(), wanted.value(), arguments.outputFolder);
     if (!files) {
         return failInput(files.error());
     }

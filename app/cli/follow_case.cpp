@@ -7,15 +7,15 @@
 
 namespace angiopose::app {
 
-core::Status followForCommand(core::Case& theCase)
+core::Status followForCommand(core::Case& session)
 {
-    core::View& shown = theCase.shown();
+    core::View& shown = session.shown();
     const auto known = static_cast<int>(core::framesOf(shown.followed).size());
     if (shown.angiogram && known == shown.angiogram->frameCount()) {
         return core::Done{};
     }
     ProgressLine progress("following");
-    auto frames = core::followFrames(theCase, progress.observer());
+    auto frames = core::followFrames(session, progress.observer());
     if (!frames) {
         return frames.error();
     }

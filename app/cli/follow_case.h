@@ -7,6 +7,6 @@ namespace angiopose::app {
 
 /// The shown run as the case knows it followed; where it does not know all of its frames they are followed now, with a
 /// progress line.
-core::Status followForCommand(core::Case& theCase);
+core::Status followForCommand(core::Case& session);
 
 }   // namespace angiopose::app

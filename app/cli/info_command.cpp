@@ -99,25 +99,25 @@ Json resultJson(const core::RegistrationResult& result)
     return json;
 }
 
-Json caseJson(const core::Case& theCase, const core::Messages& warnings)
+Json caseJson(const core::Case& session, const core::Messages& warnings)
 {
-    Json json{{"kind", "case"}, {"title", theCase.title}, {"frame", theCase.shown().frame}};
-    if (theCase.vessels.tree) {
-        json["tree"] = treeJson(*theCase.vessels.tree);
+    Json json{{"kind", "case"}, {"title", session.title}, {"frame", session.shown().frame}};
+    if (session.vessels.tree) {
+        json["tree"] = treeJson(*session.vessels.tree);
     }
-    if (theCase.shown().angiogram) {
-        json["angiogram"] = angiogramJson(*theCase.shown().angiogram);
-        json["angiogram"]["geometry"] = geometryJson(theCase.shown().geometry.cArm, *theCase.shown().angiogram);
+    if (session.shown().angiogram) {
+        json["angiogram"] = angiogramJson(*session.shown().angiogram);
+        json["angiogram"]["geometry"] = geometryJson(session.shown().geometry.cArm, *session.shown().angiogram);
     }
-    if (const auto camera = core::cameraOf(theCase.shown()); camera) {
+    if (const auto camera = core::cameraOf(session.shown()); camera) {
         json["camera"] = cameraJson(camera.value());
-        json["camera"]["origin"] = theCase.shown().geometry.cameraOverride ? "user" : "derived";
+        json["camera"]["origin"] = session.shown().geometry.cameraOverride ? "user" : "derived";
     }
-    json["startPose"] = theCase.shown().initialCameraFromPatient ? "given" : "from the angles";
-    json["pose"] = theCase.shown().result                              ? "registered"
-                   : core::isAtStart(theCase.shown(), theCase.vessels) ? "at its start"
+    json["startPose"] = session.shown().initialCameraFromPatient ? "given" : "from the angles";
+    json["pose"] = session.shown().result                              ? "registered"
+                   : core::isAtStart(session.shown(), session.vessels) ? "at its start"
                                                                        : "set otherwise";
-    if (const auto& result = theCase.shown().result) {
+    if (const auto& result = session.shown().result) {
         json["result"] = resultJson(*result);
     }
     addWarnings(json, warnings);

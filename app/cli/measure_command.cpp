@@ -21,15 +21,15 @@ core::Result<std::string> profileOfBranch(const core::VesselTree& tree, int bran
     return profile ? core::Result<std::string>(io::profileTable(profile.value())) : profile.error();
 }
 
-core::Result<std::string> wantedTable(const MeasureArguments& arguments, const core::Case& theCase)
+core::Result<std::string> wantedTable(const MeasureArguments& arguments, const core::Case& session)
 {
     if (arguments.profiledBranch) {
-        return profileOfBranch(*theCase.vessels.tree, *arguments.profiledBranch);
+        return profileOfBranch(*session.vessels.tree, *arguments.profiledBranch);
     }
     if (arguments.areCheckPointsWanted) {
-        return arguments.format == OutputFormat::Json ? io::checkPointJson(theCase) : io::checkPointTable(theCase);
+        return arguments.format == OutputFormat::Json ? io::checkPointJson(session) : io::checkPointTable(session);
     }
-    return arguments.areBranchesWanted ? io::branchTable(*theCase.vessels.tree) : io::measurementTable(theCase);
+    return arguments.areBranchesWanted ? io::branchTable(*session.vessels.tree) : io::measurementTable(session);
 }
 
 }   // namespace

@@ -11,9 +11,9 @@
 namespace angiopose::app {
 namespace {
 
-MoviePlan planOf(const MovieArguments& arguments, const core::Case& theCase)
+MoviePlan planOf(const MovieArguments& arguments, const core::Case& session)
 {
-    const core::Angiogram& run = *theCase.shown().angiogram;
+    const core::Angiogram& run = *session.shown().angiogram;
     MoviePlan plan;
     plan.content = arguments.content;
     plan.frames = arguments.frames.empty() ? core::FrameRange{0, run.frameCount() - 1}
@@ -27,28 +27,28 @@ MoviePlan planOf(const MovieArguments& arguments, const core::Case& theCase)
 }
 
 /// A convergence shows the registration that the case keeps, where it does.
-bool needsRun(const MovieArguments& arguments, const core::Case& theCase)
+bool needsRun(const MovieArguments& arguments, const core::Case& session)
 {
-    const auto& result = theCase.shown().result;
+    const auto& result = session.shown().result;
     const bool isKnown = result && !result->history.empty();
     return arguments.isRegistered || (arguments.content == MovieContent::Convergence && !isKnown);
 }
 
-core::Result<core::Case> registered(core::Case theCase)
+core::Result<core::Case> registered(core::Case session)
 {
-    auto found = registerForCommand(std::move(theCase), "registering");
-    return found ? core::Result<core::Case>(std::move(found).value().theCase) : core::Result<core::Case>(found.error());
+    auto found = registerForCommand(std::move(session), "registering");
+    return found ? core::Result<core::Case>(std::move(found).value().session) : core::Result<core::Case>(found.error());
 }
 
-core::Status write(const core::Case& theCase, const MovieArguments& arguments, const MoviePlan& plan)
+core::Status write(const core::Case& session, const MovieArguments& arguments, const MoviePlan& plan)
 {
     OverlayPictureOptions options;
     options.widthPx = arguments.widthPx;
     options.coloring = OverlayColoring::Branches;
-    options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
+    options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Deformed;
     options.depthCue = arguments.depthCue ? ui::DepthCue::NearBright : ui::DepthCue::None;
     ProgressLine progress("writing");
-    return writeMovie(theCase, {}, options, plan, arguments.outputPath, [&progress](double fraction) {
+    return writeMovie(session, {}, options, plan, arguments.outputPath, [&progress](double fraction) {
         progress.show(fraction, "");
         return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
     });
@@ -68,18 +68,18 @@ int runMovie(const MovieArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
-    core::Case theCase = std::move(loaded).value();
-    MoviePlan plan = planOf(arguments, theCase);
+    core::Case session = std::move(loaded).value();
+    MoviePlan plan = planOf(arguments, session);
     if (arguments.isFollowed && arguments.content == MovieContent::Run) {
-        if (const auto followed = followForCommand(theCase); !followed) {
+        if (const auto followed = followForCommand(session); !followed) {
             return failInput(followed.error().about(arguments.casePath));
         }
-        plan.followed = core::framesOf(theCase.shown().followed);
+        plan.followed = core::framesOf(session.shown().followed);
     }
-    if (const auto written = write(theCase, arguments, plan); !written) {
+    if (const auto written = write(session, arguments, plan); !written) {
         return failInput(written.error());
     }
-    const MovieLength length = lengthOf(theCase, plan);
+    const MovieLength length = lengthOf(session, plan);
     std::printf("%s: %zu pictures, %s s\n", arguments.outputPath.c_str(), length.pictures,
                 fixedText(length.seconds, 2).c_str());
     return exitDone;

@@ -47,9 +47,9 @@ core::Result<core::Case> openTogether(const InputPair& pair, const io::CaseSetti
         return core::Error(says::batchUnitUnclear(core::Quantity{*inputs.askedUnitsAcross, 1}).about(pair.vesselsPath));
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
-    core::Case theCase = io::withInputs(core::Case(), inputs);
-    settings.applyTo(theCase);
-    return theCase;
+    core::Case session = io::withInputs(core::Case(), inputs);
+    settings.applyTo(session);
+    return session;
 }
 
 }   // namespace angiopose::app

@@ -86,25 +86,25 @@ int runProject(const ProjectArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
-    core::Case theCase = std::move(loaded).value();
+    core::Case session = std::move(loaded).value();
     if (!arguments.posePath.empty()) {
-        if (const auto taken = takePose(theCase.shown(), arguments.posePath); !taken) {
+        if (const auto taken = takePose(session.shown(), arguments.posePath); !taken) {
             return failInput(taken.error());
         }
     }
-    const core::View& shown = theCase.shown();
-    if (arguments.isMotionColored && !drawableBend(shown, theCase.vessels, shown.cameraFromPatient)) {
-        return failInput(core::Error(says::noBentVessels().about(arguments.casePath)));
+    const core::View& shown = session.shown();
+    if (arguments.isMotionColored && !drawableDeformation(shown, session.vessels, shown.cameraFromPatient)) {
+        return failInput(core::Error(says::noDeformedVessels().about(arguments.casePath)));
     }
-    const bool isDrawn = !arguments.isFrameAlone && !arguments.is16Bit && theCase.vessels.tree;
-    if (const auto unseen = isDrawn ? unseenVessels(shown, *theCase.vessels.tree) : std::nullopt) {
+    const bool isDrawn = !arguments.isFrameAlone && !arguments.is16Bit && session.vessels.tree;
+    if (const auto unseen = isDrawn ? unseenVessels(shown, *session.vessels.tree) : std::nullopt) {
         const std::string& path = arguments.posePath.empty() ? arguments.casePath : arguments.posePath;
         if (unseen->is(says::allBehindSource)) {
             return failInput(core::Error(unseen->about(path)));
         }
         printWarnings({unseen->about(path)});
     }
-    if (isDrawn && core::isAtStart(shown, theCase.vessels)) {
+    if (isDrawn && core::isAtStart(shown, session.vessels)) {
         printWarnings({says::drawnAtStart().about(arguments.casePath)});
     }
     const core::Centerline2d target = targetToColorBy(shown);
@@ -113,14 +113,14 @@ int runProject(const ProjectArguments& arguments)
     options.coloring = arguments.isMotionColored ? OverlayColoring::Motion
                        : target.curves.empty()   ? OverlayColoring::Branches
                                                  : OverlayColoring::Residuals;
-    options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Bent;
+    options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Deformed;
     options.depthCue = arguments.depthCue ? ui::DepthCue::NearBright : ui::DepthCue::None;
     if (arguments.swipePx) {
         options.cutout = {ui::Cutout::Shape::RightOf, {*arguments.swipePx, 0.0}, 0.0};
     }
     options.isStartBeside = arguments.startBeside;
     const PictureFile file{contentOf(arguments), arguments.dotsPerInch};
-    if (const auto status = writePictureFile(theCase, target, options, file, arguments.outputPath); !status) {
+    if (const auto status = writePictureFile(session, target, options, file, arguments.outputPath); !status) {
         return failInput(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());

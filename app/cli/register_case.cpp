@@ -36,13 +36,13 @@ core::RegistrationPlan signedPlan(core::RegistrationPlan plan)
 
 }   // namespace
 
-core::Status applyArguments(core::Case& theCase, const RegisterArguments& arguments)
+core::Status applyArguments(core::Case& session, const RegisterArguments& arguments)
 {
     if (!arguments.method.empty()) {
-        theCase.options.method = arguments.method;
+        session.options.method = arguments.method;
     }
     for (const std::string& assignment : arguments.options) {
-        if (const auto status = core::setOption(theCase.options, assignment); !status) {
+        if (const auto status = core::setOption(session.options, assignment); !status) {
             return status.error();
         }
     }
@@ -51,30 +51,30 @@ core::Status applyArguments(core::Case& theCase, const RegisterArguments& argume
         if (!locks) {
             return locks.error();
         }
-        theCase.options.locks = locks.value();
+        session.options.locks = locks.value();
     }
-    if (const auto problem = core::findProblem(theCase.options)) {
+    if (const auto problem = core::findProblem(session.options)) {
         return core::Error(*problem);
     }
     if (!arguments.auxiliaryBranchIds.empty()) {
-        theCase.vessels.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
+        session.vessels.auxiliaryBranchIds = arguments.auxiliaryBranchIds;
     }
     if (!arguments.excludedBranchIds.empty()) {
-        theCase.vessels.excludedBranchIds = arguments.excludedBranchIds;
+        session.vessels.excludedBranchIds = arguments.excludedBranchIds;
     }
     return core::Done{};
 }
 
-core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label,
+core::Result<core::RegisteredCase> registerForCommand(core::Case session, const std::string& label,
                                                       core::RegistrationPlan plan)
 {
     ProgressLine progress(label);
-    return core::registerCase(std::move(theCase), signedPlan(std::move(plan)), progress.observer());
+    return core::registerCase(std::move(session), signedPlan(std::move(plan)), progress.observer());
 }
 
-core::Result<core::RegisteredCase> registerQuietly(core::Case theCase, core::RegistrationPlan plan)
+core::Result<core::RegisteredCase> registerQuietly(core::Case session, core::RegistrationPlan plan)
 {
-    return core::registerCase(std::move(theCase), signedPlan(std::move(plan)), [](const core::WorkReport&) {
+    return core::registerCase(std::move(session), signedPlan(std::move(plan)), [](const core::WorkReport&) {
         return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
     });
 }

@@ -9,13 +9,13 @@
 namespace angiopose::app {
 
 /// Overrides what the arguments name; fails when they make no sense (wrong usage).
-core::Status applyArguments(core::Case& theCase, const RegisterArguments& arguments);
+core::Status applyArguments(core::Case& session, const RegisterArguments& arguments);
 
 /// core::registerCase of all views with a progress line of that label. Ctrl+C keeps the best pose.
-core::Result<core::RegisteredCase> registerForCommand(core::Case theCase, const std::string& label,
+core::Result<core::RegisteredCase> registerForCommand(core::Case session, const std::string& label,
                                                       core::RegistrationPlan plan = {});
 
 /// The same without a progress line, where several cases run at once.
-core::Result<core::RegisteredCase> registerQuietly(core::Case theCase, core::RegistrationPlan plan = {});
+core::Result<core::RegisteredCase> registerQuietly(core::Case session, core::RegistrationPlan plan = {});
 
 }   // namespace angiopose::app

@@ -43,27 +43,27 @@ core::Result<core::Case> loadAskedCase(const RegisterArguments& arguments)
 }
 
 /// The views that the cases at `paths` show.
-core::Status addOtherViews(core::Case& theCase, const std::vector<std::string>& paths)
+core::Status addOtherViews(core::Case& session, const std::vector<std::string>& paths)
 {
     for (const std::string& path : paths) {
         auto read = loadCaseForCommand(fs::absolute(path).string(), std::nullopt);
         if (!read) {
             return read.error();
         }
-        theCase.views.push_back(std::move(read).value().shown());
+        session.views.push_back(std::move(read).value().shown());
     }
     return core::Done{};
 }
 
 int exitCodeOf(const core::RegisteredCase& registered)
 {
-    const auto& bent = registered.result().bent;
+    const auto& deformed = registered.result().deformed;
     if (registered.result().stopReason == core::StopReason::StoppedByUser ||
-        (bent && bent->stopReason == core::StopReason::StoppedByUser)) {
+        (deformed && deformed->stopReason == core::StopReason::StoppedByUser)) {
         return exitStopped;
     }
-    const bool isUnsure = registered.theCase.options.bending == core::Bending::Always && bent &&
-                          bent->verdict == core::BendVerdict::Unsure;
+    const bool isUnsure = registered.session.options.deformation == core::Deformation::Always && deformed &&
+                          deformed->verdict == core::DeformationVerdict::Unsure;
     return registered.result().trustworthy && !isUnsure ? exitDone : exitNotTrustworthy;
 }
 
@@ -76,26 +76,26 @@ int runRegister(const RegisterArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error(), arguments.format);
     }
-    core::Case theCase = std::move(loaded).value();
-    if (const auto status = applyArguments(theCase, arguments); !status) {
+    core::Case session = std::move(loaded).value();
+    if (const auto status = applyArguments(session, arguments); !status) {
         printMessage(status.error().message.text());
         return exitUsage;
     }
-    if (arguments.isBending) {
-        theCase.options.bending = core::Bending::Always;
+    if (arguments.isDeformation) {
+        session.options.deformation = core::Deformation::Always;
     }
-    if (const auto status = addOtherViews(theCase, arguments.otherViews); !status) {
+    if (const auto status = addOtherViews(session, arguments.otherViews); !status) {
         return failInput(status.error(), arguments.format);
     }
     if (!arguments.otherViews.empty() || !arguments.angiogramPath.empty()) {   // a case alone has compared its images
-        printWarnings(core::findMismatch(theCase));
+        printWarnings(core::findMismatch(session));
     }
-    for (core::View& view : theCase.views) {
+    for (core::View& view : session.views) {
         view.isSamePatient = view.isSamePatient || arguments.isSamePatient;
     }
     core::RegistrationPlan plan;
     plan.readMs = watch.lapMs();
-    const auto registered = registerForCommand(std::move(theCase), "registering", std::move(plan));
+    const auto registered = registerForCommand(std::move(session), "registering", std::move(plan));
     if (!registered) {
         return failInput(registered.error().about(inputPathOf(arguments)), arguments.format);
     }
@@ -104,7 +104,7 @@ int runRegister(const RegisterArguments& arguments)
         return failInput(status.error(), arguments.format);
     }
     if (!arguments.savedPath.empty()) {
-        if (const auto status = io::saveCase(registered.value().theCase, arguments.savedPath); !status) {
+        if (const auto status = io::saveCase(registered.value().session, arguments.savedPath); !status) {
             return failInput(status.error(), arguments.format);
         }
     }

@@ -7,7 +7,7 @@
 #include "app/texts/overlay_picture.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/judging/disagreeing_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "io/case/asked_case.h"
@@ -33,7 +33,7 @@ using core::RegisteredCase;
 
 core::Case caseShowing(const RegisteredCase& registered, std::size_t index)
 {
-    return core::showingView(registered.theCase, registered.places[index]);
+    return core::showingView(registered.session, registered.places[index]);
 }
 
 std::string viewFolder(const RegisteredCase& registered, const std::string& folder, std::size_t index)
@@ -44,7 +44,7 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
 
 /// A view as it is written: its result is a file of its own, and in its pictures.
 struct WrittenView {
-    core::Case theCase;   ///< showing it
+    core::Case session;   ///< showing it
     const core::Centerline2d* target = nullptr;
     std::string result;   ///< JSON
     std::string resultInPictures;   ///< likewise, which may go further than the folder: without names
@@ -60,8 +60,8 @@ WrittenView writtenView(const RegisteredCase& registered, std::size_t k, Picture
 
 core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& options, const fs::path& path)
 {
-    const auto picture = drawOverlay(view.theCase, *view.target, options);
-    std::map<std::string, std::string> texts = provenanceTexts(view.theCase);
+    const auto picture = drawOverlay(view.session, *view.target, options);
+    std::map<std::string, std::string> texts = provenanceTexts(view.session);
     texts["Result"] = view.resultInPictures;
     return picture ? io::writePng(picture.value(), path.string(), texts) : core::Status(picture.error());
 }
@@ -73,8 +73,8 @@ core::Status writePictures(const WrittenView& view, const fs::path& folder)
     if (auto status = writePicture(view, options, folder / "overlay.png"); !status) {
         return status;
     }
-    const core::View& shown = view.theCase.shown();
-    if (!drawableBend(shown, view.theCase.vessels, shown.cameraFromPatient)) {
+    const core::View& shown = view.session.shown();
+    if (!drawableDeformation(shown, view.session.vessels, shown.cameraFromPatient)) {
         return core::Done{};
     }
     options.coloring = OverlayColoring::Motion;
@@ -97,30 +97,30 @@ core::Status writeView(const WrittenView& view, Pictures pictures, const std::st
     if (auto status = io::writeAtomically((folder / "result.json").string(), view.result); !status) {
         return status;
     }
-    if (auto status = io::writePose(view.theCase.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
+    if (auto status = io::writePose(view.session.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
     return pictures == Pictures::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
 }
 
 /// Where nothing is bent there is nothing to write, unless the user asked for it.
-bool isBentWritten(const RegisteredCase& registered)
+bool isDeformedWritten(const RegisteredCase& registered)
 {
-    return registered.result().bent && (registered.result().bent->verdict != core::BendVerdict::Rigid ||
-                                        registered.theCase.options.bending == core::Bending::Always);
+    return registered.result().deformed && (registered.result().deformed->verdict != core::DeformationVerdict::Rigid ||
+                                            registered.session.options.deformation == core::Deformation::Always);
 }
 
 /// The tree as it was in the image, in patient coordinates, and how each of its points came there.
-core::Status writeBent(const RegisteredCase& registered, const std::string& folderName)
+core::Status writeDeformed(const RegisteredCase& registered, const std::string& folderName)
 {
     const fs::path folder(folderName);
-    const core::VesselTree& tree = *registered.theCase.vessels.tree;
-    if (auto status =
-            io::writeVesselTree(core::bentTree(tree, *registered.result().bent), (folder / "bent.vtp").string());
+    const core::VesselTree& tree = *registered.session.vessels.tree;
+    if (auto status = io::writeVesselTree(core::deformedTree(tree, *registered.result().deformed),
+                                          (folder / "bent.vtp").string());
         !status) {
         return status;
     }
-    return io::writeMotion(tree, *registered.result().bent, (folder / "motion.csv").string());
+    return io::writeMotion(tree, *registered.result().deformed, (folder / "motion.csv").string());
 }
 
 void printLine(const std::string& label, const std::string& text)
@@ -132,7 +132,7 @@ void printLine(const std::string& label, const std::string& text)
 void printViews(const RegisteredCase& registered)
 {
     for (std::size_t k = 0; registered.joint && k < registered.places.size(); ++k) {
-        const core::View& view = registered.theCase.views[registered.places[k]];
+        const core::View& view = registered.session.views[registered.places[k]];
         const core::DistanceMetrics& metrics = view.result->metrics;
         const core::Vector6d& correction = registered.joint->corrections[k];
         std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n",
@@ -150,8 +150,8 @@ void printViews(const RegisteredCase& registered)
                                   " mm)");
         printLine("covered", fixedText(100.0 * metrics.coverage, 0) + " % of the traced vessels");
     }
-    if (const auto basis = core::fitBasis(registered.theCase, registered.result(), registered.targets.front())) {
-        for (const core::Message& words : fitWords(*basis, registered.theCase.vessels)) {
+    if (const auto basis = core::fitBasis(registered.session, registered.result(), registered.targets.front())) {
+        for (const core::Message& words : fitWords(*basis, registered.session.vessels)) {
             printLine("", words.text());
         }
     }
@@ -169,12 +169,13 @@ std::string beforeText(const core::StageTimes& time)
     return parts.empty() ? "" : " (" + parts + ")";
 }
 
-void printBent(const core::DeformableResult& bent)
+void printDeformed(const core::DeformableResult& deformed)
 {
-    printLine("vessels", std::string(core::toText(bent.verdict)) + ", evidence " + fixedText(bent.logEvidenceGain, 0) +
-                             ", moved by " + fixedText(bent.meanMotionMm, 1) + " mm in the mean, " +
-                             fixedText(bent.largestMotionMm, 1) + " mm at most, " + fixedText(bent.timeMs, 0) + " ms");
-    for (const core::Message& message : bent.messages) {
+    printLine("vessels",
+              std::string(core::toText(deformed.verdict)) + ", evidence " + fixedText(deformed.logEvidenceGain, 0) +
+                  ", moved by " + fixedText(deformed.meanMotionMm, 1) + " mm in the mean, " +
+                  fixedText(deformed.largestMotionMm, 1) + " mm at most, " + fixedText(deformed.timeMs, 0) + " ms");
+    for (const core::Message& message : deformed.messages) {
         printLine("", message.text());
     }
 }
@@ -235,8 +236,8 @@ std::string wayText(const core::WirePath& way)
 
 void printWays(const std::vector<core::WirePath>& ways)
 {
-    constexpr std::size_t mostPrinted = 3;
-    for (std::size_t i = 0; i < std::min(ways.size(), mostPrinted); ++i) {
+    constexpr std::size_t maxPrinted = 3;
+    for (std::size_t i = 0; i < std::min(ways.size(), maxPrinted); ++i) {
         printLine(i == 0 ? "way taken" : "or", wayText(ways[i]));
     }
     if (ways.size() > 1) {
@@ -254,8 +255,8 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
             return status;
         }
     }
-    if (isBentWritten(registered)) {
-        if (auto status = writeBent(registered, folder); !status) {
+    if (isDeformedWritten(registered)) {
+        if (auto status = writeDeformed(registered, folder); !status) {
             return status;
         }
     }
@@ -320,13 +321,13 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     }
     printDisagreement(registered);
     printWays(result.wirePaths);
-    if (registered.result().bent) {
-        printBent(*registered.result().bent);
+    if (registered.result().deformed) {
+        printDeformed(*registered.result().deformed);
     }
-    const std::string bentFiles = isBentWritten(registered) ? ", bent.vtp, motion.csv" : "";
+    const std::string deformedFiles = isDeformedWritten(registered) ? ", bent.vtp, motion.csv" : "";
     printLine("written", registered.joint
-                             ? (fs::path(folder) / "joint.json").string() + bentFiles
-                             : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm" + bentFiles);
+                             ? (fs::path(folder) / "joint.json").string() + deformedFiles
+                             : (fs::path(folder) / "overlay.png").string() + ", result.json, pose.tfm" + deformedFiles);
 }
 
 }   // namespace angiopose::app

@@ -117,8 +117,8 @@ std::string manifestOf(const core::SimulatedStudy& study)
         const std::string folder = folderOf(study, k);
         std::string name = folder;
         std::ranges::replace(name, '/', '-');
-        const std::string bent = isDeformed(study, k) ? folder + "/true-vessels.vtp" : "";
-        text += folder + "/case.angiopose," + name + "," + folder + "/true-pose.json," + bent + ",tree-" +
+        const std::string deformed = isDeformed(study, k) ? folder + "/true-vessels.vtp" : "";
+        text += folder + "/case.angiopose," + name + "," + folder + "/true-pose.json," + deformed + ",tree-" +
                 std::to_string(place.tree + 1) + "," + study.settings[place.setting].name + "\n";
     }
     return text;

@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, const std::string& title,
                   SimulatedStart start)
 {
-    core::Case theCase;
-    theCase.title = title;
-    theCase.vessels.file.path = (folder / "tree.vtp").string();
-    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
-    core::View& view = theCase.shown();
+    core::Case session;
+    session.title = title;
+    session.vessels.file.path = (folder / "tree.vtp").string();
+    session.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::View& view = session.shown();
     view.imageFile.path = (folder / "angiogram.dcm").string();
     view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
     view.frame = simulated.angiogram.suggestedFrame;
@@ -34,7 +34,7 @@ core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, 
         view.initialCameraFromPatient = simulated.initialCameraFromPatient;
     }
     view.cameraFromPatient = simulated.initialCameraFromPatient;
-    return theCase;
+    return session;
 }
 
 core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& folder)
@@ -45,12 +45,12 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
     if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
         return status;
     }
-    const fs::path bent = folder / "true-vessels.vtp";
-    if (simulated.bentTree) {
-        return io::writeVesselTree(*simulated.bentTree, bent.string());
+    const fs::path deformed = folder / "true-vessels.vtp";
+    if (simulated.deformedTree) {
+        return io::writeVesselTree(*simulated.deformedTree, deformed.string());
     }
     std::error_code failure;
-    fs::remove(bent, failure);   // of another case that was here
+    fs::remove(deformed, failure);   // of another case that was here
     return core::Done{};
 }
 

@@ -21,20 +21,20 @@ struct SupportArguments {
 core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportText>& texts)
 {
     core::Messages nobodyReads;
-    const auto theCase = io::openCase(
+    const auto session = io::openCase(
         path, nobodyReads, [](double) { return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue; });
-    if (!theCase) {
-        return theCase.error();
+    if (!session) {
+        return session.error();
     }
     redaction.addPath(path);
-    io::addIdentifiers(theCase.value(), redaction);
-    for (const core::InputFile* file : {&theCase.value().vessels.file, &theCase.value().vessels.scanFile}) {
+    io::addIdentifiers(session.value(), redaction);
+    for (const core::InputFile* file : {&session.value().vessels.file, &session.value().vessels.scanFile}) {
         io::addIdentifiersOfFile(file->path, redaction);
     }
-    for (const core::View& view : theCase.value().views) {
+    for (const core::View& view : session.value().views) {
         io::addIdentifiersOfFile(view.imageFile.path, redaction);
     }
-    texts.push_back({"case.txt", io::caseSummary(theCase.value())});
+    texts.push_back({"case.txt", io::caseSummary(session.value())});
     return core::Done{};
 }
 

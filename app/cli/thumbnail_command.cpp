@@ -30,9 +30,9 @@ io::ReadObserver untilTime(Clock::time_point end)
 }
 
 /// Its longer side has the size asked for.
-int thumbnailWidth(const core::Case& theCase, int sizePx)
+int thumbnailWidth(const core::Case& session, int sizePx)
 {
-    const auto& angiogram = theCase.shown().angiogram;
+    const auto& angiogram = session.shown().angiogram;
     if (!angiogram || angiogram->frames.empty()) {
         return sizePx;
     }
@@ -46,14 +46,14 @@ int runThumbnail(const ThumbnailArguments& arguments)
     const std::chrono::duration<double> limit(arguments.limitSeconds);
     const io::ReadObserver inTime = untilTime(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
     core::Messages nobodyReads;
-    const auto theCase = io::openCase(arguments.casePath, nobodyReads, inTime);
+    const auto session = io::openCase(arguments.casePath, nobodyReads, inTime);
     if (inTime(1.0) == core::Verdict::Stop) {
         return exitStopped;
     }
-    if (!theCase) {
-        return failInput(theCase.error());
+    if (!session) {
+        return failInput(session.error());
     }
-    const auto picture = drawThumbnail(theCase.value(), thumbnailWidth(theCase.value(), arguments.sizePx));
+    const auto picture = drawThumbnail(session.value(), thumbnailWidth(session.value(), arguments.sizePx));
     if (!picture) {
         return failInput(picture.error());
     }

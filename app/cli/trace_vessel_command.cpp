@@ -44,7 +44,7 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
 core::Error whyNotTraced(const std::string& path)
 {
     if (io::readVesselTree(path)) {
-        return says::traceCentrelines().about(path);
+        return says::traceCenterlines().about(path);
     }
     const std::string extension = io::extensionOf(path);
     if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu") {   // neither lines nor triangles

@@ -4,7 +4,7 @@
 #include "app/cli/register_case.h"
 #include "app/messages/says.h"
 #include "app/texts/number_text.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/workflow/follow_frames.h"
 #include "io/pose_table.h"
 #include "io/vessel_tree_file.h"
@@ -27,8 +27,8 @@ void printFrames(const std::vector<core::FollowedFrame>& frames)
                                                              : "followed";
         std::printf("frame %-6d agreement %s  %s%s\n", frame.frame + 1, fixedText(frame.tracked.score, 2).c_str(),
                     verdict,
-                    frame.bent && !frame.bentAsInFrame
-                        ? (", bent by up to " + fixedText(frame.bent->largestMotionMm, 1) + " mm").c_str()
+                    frame.deformed && !frame.deformedAsInFrame
+                        ? (", bent by up to " + fixedText(frame.deformed->largestMotionMm, 1) + " mm").c_str()
                         : "");
     }
 }
@@ -42,8 +42,8 @@ void printPeriod(const char* whose, const std::optional<core::PeriodicMotion>& m
 }
 
 /// The vessels as they lie in each frame, in patient axes at its pose.
-core::Status writeBentTrees(const core::Case& theCase, const std::vector<core::FollowedFrame>& frames,
-                            const std::string& folder)
+core::Status writeDeformedTrees(const core::Case& session, const std::vector<core::FollowedFrame>& frames,
+                                const std::string& folder)
 {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
@@ -51,14 +51,14 @@ core::Status writeBentTrees(const core::Case& theCase, const std::vector<core::F
         return core::Error(says::folderNotMade(folder, failure.message()));
     }
     for (const core::FollowedFrame& frame : frames) {
-        if (!frame.bent || frame.bentAsInFrame) {
+        if (!frame.deformed || frame.deformedAsInFrame) {
             continue;
         }
-        const core::VesselTree bent =
-            core::bentTreeAt(*theCase.vessels.tree, *frame.bent, frame.tracked.cameraFromPatient);
+        const core::VesselTree deformed =
+            core::deformedTreeAt(*session.vessels.tree, *frame.deformed, frame.tracked.cameraFromPatient);
         const std::string path =
             (std::filesystem::path(folder) / ("frame" + std::to_string(frame.frame) + ".vtp")).string();
-        if (auto written = io::writeVesselTree(bent, path); !written) {
+        if (auto written = io::writeVesselTree(deformed, path); !written) {
             return written;
         }
     }
@@ -73,28 +73,28 @@ int runTrack(const TrackArguments& arguments)
     if (!loaded) {
         return failInput(loaded.error());
     }
-    core::Case theCase = std::move(loaded).value();
+    core::Case session = std::move(loaded).value();
     if (!arguments.keepPose) {
-        auto registered = registerForCommand(std::move(theCase), "registering");
+        auto registered = registerForCommand(std::move(session), "registering");
         if (!registered) {
             return failInput(registered.error().about(arguments.casePath));
         }
-        theCase = std::move(registered).value().theCase;
+        session = std::move(registered).value().session;
     }
-    if (const auto followed = followForCommand(theCase); !followed) {
+    if (const auto followed = followForCommand(session); !followed) {
         return failInput(followed.error().about(arguments.casePath));
     }
-    const std::vector<core::FollowedFrame>& frames = core::framesOf(theCase.shown().followed);
+    const std::vector<core::FollowedFrame>& frames = core::framesOf(session.shown().followed);
     if (const auto status = io::writePoseTable(frames, arguments.outputPath); !status) {
         return failInput(status.error());
     }
-    if (!arguments.bentFolder.empty()) {
-        if (const auto status = writeBentTrees(theCase, frames, arguments.bentFolder); !status) {
+    if (!arguments.deformedFolder.empty()) {
+        if (const auto status = writeDeformedTrees(session, frames, arguments.deformedFolder); !status) {
             return failInput(status.error());
         }
     }
     printFrames(frames);
-    const core::RunPeriods periods = core::periodsOf(theCase, frames);
+    const core::RunPeriods periods = core::periodsOf(session, frames);
     printPeriod("breath", periods.breath);
     printPeriod("heartbeat", periods.heart);
     if (isInterrupted()) {

@@ -27,19 +27,19 @@ private:
 
 /// The part of a case that has a field: the case itself, its vessels, its shown view.
 template <class Value>
-auto& partWith(core::Case& theCase, Value core::Case::*)
+auto& partWith(core::Case& session, Value core::Case::*)
 {
-    return theCase;
+    return session;
 }
 template <class Value>
-auto& partWith(core::Case& theCase, Value core::Vessels::*)
+auto& partWith(core::Case& session, Value core::Vessels::*)
 {
-    return theCase.vessels;
+    return session.vessels;
 }
 template <class Value>
-auto& partWith(core::Case& theCase, Value core::View::*)
+auto& partWith(core::Case& session, Value core::View::*)
 {
-    return theCase.shown();
+    return session.shown();
 }
 
 /// What a pointer to a member points to.

@@ -29,7 +29,7 @@ BranchAdvice adviceFrom(const std::vector<core::BranchInformation>& branches, co
     for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
         advice.pinnedBy[step] = core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
     }
-    advice.suggested = core::mostInformativeBranches(branches, priorStd);
+    advice.suggested = core::bestInformedBranches(branches, priorStd);
     return advice;
 }
 

@@ -137,14 +137,14 @@ std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d&
 }
 
 /// Where vessels are drawn bent, marks are kept as of the rigid ones.
-Eigen::Vector3d MarkController::unbent(const Eigen::Vector3d& drawnPoint) const
+Eigen::Vector3d MarkController::undeformed(const Eigen::Vector3d& drawnPoint) const
 {
     const core::Vessels& vessels = current().vessels;
     const DrawnVessels drawn = drawnVessels(current().shown(), vessels, preview_.pose(), preview_.shape());
     VesselMark mark;
     mark.pointInPatient = drawnPoint;
-    return drawn.shape == VesselShape::Bent ? core::movedWith(drawn.tree, *vessels.tree, mark).pointInPatient
-                                            : drawnPoint;
+    return drawn.shape == VesselShape::Deformed ? core::movedWith(drawn.tree, *vessels.tree, mark).pointInPatient
+                                                : drawnPoint;
 }
 
 void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
@@ -156,7 +156,7 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
     const auto& tree = current().vessels.tree;
     const auto drawn = core::nearestOnTree(ui_.view.scene().content().tree, pointInPatient);
     const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // picked in 3-D
-    const Eigen::Vector3d point = isOfDrawn ? unbent(pointInPatient) : pointInPatient;
+    const Eigen::Vector3d point = isOfDrawn ? undeformed(pointInPatient) : pointInPatient;
     const auto nearest = tree ? core::nearestPlace(*tree, point) : std::nullopt;
     const double reachMm = nearest ? std::max(sliceReachMm, core::radiusAt(*tree, *nearest).value_or(0.0)) : 0.0;
     if (!nearest || (core::pointAt(*tree, *nearest) - point).norm() > reachMm) {
@@ -177,7 +177,7 @@ void MarkController::place(MarkMode mode, const Eigen::Vector2d& pixel)
         emit refused(ui::messageText(core::says::markNeedsVessels()));
         return;
     }
-    add(kindOf(mode), unbent(*point));
+    add(kindOf(mode), undeformed(*point));
 }
 
 void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPatient)
@@ -267,7 +267,8 @@ void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::
         return;
     }
     const auto point = placeUnder(pixel);
-    const auto moved = point ? putOn(*current().vessels.tree, marks().at(held.index), unbent(*point)) : std::nullopt;
+    const auto moved =
+        point ? putOn(*current().vessels.tree, marks().at(held.index), undeformed(*point)) : std::nullopt;
     if (!moved) {
         emit refused(ui::messageText(core::says::markNeedsVessels()));
         show();

@@ -61,7 +61,7 @@ private:
     void showPlaces();
     void showHandles();
     std::optional<Eigen::Vector3d> placeUnder(const Eigen::Vector2d& pixel) const;
-    Eigen::Vector3d unbent(const Eigen::Vector3d& drawnPoint) const;
+    Eigen::Vector3d undeformed(const Eigen::Vector3d& drawnPoint) const;
     std::optional<int> chosenCheckPoint(const Eigen::Vector2d& pixel) const;
     std::vector<ui::MarkRow> rows() const;
     core::PoseOfView poseOf() const;

@@ -22,8 +22,8 @@ namespace {
 using core::MaskAim;
 using core::VoxelMask;
 
-constexpr double leastRadiusMm = 0.2;
-constexpr double mostRadiusMm = 25.0;   // a ball of these is found within a frame
+constexpr double minRadiusMm = 0.2;
+constexpr double maxRadiusMm = 25.0;   // a ball of these is found within a frame
 
 ui::MaskSettings storedSettings()
 {
@@ -109,7 +109,8 @@ void MaskController::connectTracing()
         showState();
     });
     connect(&tracing_, &MaskTracing::traced, this, &MaskController::takeTrace);
-    connect(&tracing_, &MaskTracing::stopped, this, [this] { emit told(tr("Stopped: the vessels are as they were")); });
+    connect(&tracing_, &MaskTracing::stopped, this,
+            [this] { emit reported(tr("Stopped: the vessels are as they were")); });
     connect(&tracing_, &MaskTracing::failed, this, &MaskController::failed);
 }
 
@@ -123,7 +124,7 @@ void MaskController::connectTools()
         connect(tool, &ui::MaskBrushTool::strokeEnded, this, &MaskController::endStroke);
         connect(tool, &ui::MaskBrushTool::radiusWanted, this, [this](double radiusMm) {
             ui::MaskSettings changed = settings_;
-            changed.radiusMm = std::clamp(radiusMm, leastRadiusMm, mostRadiusMm);
+            changed.radiusMm = std::clamp(radiusMm, minRadiusMm, maxRadiusMm);
             takeSettings(changed);
             ui_.panel.mask().showSettings(changed);
         });
@@ -137,7 +138,7 @@ void MaskController::connectTool(QAction& action, ui::SliceTool& tool)
     connect(&action, &QAction::toggled, this, [this, &action](bool on) {
         if (on && !ui_.slices.hasScan()) {
             action.setChecked(false);
-            emit told(tr("Open a scan or a label image first."));
+            emit reported(tr("Open a scan or a label image first."));
         } else if (on) {
             ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
             beginEditing();
@@ -248,7 +249,7 @@ void MaskController::brush(MaskAim aim, const core::SliceGrid& slice, const core
     core::MaskBrush brush{aim, settings_.radiusMm};
     if (aim == MaskAim::Paint && settings_.isAboveThreshold && scan && threshold) {
         brush.scan = scan.get();
-        brush.leastValue = *threshold;
+        brush.minValue = *threshold;
     }
     const VoxelMask& mask = *draft_->mask();
     const core::VoxelPlaces found =
@@ -263,7 +264,7 @@ void MaskController::endStroke()
     if (stroke_.empty() || !draft_) {
         stroke_.clear();
         if (document_.isLocked()) {
-            emit told(tr("A registration is running. Stop it to edit."));
+            emit reported(tr("A registration is running. Stop it to edit."));
         }
         return;
     }
@@ -303,7 +304,7 @@ void MaskController::takeCut(const core::VoxelPlaces& found)
     std::ranges::copy_if(found, std::back_inserter(there),
                          [&draft](std::uint32_t voxel) { return draft->mask()->voxels[voxel] != 0; });
     if (there.empty()) {
-        emit told(tr("Nothing of the mask lies there."));
+        emit reported(tr("Nothing of the mask lies there."));
         return;
     }
     const core::MaskChange change = core::changeOf(std::move(there));
@@ -340,7 +341,7 @@ void MaskController::takeTrace(const VesselTrace& traced, const std::shared_ptr<
     for (const core::Message& warning : traced.warnings) {
         notes << ui::messageText(warning);
     }
-    emit told(ui::joinedSentences(notes));
+    emit reported(ui::joinedSentences(notes));
 }
 
 int MaskController::openStrokes() const
@@ -352,7 +353,7 @@ void MaskController::noteSaved()
 {
     if (openStrokes() > 0) {
         document_.markUnsaved();
-        emit told(tr("Saved without the latest changes of the mask: trace the mask, then save again."));
+        emit reported(tr("Saved without the latest changes of the mask: trace the mask, then save again."));
     }
 }
 

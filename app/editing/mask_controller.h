@@ -40,7 +40,7 @@ public:
     void noteSaved();
 
 signals:
-    void told(const QString& note);
+    void reported(const QString& note);
     void failed(const QString& reason);
 
 private:

@@ -49,7 +49,7 @@ void MaskTracing::start(const std::shared_ptr<MaskDraft>& draft, const core::Ves
 {
     draft_ = draft;
     strokes_ = draft->strokes();
-    stopWished_ = false;
+    stopRequested_ = false;
     isReading_ = true;
     draft_->lendOut();
     job_.start([mask = std::shared_ptr<const VoxelMask>(draft->mask()), options](JobLink<double>& link) {
@@ -59,7 +59,7 @@ void MaskTracing::start(const std::shared_ptr<MaskDraft>& draft, const core::Ves
 
 void MaskTracing::requestStop()
 {
-    stopWished_ = isRunning();
+    stopRequested_ = isRunning();
     job_.requestStop();
 }
 
@@ -82,7 +82,7 @@ void MaskTracing::fail(const core::Error& error)
     giveBack();
     draft_.reset();
     emit ended();
-    if (stopWished_) {
+    if (stopRequested_) {
         emit stopped();
     } else {
         emit failed(ui::messageText(error.message));

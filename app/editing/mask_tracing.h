@@ -32,7 +32,7 @@ private:
     std::shared_ptr<MaskDraft> draft_;
     MaskDraft::Strokes strokes_;
     bool isReading_ = false;   ///< the worker has no copy yet
-    bool stopWished_ = false;
+    bool stopRequested_ = false;
     Job<VesselTrace> job_;
 };
 

@@ -39,7 +39,7 @@ PathController::PathController(CaseDocument& document, const Ui& ui, QObject* pa
         }
     });
     connect(tool_, &ui::PathTool::begun, this, [this] { preview_.drop(); });
-    connect(tool_, &ui::PathTool::wayWished, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    connect(tool_, &ui::PathTool::pathRequested, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         preview_.request({from, to});
     });
     connect(tool_, &ui::PathTool::chosen, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -92,7 +92,7 @@ void PathController::add(const core::VesselPath& path)
     for (const core::Message& warning : path.warnings) {
         notes << ui::messageText(warning);
     }
-    emit told(ui::joinedSentences(notes));
+    emit reported(ui::joinedSentences(notes));
 }
 
 }   // namespace angiopose::app

@@ -30,7 +30,7 @@ public:
     PathController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void told(const QString& note);
+    void reported(const QString& note);
     void failed(const QString& reason);
 
 private:

@@ -53,7 +53,7 @@ void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const 
 {
     if (document_.push(std::make_unique<PickPivot>(document_, PickPivot::Values{pivot}, name))) {
         ui_.actions[ui::Command::PickPivot]->setChecked(false);
-        emit told(note);
+        emit reported(note);
     }
 }
 

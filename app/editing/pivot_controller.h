@@ -34,7 +34,7 @@ public:
     void backToCentroid();
 
 signals:
-    void told(const QString& what);
+    void reported(const QString& what);
 
 private:
     void change(const std::optional<Eigen::Vector3d>& pivot, const ui::Words& name, const QString& note);

@@ -157,8 +157,8 @@ void PoseController::push(std::vector<core::View> moved, const ui::Words& name, 
 
 int PoseController::burstFor(int kind)
 {
-    const bool goesOn = kind == burstKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < poseBurstPauseMs;
-    if (!goesOn) {
+    const bool shouldContinue = kind == burstKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < poseBurstPauseMs;
+    if (!shouldContinue) {
         ++burst_;
         burstKind_ = kind;
     }

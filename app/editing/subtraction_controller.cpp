@@ -134,13 +134,13 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
         showState();
         return;
     }
-    wish_ = Wish{core::storedRunOf(current.shown()), wanted, what};
+    request_ = Request{core::storedRunOf(current.shown()), wanted, what};
     if (wanted == current.shown().treatment) {
-        wish_.reset();   // back to what is there before the other was made
+        request_.reset();   // back to what is there before the other was made
     } else if (!wanted.changesFrames()) {
-        take(*std::exchange(wish_, std::nullopt), nullptr);
-    } else if (const SharedRun known = made_.find(wish_->stored, wanted)) {
-        take(*std::exchange(wish_, std::nullopt), known);
+        take(*std::exchange(request_, std::nullopt), nullptr);
+    } else if (const SharedRun known = made_.find(request_->stored, wanted)) {
+        take(*std::exchange(request_, std::nullopt), known);
     } else {
         compute();
     }
@@ -153,9 +153,9 @@ void SubtractionController::compute()
         *stop_ = true;   // `publish` goes on with the wish
         return;
     }
-    computing_ = wish_;
+    computing_ = request_;
     stop_ = std::make_shared<std::atomic<bool>>(false);
-    run_.setFuture(QtConcurrent::run([stored = wish_->stored, treatment = wish_->treatment, stop = stop_] {
+    run_.setFuture(QtConcurrent::run([stored = request_->stored, treatment = request_->treatment, stop = stop_] {
         return make(*stored, treatment, *stop);
     }));
 }
@@ -163,23 +163,23 @@ void SubtractionController::compute()
 void SubtractionController::publish()
 {
     const Outcome outcome = takeResult(run_);
-    const Wish done = *std::exchange(computing_, std::nullopt);
+    const Request done = *std::exchange(computing_, std::nullopt);
     const auto& stored = core::storedRunOf(document_.current().shown());
     if (outcome && done.stored == stored) {   // a run that was left meanwhile is let go
         made_.remember(done.stored, done.treatment, outcome.value());
     }
-    if (wish_ && wish_->stored != stored) {
-        wish_.reset();
+    if (request_ && request_->stored != stored) {
+        request_.reset();
     }
-    if (!wish_) {
+    if (!request_) {
         showState();
         return;
     }
-    if (!(wish_->stored == done.stored && wish_->treatment == done.treatment)) {
+    if (!(request_->stored == done.stored && request_->treatment == done.treatment)) {
         compute();
         return;
     }
-    wish_.reset();
+    request_.reset();
     if (!outcome) {
         notices_.showNote(ui::messageText(outcome.error().message));
     } else {
@@ -188,12 +188,13 @@ void SubtractionController::publish()
     showState();
 }
 
-void SubtractionController::take(const Wish& wish, const SharedRun& run)
+void SubtractionController::take(const Request& request, const SharedRun& run)
 {
     document_.push(std::make_unique<ChangeTreatment>(
         document_,
-        ChangeTreatment::Values{wish.treatment, run ? run : wish.stored, run ? wish.stored : nullptr, std::nullopt, {}},
-        wish.what));
+        ChangeTreatment::Values{
+            request.treatment, run ? run : request.stored, run ? request.stored : nullptr, std::nullopt, {}},
+        request.what));
 }
 
 /// The hand begins where the mask lies: at its shift, or at the one found for the frame on screen.
@@ -272,7 +273,7 @@ void SubtractionController::follow()
 {
     const core::Case& current = document_.current();
     made_.forgetAllBut(core::storedRunOf(current.shown()));
-    if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !rest_.isActive() && !wish_) {
+    if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !rest_.isActive() && !request_) {
         shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // an undo
         shiftTool_->showShift(shiftBegan_);
     }
@@ -292,10 +293,10 @@ void SubtractionController::showState()
     panel_.showRun(state);
     strip_.showMasks(state.hasRun && !current.shown().treatment.plan.interval ? state.maskFrames : std::vector<int>(),
                      current.shown().treatment.isSubtracted);
-    actions_[ui::Command::Subtract]->setChecked(wish_ ? wish_->treatment.isSubtracted
-                                                      : current.shown().treatment.isSubtracted);
-    actions_[ui::Command::Composite]->setChecked(wish_ ? wish_->treatment.isComposite
-                                                       : current.shown().treatment.isComposite);
+    actions_[ui::Command::Subtract]->setChecked(request_ ? request_->treatment.isSubtracted
+                                                         : current.shown().treatment.isSubtracted);
+    actions_[ui::Command::Composite]->setChecked(request_ ? request_->treatment.isComposite
+                                                          : current.shown().treatment.isComposite);
     for (const ui::Command command :
          {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::MaskHere}) {
         actions_[command]->setEnabled(state.hasRun);

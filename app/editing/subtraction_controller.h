@@ -25,14 +25,14 @@ public:
 
     /// Asks for the run so treated; only the newest wish is answered.
     void change(const core::RunTreatment& wanted, const ui::Words& what);
-    bool isComputing() const { return wish_.has_value(); }
+    bool isComputing() const { return request_.has_value(); }
     bool isFindingShift() const { return !isShiftFound_; }   ///< that moving by hand begins with
 
 private:
     using SharedRun = TreatedRuns::SharedRun;
     using Outcome = core::Result<SharedRun>;
     using Picture = core::Result<std::shared_ptr<const core::SubtractedFrame>>;
-    struct Wish {
+    struct Request {
         SharedRun stored;
         core::RunTreatment treatment;
         ui::Words what;
@@ -44,7 +44,7 @@ private:
     void markMasks(const std::vector<int>& frames);
     void compute();
     void publish();
-    void take(const Wish& wish, const SharedRun& run);
+    void take(const Request& request, const SharedRun& run);
     void beginShift();
     void previewShift(const std::optional<Eigen::Vector2d>& shiftPx);
     void startPreview();
@@ -61,8 +61,8 @@ private:
     ui::BottomStrip& strip_;
     Notices& notices_;
     ui::MaskShiftTool* shiftTool_;
-    std::optional<Wish> wish_;   ///< newest, not yet answered
-    std::optional<Wish> computing_;
+    std::optional<Request> request_;   ///< newest, not yet answered
+    std::optional<Request> computing_;
     std::shared_ptr<std::atomic<bool>> stop_;
     QFutureWatcher<Outcome> run_;
     TreatedRuns made_;

@@ -28,7 +28,7 @@ std::optional<std::pair<double, double>> thresholdRange(const ui::SliceModel& sl
     if (slices.isHounsfield()) {
         return std::pair(-200.0, 1200.0);
     }
-    const ui::GreyWindow whole = ui::windowOfValues(*slices.volume());
+    const ui::GrayWindow whole = ui::windowOfValues(*slices.volume());
     return std::pair(whole.level - whole.width, whole.level + whole.width);
 }
 

@@ -25,7 +25,7 @@ std::optional<io::Deidentification> deidentificationFor(const ui::PackChoice& ch
 io::Deidentification deidentificationOf(const ui::PackChoice& choice)
 {
     return {choice.shiftedDates == ui::Choice::On ? io::KeptDates::Shifted : io::KeptDates::None,
-            choice.blackedOut == ui::Choice::On ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Told,
+            choice.blackedOut == ui::Choice::On ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Reported,
             choice.pseudonym.trimmed().toStdString()};
 }
 
@@ -91,13 +91,13 @@ void DeidentifyController::write(const ui::DeidentifyChoice& choice)
     }
     output_ = choice.outputFolder;
     strip_.showBusy(tr("Taking identity out …"));
-    job_.start([paths, output = output_.toStdString(),
-                wished = deidentificationOf(choice.how)](JobLink<double>& link) -> core::Result<io::DeidentifiedFiles> {
+    job_.start([paths, output = output_.toStdString(), requested = deidentificationOf(choice.how)](
+                   JobLink<double>& link) -> core::Result<io::DeidentifiedFiles> {
         const auto pseudonyms = io::Pseudonyms::create();
         if (!pseudonyms) {
             return pseudonyms.error();
         }
-        return io::deidentifyFiles(paths, output, wished, pseudonyms.value(),
+        return io::deidentifyFiles(paths, output, requested, pseudonyms.value(),
                                    [&link](double fraction) { return link.tell(fraction); });
     });
 }
@@ -192,13 +192,13 @@ void PackController::write(const ui::PackChoice& choice, const QString& path)
 {
     archive_ = path;
     strip_.showBusy(tr("Packing …"));
-    job_.start([theCase = document_.current(), wish = deidentificationFor(choice),
+    job_.start([session = document_.current(), request = deidentificationFor(choice),
                 archive = path.toStdString()](JobLink<double>& link) -> core::Result<QStringList> {
         const auto pseudonyms = io::Pseudonyms::create();
         if (!pseudonyms) {
             return pseudonyms.error();
         }
-        const auto packed = io::packCase(theCase, archive, {wish, pseudonyms.value()},
+        const auto packed = io::packCase(session, archive, {request, pseudonyms.value()},
                                          [&link](double fraction) { return link.tell(fraction); });
         if (!packed) {
             return packed.error();

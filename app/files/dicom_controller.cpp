@@ -21,12 +21,12 @@ namespace angiopose::app {
 namespace {
 
 /// The report as the menu would write it.
-std::function<core::Result<std::string>()> reportMaker(const core::Case& theCase, const core::Centerline2d& target,
+std::function<core::Result<std::string>()> reportMaker(const core::Case& session, const core::Centerline2d& target,
                                                        const OverlayPictureOptions& look)
 {
-    return [theCase, target, look, author = observerName(), typeface = QApplication::font().families(),
+    return [session, target, look, author = observerName(), typeface = QApplication::font().families(),
             page = settings::reportTemplate.read()]() -> core::Result<std::string> {
-        const auto views = judgedViews(theCase, target, look);
+        const auto views = judgedViews(session, target, look);
         if (!views) {
             return views.error();
         }
@@ -132,9 +132,9 @@ DicomExport DicomController::exportFor(const ui::DicomChoice& choice) const
 
 DicomController::Maker DicomController::makerOf(const ui::DicomChoice& choice) const
 {
-    return [theCase = document_.current(), target = target_.current(), wanted = exportFor(choice)](
+    return [session = document_.current(), target = target_.current(), wanted = exportFor(choice)](
                const std::string& folder, const DicomObserver& observe) {
-        return writeDicomObjects(theCase, target ? *target : core::Centerline2d{}, wanted, folder, observe);
+        return writeDicomObjects(session, target ? *target : core::Centerline2d{}, wanted, folder, observe);
     };
 }
 

@@ -5,12 +5,12 @@
 #include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
-#include "app/texts/bent_vessels.h"
+#include "app/texts/deformed_vessels.h"
 #include "app/texts/picture_file.h"
 #include "app/words/snapshot_texts.h"
 #include "app/words/view_words.h"
 #include "core/case/registration_input.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "io/case_points.h"
 #include "io/centerline2d_file.h"
 #include "io/check_point_table.h"
@@ -37,14 +37,14 @@
 namespace angiopose::app {
 namespace {
 
-core::Status writePdf(const core::Case& theCase, const core::Centerline2d& target, const OverlayPictureOptions& options,
+core::Status writePdf(const core::Case& session, const core::Centerline2d& target, const OverlayPictureOptions& options,
                       const PictureFile& file, const QString& path)
 {
-    const auto vectors = pictureVectors(theCase, target, options, file);
+    const auto vectors = pictureVectors(session, target, options, file);
     if (!vectors) {
         return vectors.error();
     }
-    const QByteArray page = pdfOf(vectors.value(), factsOf(theCase, file));
+    const QByteArray page = pdfOf(vectors.value(), factsOf(session, file));
     return io::writeAtomically(path.toStdString(), {page.constData(), static_cast<std::size_t>(page.size())});
 }
 
@@ -267,21 +267,21 @@ void ExportController::askCheckPoints()
             });
 }
 
-void ExportController::askBent()
+void ExportController::askDeformed()
 {
     const core::Case& current = document_.current();
-    const auto bent = drawableBend(current.shown(), current.vessels, current.shown().cameraFromPatient);
-    if (!bent) {
+    const auto deformed = drawableDeformation(current.shown(), current.vessels, current.shown().cameraFromPatient);
+    if (!deformed) {
         emit failed(tr("No bent vessels are known of this pose. Register first (R)."));
         return;
     }
     askFile({tr("Export bent vessels"),
              tr("Bent centrelines (*.vtp)") + QStringLiteral(";;") + tr("How each point moved (*.csv)"),
              QStringLiteral("bent.vtp")},
-            [tree = current.vessels.tree, bent](const QString& path) -> core::Status {
+            [tree = current.vessels.tree, deformed](const QString& path) -> core::Status {
                 return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
-                           ? io::writeMotion(*tree, *bent, path.toStdString())
-                           : io::writeVesselTree(core::bentTree(*tree, *bent), path.toStdString());
+                           ? io::writeMotion(*tree, *deformed, path.toStdString())
+                           : io::writeVesselTree(core::deformedTree(*tree, *deformed), path.toStdString());
             });
 }
 

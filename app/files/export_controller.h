@@ -49,7 +49,7 @@ public:
     void askCheckPoints();
     void askMask();   ///< the lumen as a label image
     void askVessels(const Then& then = {});
-    void askBent();   ///< the tree as it is bent, or how each of its points moved
+    void askDeformed();   ///< the tree as it is bent, or how each of its points moved
 
 signals:
     void started();

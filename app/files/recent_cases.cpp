@@ -38,11 +38,11 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     shown.cArm = run.cArm;
     shown.frames = {run.frames[static_cast<std::size_t>(frame)]};
     core::ImageF& picture = shown.frames.front();
-    const core::Mask2d letters = core::burnedInText(picture, core::tellingLetterShare);
-    const auto grey =
+    const core::Mask2d letters = core::burnedInText(picture, core::informativeLetterShare);
+    const auto gray =
         static_cast<float>(core::quantile(std::vector<double>(picture.pixels.begin(), picture.pixels.end()), 0.5));
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        picture.pixels[i] = letters.pixels[i] != 0 ? grey : picture.pixels[i];
+        picture.pixels[i] = letters.pixels[i] != 0 ? gray : picture.pixels[i];
     }
     return std::make_shared<const core::Angiogram>(std::move(shown));
 }
@@ -74,14 +74,14 @@ QString casePicturePath(const QString& casePath)
     return folderName() + QLatin1Char('/') + pictureName(casePath);
 }
 
-bool storeCasePicture(const core::Case& theCase, const QString& casePath)
+bool storeCasePicture(const core::Case& session, const QString& casePath)
 {
-    const auto& run = theCase.shown().angiogram;
-    const int frame = theCase.shown().frame;
+    const auto& run = session.shown().angiogram;
+    const int frame = session.shown().frame;
     if (!run || frame < 0 || frame >= run->frameCount()) {
         return false;
     }
-    core::Case pictured = theCase;
+    core::Case pictured = session;
     pictured.shown().angiogram = withoutLetters(*run, frame);
     pictured.shown().frame = 0;
     const auto picture = drawThumbnail(pictured, casePictureWidthPx);

@@ -14,7 +14,7 @@ namespace angiopose::app {
 inline constexpr int casePictureWidthPx = 192;
 
 /// Makes and stores the picture of a case file; on a worker. False where there is nothing to show yet.
-bool storeCasePicture(const core::Case& theCase, const QString& casePath);
+bool storeCasePicture(const core::Case& session, const QString& casePath);
 
 /// Null where there is none.
 QImage casePicture(const QString& casePath);

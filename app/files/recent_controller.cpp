@@ -162,7 +162,7 @@ void CaseLookup::publish()
         emit found(path, look);
     }
     if (!answers.empty()) {
-        emit told();
+        emit reported();
     }
 }
 
@@ -189,7 +189,7 @@ RecentController::RecentController(const CaseDocument& document, const Ui& ui, C
         Qt::QueuedConnection);
     connect(&list, &ui::RecentList::picturesToggled, this, &RecentController::setPictures, Qt::QueuedConnection);
     connect(&lookup_, &CaseLookup::found, this, &RecentController::take);
-    connect(&lookup_, &CaseLookup::told, this, &RecentController::showNews);
+    connect(&lookup_, &CaseLookup::reported, this, &RecentController::showNews);
     ui::speak(this, [this] { fill(); });
 }
 

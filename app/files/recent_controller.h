@@ -44,7 +44,7 @@ public:
 
 signals:
     void found(const QString& path, const CaseLook& look);
-    void told();   ///< for now all that was found
+    void reported();   ///< for now all that was found
 
 private:
     struct Shared;

@@ -107,7 +107,7 @@ void SessionController::showNotice(const QStringList& paths)
         settings::noticeAccepted.write(true);
         start(paths);
         if (paths.isEmpty()) {
-            emit startedAnew();
+            emit restarted();
         }
     });
     notice->open();
@@ -192,7 +192,7 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportMeasurements], &QAction::triggered, &export_,
             &ExportController::askMeasurements);
     connect(actions[ui::Command::ExportCheckPoints], &QAction::triggered, &export_, &ExportController::askCheckPoints);
-    connect(actions[ui::Command::ExportBent], &QAction::triggered, &export_, &ExportController::askBent);
+    connect(actions[ui::Command::ExportDeformed], &QAction::triggered, &export_, &ExportController::askDeformed);
     connect(actions[ui::Command::ExportMask], &QAction::triggered, &export_, &ExportController::askMask);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
     connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
@@ -241,7 +241,7 @@ void SessionController::connectArchives()
 {
     connect(ui_.actions[ui::Command::OpenArchive], &QAction::triggered, archive_.get(), &ArchiveController::show);
     connect(archive_.get(), &ArchiveController::retrieved, &studies_, &StudyController::lookAtAll);
-    connect(archive_.get(), &ArchiveController::told, &notices_, &Notices::showNote);
+    connect(archive_.get(), &ArchiveController::reported, &notices_, &Notices::showNote);
     connect(ui_.actions[ui::Command::SendToArchive], &QAction::triggered, &dicom_, &DicomController::askToSend);
     connect(&dicom_, &DicomController::wanted, this,
             [this](const ui::DicomChoice& choice) { sender_->ask(dicom_.makerOf(choice)); });

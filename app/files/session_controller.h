@@ -64,7 +64,7 @@ public:
     OpenController& opening() { return open_; }
 
 signals:
-    void startedAnew();   ///< for the first time, the notice read and no file given
+    void restarted();   ///< for the first time, the notice read and no file given
     void exported();
     void aboutToClose();   ///< the user asked for it; what must not stay open ends now
     void windowMayClose();   ///< nothing is lost with it

@@ -19,7 +19,7 @@ core::DsaOptions imageOf(ui::FitExample example)
 {
     core::DsaOptions options;
     options.frameCount = 4;
-    options.missingBranchShare = example == ui::FitExample::Unfilled ? 0.3 : 0.0;
+    options.missingBranchShare = example == ui::FitExample::Unopacified ? 0.3 : 0.0;
     options.nonRigidStdMm = example == ui::FitExample::Deformed ? 1.2 : 0.0;
     options.extraBranchShare = 0.0;
     options.catheterProbability = 0.0;
@@ -43,7 +43,7 @@ core::PoseOffset errorOf(ui::FitExample example)
             error.laoRaoDeg = 16.0;
             break;
         case ui::FitExample::Right:
-        case ui::FitExample::Unfilled:
+        case ui::FitExample::Unopacified:
         case ui::FitExample::Deformed:
             break;
     }
@@ -52,16 +52,16 @@ core::PoseOffset errorOf(ui::FitExample example)
 
 core::Case caseOf(const core::SimulatedCase& simulated, ui::FitExample example)
 {
-    core::Case theCase;
-    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::Case session;
+    session.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
     core::Angiogram single = simulated.angiogram;
     single.frames = {simulated.angiogram.frames[static_cast<std::size_t>(simulated.angiogram.suggestedFrame)]};
-    core::View& view = theCase.shown();
+    core::View& view = session.shown();
     view.angiogram = std::make_shared<const core::Angiogram>(std::move(single));
     view.geometry = {simulated.angiogram.cArm, simulated.camera};
     view.cameraFromPatient = core::applyOffset(simulated.trueCameraFromPatient, errorOf(example),
                                                core::centroidInPatient(simulated.tree), simulated.camera);
-    return theCase;
+    return session;
 }
 
 }   // namespace

@@ -24,7 +24,7 @@ HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObjec
     connect(actions[ui::Command::Tour], &QAction::triggered, this, &HelpController::startTour);
     connect(actions[ui::Command::GoodFit], &QAction::triggered, this, &HelpController::showGoodFit);
     connect(actions[ui::Command::Messages], &QAction::triggered, this,
-            [this] { (new ui::MessageHistory(window_.strip().told(), &window_))->open(); });
+            [this] { (new ui::MessageHistory(window_.strip().reported(), &window_))->open(); });
     connect(actions[ui::Command::About], &QAction::triggered, this, &HelpController::showAbout);
 }
 

@@ -1,10 +1,10 @@
 #include "app/help/support_controller.h"
 
-#include "app/messages/catalogue.h"
+#include "app/messages/catalog.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
-#include "core/messages/catalogue.h"
-#include "io/messages/catalogue.h"
+#include "core/messages/catalog.h"
+#include "io/messages/catalog.h"
 #include "io/sharing/case_summary.h"
 #include "io/sharing/known_words.h"
 #include "io/support/crash_dumps.h"
@@ -98,8 +98,8 @@ std::string settingsText()
 io::KnownWords wordsOfProgram()
 {
     io::KnownWords words;
-    for (const auto& catalogue : {core::messageCatalogue(), io::messageCatalogue(), messageCatalogue()}) {
-        for (const core::MessageEntry* entry : catalogue) {
+    for (const auto& catalog : {core::messageCatalog(), io::messageCatalog(), messageCatalog()}) {
+        for (const core::MessageEntry* entry : catalog) {
             words.add(entry->english);
             words.add(ui::messageText(core::Message(*entry, {})).toStdString());
         }
@@ -177,10 +177,10 @@ void SupportController::rememberCase()
 std::string SupportController::logText() const
 {
     std::string log;
-    for (const ui::ToldMessage& told : ui_.strip.told().all()) {
-        const qint64 seconds = begun_.secsTo(told.time);
+    for (const ui::LoggedMessage& reported : ui_.strip.reported().all()) {
+        const qint64 seconds = begun_.secsTo(reported.time);
         log += QStringLiteral("+%1:%2 ").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0')).toStdString() +
-               told.text.toStdString() + '\n';
+               reported.text.toStdString() + '\n';
     }
     return log;
 }
@@ -192,14 +192,14 @@ void SupportController::prepare()
     }
     io::addIdentifiers(document_.current(), redaction_);
     texts_.start([facts = windowFacts(), preferences = settingsText(), log = logText(), words = wordsOfProgram(),
-                  theCase = document_.current(), redaction = redaction_,
+                  session = document_.current(), redaction = redaction_,
                   inputs = inputs_](JobLink<double>&) mutable -> core::Result<SharedTexts> {
         for (const QString& path : inputs) {
             io::addIdentifiersOfFile(path.toStdString(), redaction);
         }
         auto texts = io::programTexts(facts);
         texts.push_back({"settings.txt", preferences});
-        texts.push_back({"case.txt", io::caseSummary(theCase)});
+        texts.push_back({"case.txt", io::caseSummary(session)});
         texts = io::cleaned(std::move(texts), redaction);
         texts.push_back({"log.txt", words.only(redaction.cleaned(log))});
         return SharedTexts(std::make_shared<const std::vector<io::SupportText>>(std::move(texts)));

@@ -6,10 +6,10 @@ namespace angiopose::app {
 
 FollowJob::FollowJob(QObject* parent) : QObject(parent), job_(signalsOf<std::vector<core::FollowedFrame>>(*this)) {}
 
-void FollowJob::start(core::Case theCase)
+void FollowJob::start(core::Case session)
 {
-    job_.start([theCase = std::move(theCase)](JobLink<double>& link) {
-        return core::followFrames(theCase,
+    job_.start([session = std::move(session)](JobLink<double>& link) {
+        return core::followFrames(session,
                                   [&link](const core::WorkReport& report) { return link.tell(report.fraction); });
     });
 }

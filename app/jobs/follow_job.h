@@ -15,7 +15,7 @@ class FollowJob : public QObject {
 public:
     explicit FollowJob(QObject* parent = nullptr);
 
-    void start(core::Case theCase);
+    void start(core::Case session);
     void requestStop() { job_.requestStop(); }   ///< returns at once; `finished` follows
     bool isRunning() const { return job_.isRunning(); }
 

@@ -29,9 +29,9 @@ public:
         report_ = std::move(report);
         return verdict();
     }
-    core::Verdict verdict() const { return isStopWished_ ? core::Verdict::Stop : core::Verdict::Continue; }
+    core::Verdict verdict() const { return isStopRequested_ ? core::Verdict::Stop : core::Verdict::Continue; }
 
-    void wishStop() { isStopWished_ = true; }
+    void requestStop() { isStopRequested_ = true; }
     std::optional<Report> takeReport()
     {
         const std::lock_guard lock(mutex_);
@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    std::atomic<bool> isStopWished_{false};
+    std::atomic<bool> isStopRequested_{false};
     std::mutex mutex_;
     std::optional<Report> report_;
 };
@@ -89,7 +89,7 @@ public:
     void requestStop()   ///< returns at once; an answer follows
     {
         if (link_) {
-            link_->wishStop();
+            link_->requestStop();
         }
     }
 

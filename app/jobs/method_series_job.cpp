@@ -6,7 +6,7 @@ namespace angiopose::app {
 
 MethodSeriesJob::MethodSeriesJob(QObject* parent)
     : QObject(parent),
-      job_({[this](const core::Done&) { emit ended(stopWished_); }, [this](const core::Error&) { emit ended(true); },
+      job_({[this](const core::Done&) { emit ended(stopRequested_); }, [this](const core::Error&) { emit ended(true); },
             [this](const Report& report) { tell(report); }})
 {
 }
@@ -15,15 +15,15 @@ void MethodSeriesJob::start(core::RegistrationInput input, core::RegistrationOpt
                             std::vector<std::string> methodIds)
 {
     Q_ASSERT(!isRunning());
-    toldCount_ = 0;
-    stopWished_ = false;
+    reportedCount_ = 0;
+    stopRequested_ = false;
     job_.start([input = std::move(input), options = std::move(options), methodIds = std::move(methodIds)](
                    JobLink<Report>& link) { return solve(input, options, methodIds, link); });
 }
 
 void MethodSeriesJob::requestStop()
 {
-    stopWished_ = true;
+    stopRequested_ = true;
     job_.requestStop();
 }
 
@@ -52,8 +52,8 @@ core::Result<core::Done> MethodSeriesJob::solve(const core::RegistrationInput& i
 void MethodSeriesJob::tell(const Report& report)
 {
     emit advanced(QString::fromStdString(report.methodId), report.progress);
-    for (; toldCount_ < report.ended.size(); ++toldCount_) {
-        const Ended& method = report.ended[toldCount_];
+    for (; reportedCount_ < report.ended.size(); ++reportedCount_) {
+        const Ended& method = report.ended[reportedCount_];
         if (method.outcome) {
             emit solved(method.outcome.value());
         } else {

@@ -44,8 +44,8 @@ private:
                                           const std::vector<std::string>& methodIds, JobLink<Report>& link);
     void tell(const Report& report);
 
-    std::size_t toldCount_ = 0;   ///< of those that ended
-    bool stopWished_ = false;
+    std::size_t reportedCount_ = 0;   ///< of those that ended
+    bool stopRequested_ = false;
     Job<core::Done, Report> job_;
 };
 

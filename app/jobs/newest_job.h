@@ -10,10 +10,10 @@ namespace angiopose::app {
 
 /// Work off the window's thread on the newest of many wishes: one that comes while another is worked on waits, and
 /// takes the place of the one that waited.
-template <class Wish, class Found>
+template <class Request, class Found>
 class NewestJob {
 public:
-    using Work = std::function<core::Result<Found>(const Wish&, JobLink<double>&)>;
+    using Work = std::function<core::Result<Found>(const Request&, JobLink<double>&)>;
 
     /// `made`: each on the thread that made the job. What fails is merely not shown.
     explicit NewestJob(std::function<void(const Found&)> made)
@@ -33,19 +33,19 @@ public:
     }
     void clear() { setWork({}); }
 
-    void request(Wish wish)
+    void request(Request wanted)
     {
         if (job_.isRunning()) {
-            waiting_ = std::move(wish);
+            waiting_ = std::move(wanted);
         } else if (work_) {
-            start(std::move(wish));
+            start(std::move(wanted));
         }
     }
     /// At once, in place of what is under way.
-    void requestInstead(Wish wish)
+    void requestInstead(Request wanted)
     {
         drop();
-        request(std::move(wish));
+        request(std::move(wanted));
     }
     void drop()
     {
@@ -54,9 +54,9 @@ public:
     }
 
 private:
-    void start(Wish wish)
+    void start(Request wanted)
     {
-        job_.start([work = work_, wish = std::move(wish)](JobLink<double>& link) { return work(wish, link); });
+        job_.start([work = work_, wanted = std::move(wanted)](JobLink<double>& link) { return work(wanted, link); });
     }
     void startWaiting()
     {
@@ -66,7 +66,7 @@ private:
     }
 
     Work work_;
-    std::optional<Wish> waiting_;
+    std::optional<Request> waiting_;
     Job<Found> job_;
 };
 

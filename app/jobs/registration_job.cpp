@@ -9,16 +9,16 @@ RegistrationJob::RegistrationJob(QObject* parent)
 {
 }
 
-void RegistrationJob::start(core::Case theCase, core::RegistrationPlan plan)
+void RegistrationJob::start(core::Case session, core::RegistrationPlan plan)
 {
-    job_.start([theCase = std::move(theCase), plan = std::move(plan)](JobLink<RunReport>& link) {
-        return core::registerCase(theCase, plan, [&link, shown = theCase.shownView](const core::WorkReport& report) {
+    job_.start([session = std::move(session), plan = std::move(plan)](JobLink<RunReport>& link) {
+        return core::registerCase(session, plan, [&link, shown = session.shownView](const core::WorkReport& report) {
             if (!report.iteration) {
                 return link.verdict();
             }
-            RunReport told{*report.iteration, report.view == shown};
-            told.iteration.progress = report.fraction;
-            return link.tell(std::move(told));
+            RunReport reported{*report.iteration, report.view == shown};
+            reported.iteration.progress = report.fraction;
+            return link.tell(std::move(reported));
         });
     });
 }

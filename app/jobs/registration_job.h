@@ -19,7 +19,7 @@ class RegistrationJob : public QObject {
 public:
     explicit RegistrationJob(QObject* parent = nullptr);
 
-    void start(core::Case theCase, core::RegistrationPlan plan);
+    void start(core::Case session, core::RegistrationPlan plan);
     void requestStop() { job_.requestStop(); }   ///< returns at once; `finished` or `failed` follows
     bool isRunning() const { return job_.isRunning(); }
 

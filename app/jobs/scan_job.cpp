@@ -15,8 +15,8 @@ constexpr double roughStepShare = 1.0;
 }   // namespace
 
 struct ScanJob::Ready {
-    core::SeenScan fine;
-    core::SeenScan rough;
+    core::PreparedVolume fine;
+    core::PreparedVolume rough;
     core::SeenLevels levels;
     bool isMask = false;
 };
@@ -32,7 +32,7 @@ ScanJob::ScanJob(QObject* parent)
 {
 }
 
-void ScanJob::prepare(core::ScanToSee what, std::optional<double> threshold)
+void ScanJob::prepare(core::VolumeToPrepare what, std::optional<double> threshold)
 {
     clear();
     preparation_.start([what = std::move(what), threshold](JobLink<double>& link) {
@@ -48,15 +48,15 @@ void ScanJob::clear()
     ready_.reset();
 }
 
-core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const core::ScanToSee& what,
+core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const core::VolumeToPrepare& what,
                                                                        std::optional<double> threshold,
-                                                                       const std::function<bool()>& goesOn)
+                                                                       const std::function<bool()>& shouldContinue)
 {
-    auto fine = core::seenScan(what, goesOn);
+    auto fine = core::preparedVolume(what, shouldContinue);
     if (!fine) {
         return core::Error(says::scanBesideVessels());
     }
-    core::ScanToSee again;   // from what is reduced already
+    core::VolumeToPrepare again;   // from what is reduced already
     again.scan = std::make_shared<const core::Volume>(fine->volume);
     if (fine->hasKinds) {
         auto kinds = std::make_shared<core::VoxelMask>();
@@ -64,8 +64,8 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
         kinds->voxels = fine->kinds;
         again.mask = std::move(kinds);
     }
-    again.mostVoxels = roughVoxels;
-    auto rough = core::seenScan(again, goesOn);
+    again.maxVoxels = roughVoxels;
+    auto rough = core::preparedVolume(again, shouldContinue);
     if (!rough) {
         return core::Error(says::notShown());
     }
@@ -77,25 +77,25 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
     return std::shared_ptr<const Ready>(std::move(ready));
 }
 
-core::Result<CastPicture> ScanJob::cast(const Ready& ready, const ScanPictureWish& wish,
-                                        const std::function<bool()>& goesOn)
+core::Result<CastPicture> ScanJob::cast(const Ready& ready, const ScanPictureRequest& wanted,
+                                        const std::function<bool()>& shouldContinue)
 {
-    const bool isFine = wish.detail == ScanDetail::Fine;
-    const core::SeenScan& scan = isFine ? ready.fine : ready.rough;
+    const bool isFine = wanted.detail == ScanDetail::Fine;
+    const core::PreparedVolume& scan = isFine ? ready.fine : ready.rough;
     const core::ScanLook look =
-        ready.isMask ? core::lookOfMask(wish.look) : core::lookOf(ready.levels, wish.look, scan.hasKinds);
-    auto pixels = core::castScan(scan, look, wish.sight, isFine ? fineStepShare : roughStepShare, goesOn);
+        ready.isMask ? core::lookOfMask(wanted.look) : core::lookOf(ready.levels, wanted.look, scan.hasKinds);
+    auto pixels = core::castScan(scan, look, wanted.sight, isFine ? fineStepShare : roughStepShare, shouldContinue);
     if (!pixels) {
-        return core::Error(says::notShown());   // stopped: a newer wish is there
+        return core::Error(says::notShown());   // stopped: a newer wanted is there
     }
-    return CastPicture{wish.sight, std::move(*pixels), wish.detail};
+    return CastPicture{wanted.sight, std::move(*pixels), wanted.detail};
 }
 
 void ScanJob::take(const std::shared_ptr<const Ready>& ready)
 {
     ready_ = freedElsewhere(ready);
-    pictures_.setWork([ready = ready_](const ScanPictureWish& wish, JobLink<double>& link) {
-        return cast(*ready, wish, [&link] { return link.verdict() == core::Verdict::Continue; });
+    pictures_.setWork([ready = ready_](const ScanPictureRequest& wanted, JobLink<double>& link) {
+        return cast(*ready, wanted, [&link] { return link.verdict() == core::Verdict::Continue; });
     });
     emit prepared();
 }
@@ -117,15 +117,15 @@ Eigen::AlignedBox3d ScanJob::boxInPatient() const
     return box;
 }
 
-void ScanJob::request(const ScanPictureWish& wish)
+void ScanJob::request(const ScanPictureRequest& wanted)
 {
     if (!ready_) {
         return;
     }
-    if (std::exchange(isFineUnderWay_, wish.detail == ScanDetail::Fine)) {
-        pictures_.requestInstead(wish);
+    if (std::exchange(isFineUnderWay_, wanted.detail == ScanDetail::Fine)) {
+        pictures_.requestInstead(wanted);
     } else {
-        pictures_.request(wish);
+        pictures_.request(wanted);
     }
 }
 

@@ -32,7 +32,7 @@ VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers(
 Job<VesselTrace>::Answers VesselTraceJob::answers()
 {
     const auto unlessStopped = [this](const auto& answer) {
-        if (stopWished_) {
+        if (stopRequested_) {
             emit stopped();
         } else {
             answer();
@@ -46,7 +46,7 @@ Job<VesselTrace>::Answers VesselTraceJob::answers()
 void VesselTraceJob::start(VesselTraceRequest request)
 {
     Q_ASSERT(!isRunning());
-    stopWished_ = false;
+    stopRequested_ = false;
     job_.start([request = std::move(request)](JobLink<double>& link) {
         const io::ReadObserver observe = [&link](double fraction) { return link.tell(fraction); };
         return traceVessels(request, observe);
@@ -55,7 +55,7 @@ void VesselTraceJob::start(VesselTraceRequest request)
 
 void VesselTraceJob::stop()
 {
-    stopWished_ = true;
+    stopRequested_ = true;
     job_.requestStop();
 }
 

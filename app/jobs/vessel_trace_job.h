@@ -45,7 +45,7 @@ signals:
 private:
     Job<VesselTrace>::Answers answers();
 
-    bool stopWished_ = false;
+    bool stopRequested_ = false;
     Job<VesselTrace> job_;
 };
 

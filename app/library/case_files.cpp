@@ -99,9 +99,9 @@ Case readCase(const std::string& vesselPath, const std::string& imagePath, const
     return Case(std::move(content));
 }
 
-void writeCase(Case& theCase, const std::string& path)
+void writeCase(Case& session, const std::string& path)
 {
-    Case::Content& content = theCase.content();
+    Case::Content& content = session.content();
     const std::string target = library::absolute(path);
     const std::string known = content.path == target ? content.sha256 : std::string();
     library::keepInputs(content.values, path);
@@ -109,9 +109,9 @@ void writeCase(Case& theCase, const std::string& path)
     content.path = target;
 }
 
-void writeResult(const Case& theCase, const std::string& path)
+void writeResult(const Case& session, const std::string& path)
 {
-    const core::Case& values = theCase.content().values;
+    const core::Case& values = session.content().values;
     if (!values.shown().result) {
         throw Error("library.no-result",
                     "The case has no result: it was not registered, or its pose was changed since.");

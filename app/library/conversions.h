@@ -58,7 +58,7 @@ WirePath toPublic(const core::WirePath& path);
 
 // A result is of a tree: its covariance is about the centroid, its motions are of the points.
 PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree);
-BentVessels toPublic(const core::DeformableResult& bent, const core::VesselTree& tree);
+DeformedVessels toPublic(const core::DeformableResult& deformed, const core::VesselTree& tree);
 RegistrationResult toPublic(const core::RegistrationResult& result, const core::VesselTree& tree);
 MultiViewResult toPublic(const core::MultiViewResult& result, const core::VesselTree& tree);
 

@@ -47,7 +47,7 @@ core::CArm toCore(const CArm& cArm)
             givenBy(std::optional(Eigen::Vector2d(*cArm.principalPointUPx, *cArm.principalPointVPx)));
     }
     converted.mirrored = givenBy(std::optional(cArm.mirrored));
-    converted.isocentreInPatientMm = givenBy(cArm.isocentreInPatientMm);
+    converted.isocenterInPatientMm = givenBy(cArm.isocenterInPatientMm);
     return converted;
 }
 
@@ -67,14 +67,22 @@ ProjectionCamera toPublic(const core::ProjectionCamera& camera)
 
 CArm toPublic(const core::CArm& cArm)
 {
-    const auto& [detector, isocenter, object, column, row, primary, secondary, roll, centre, mirrored, isocentre] =
-        cArm;
-    CArm converted{detector.value,  isocenter.value, column.value, row.value, primary.value,
-                   secondary.value, roll.value,      {},           {},        mirrored.value.value_or(false),
-                   isocentre.value};
-    if (centre.value) {
-        converted.principalPointUPx = centre.value->x();
-        converted.principalPointVPx = centre.value->y();
+    const auto& [detector, sourceToIsocenter, object, column, row, primary, secondary, roll, center, mirrored,
+                 isocenter] = cArm;
+    CArm converted{detector.value,
+                   sourceToIsocenter.value,
+                   column.value,
+                   row.value,
+                   primary.value,
+                   secondary.value,
+                   roll.value,
+                   {},
+                   {},
+                   mirrored.value.value_or(false),
+                   isocenter.value};
+    if (center.value) {
+        converted.principalPointUPx = center.value->x();
+        converted.principalPointVPx = center.value->y();
     }
     return converted;
 }
@@ -88,9 +96,9 @@ ProjectionCamera cameraFromCArm(const CArm& cArm, int width, int height)
     return library::toPublic(library::valueOf(core::cameraFromCArm(library::toCore(cArm), width, height)));
 }
 
-Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient)
+Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient)
 {
-    return library::toPublic(library::valueOf(core::cameraFromPatient(library::toCore(cArm), isocentreInPatient)));
+    return library::toPublic(library::valueOf(core::cameraFromPatient(library::toCore(cArm), isocenterInPatient)));
 }
 
 std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Pose& cameraFromPatient,

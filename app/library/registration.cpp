@@ -162,8 +162,8 @@ RegistrationResult toPublic(const core::RegistrationResult& result, const core::
     converted.branches = eachPublic(result.branches);
     converted.alternatives = eachPublic(result.alternatives);
     converted.wirePaths = eachPublic(result.wirePaths);
-    if (result.bent) {
-        converted.bent = toPublic(*result.bent, tree);
+    if (result.deformed) {
+        converted.deformed = toPublic(*result.deformed, tree);
     }
     converted.trustworthy = result.trustworthy;
     converted.probabilityWithin2Mm = result.probabilityWithin2Mm;
@@ -177,7 +177,7 @@ MultiViewResult toPublic(const core::MultiViewResult& result, const core::Vessel
     return {eachPublic(result.views, tree),
             {result.corrections.begin(), result.corrections.end()},
             toPublic(result.uncertainty, tree),
-            result.bent ? std::optional(toPublic(*result.bent, tree)) : std::nullopt,
+            result.deformed ? std::optional(toPublic(*result.deformed, tree)) : std::nullopt,
             result.trustworthy,
             toPublic(result.warnings)};
 }
@@ -241,39 +241,39 @@ void writePose(const Pose& cameraFromPatient, const std::string& path)
 
 namespace angiopose {
 
-Centerline2d targetOf(const Case& theCase)
+Centerline2d targetOf(const Case& session)
 {
-    return library::toPublic(library::valueOf(core::targetOf(theCase.content().values.shown())));
+    return library::toPublic(library::valueOf(core::targetOf(session.content().values.shown())));
 }
 
-RegistrationInput inputOf(const Case& theCase)
+RegistrationInput inputOf(const Case& session)
 {
-    return library::toPublic(library::coreInputOf(theCase.content().values));
+    return library::toPublic(library::coreInputOf(session.content().values));
 }
 
-RegistrationResult registerCase(Case& theCase, const Observer& observe)
+RegistrationResult registerCase(Case& session, const Observer& observe)
 {
-    core::Case& values = theCase.content().values;
+    core::Case& values = session.content().values;
     if (values.views.size() > 1) {
-        throw Error("library.several-views", "The case has " + std::to_string(theCase.viewCount()) +
+        throw Error("library.several-views", "The case has " + std::to_string(session.viewCount()) +
                                                  " views of the vessels. Register them together with registerViews.");
     }
     library::requireStarts(values);
     library::Relay relay(observe);
-    values = library::registered(values, relay).theCase;
+    values = library::registered(values, relay).session;
     return library::toPublic(*values.shown().result, *values.vessels.tree);
 }
 
-MultiViewResult registerViews(Case& theCase, const Observer& observe)
+MultiViewResult registerViews(Case& session, const Observer& observe)
 {
-    core::Case& values = theCase.content().values;
+    core::Case& values = session.content().values;
     if (values.views.size() < 2) {
         throw Error("library.one-view", "The case has one view of the vessels. Register it with registerCase.");
     }
     library::requireStarts(values);
     library::Relay relay(observe);
     core::RegisteredCase run = library::registered(values, relay);
-    values = std::move(run.theCase);
+    values = std::move(run.session);
     return library::toPublic(*run.joint, *values.vessels.tree);
 }
 

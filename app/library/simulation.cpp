@@ -23,9 +23,9 @@ SimulatedCase simulateCase(std::uint64_t seed, const SimulationOptions& options)
     content->values.title = "Simulated case, seed " + std::to_string(seed);
     content->values.vessels.tree = std::make_shared<const core::VesselTree>(std::move(simulated.tree));
     library::putAngiogram(content->values, std::make_shared<const core::Angiogram>(std::move(simulated.angiogram)));
-    Case theCase(std::move(content));
-    theCase.setStartPose(library::toPublic(simulated.initialCameraFromPatient));
-    return {std::move(theCase), library::toPublic(simulated.trueCameraFromPatient),
+    Case session(std::move(content));
+    session.setStartPose(library::toPublic(simulated.initialCameraFromPatient));
+    return {std::move(session), library::toPublic(simulated.trueCameraFromPatient),
             library::toPublic(simulated.trueTarget), std::move(simulated.missingBranchIds)};
 }
 

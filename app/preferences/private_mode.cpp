@@ -9,9 +9,9 @@ bool isPrivate()
     return settings::privateMode.read();
 }
 
-core::Case outgoingCase(const core::Case& theCase)
+core::Case outgoingCase(const core::Case& session)
 {
-    core::Case outgoing = theCase;
+    core::Case outgoing = session;
     if (isPrivate()) {
         outgoing.title.clear();
     }
@@ -29,9 +29,9 @@ void forgetFileDialogs()
 void forgetTraces()
 {
     forgetFileDialogs();
-    for (const Setting<QString>* telling : {&settings::lastFolder, &settings::saveFolder, &settings::observer,
-                                            &settings::trialLog, &settings::reportTemplate}) {
-        telling->forget();
+    for (const Setting<QString>* informative : {&settings::lastFolder, &settings::saveFolder, &settings::observer,
+                                                &settings::trialLog, &settings::reportTemplate}) {
+        informative->forget();
     }
     settings::recentCases.forget();
     settings::pinnedCases.forget();

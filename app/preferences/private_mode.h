@@ -8,7 +8,7 @@ namespace angiopose::app {
 bool isPrivate();
 
 /// The case as it goes into pictures, reports and their metadata: in private mode without the title somebody typed.
-core::Case outgoingCase(const core::Case& theCase);
+core::Case outgoingCase(const core::Case& session);
 
 /// What Qt's own file dialogs remember of the folders they showed goes, for all programs of this user.
 void forgetFileDialogs();

@@ -7,14 +7,14 @@
 namespace angiopose::app {
 
 /// Whether a preference could name a case or a person: then private mode keeps it from being stored.
-enum class Telling { Nothing, OfCases };
+enum class Informative { Nothing, OfCases };
 
 /// One stored preference: key, type and default in one place.
 template <class T>
 struct Setting {
     const char* key;
     T fallback;
-    Telling telling = Telling::Nothing;
+    Informative informative = Informative::Nothing;
 
     T read() const
     {
@@ -25,7 +25,7 @@ struct Setting {
     void write(const T& value) const
     {
         QSettings stored;
-        if (telling == Telling::OfCases && stored.value(QLatin1String("privacy/private")).toBool()) {
+        if (informative == Informative::OfCases && stored.value(QLatin1String("privacy/private")).toBool()) {
             return;
         }
         if (!stored.contains(QLatin1String(key)) || read() != value) {
@@ -37,10 +37,10 @@ struct Setting {
 
 /// Every preference that outlives a session. Poses and options belong to the case, not here.
 namespace settings {
-inline const Setting<QString> lastFolder{"files/lastFolder", {}, Telling::OfCases};
-inline const Setting<QString> saveFolder{"files/saveFolder", {}, Telling::OfCases};   ///< of exports and new cases
-inline const Setting<QStringList> recentCases{"files/recentCases", {}, Telling::OfCases};
-inline const Setting<QStringList> pinnedCases{"files/pinnedCases", {}, Telling::OfCases};   ///< of the recent ones
+inline const Setting<QString> lastFolder{"files/lastFolder", {}, Informative::OfCases};
+inline const Setting<QString> saveFolder{"files/saveFolder", {}, Informative::OfCases};   ///< of exports and new cases
+inline const Setting<QStringList> recentCases{"files/recentCases", {}, Informative::OfCases};
+inline const Setting<QStringList> pinnedCases{"files/pinnedCases", {}, Informative::OfCases};   ///< of the recent ones
 inline const Setting<bool> recentPictures{"files/recentPictures", true};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<bool> layoutFollowsStep{"window/layoutFollowsStep", true};
@@ -77,15 +77,15 @@ inline const Setting<int> scanLook{"view/scanLook", 0};   ///< see core::ScanPre
 inline const Setting<bool> scanAtVessels{"view/scanAtVessels", false};
 inline const Setting<double> scanStrength{"view/scanStrength", 0.5};
 inline const Setting<bool> scanOnDetector{"view/scanOnDetector", false};
-inline const Setting<QString> observer{"user/observer", {}, Telling::OfCases};   ///< of the last blind trial
-inline const Setting<QString> trialLog{"user/trialLog", {}, Telling::OfCases};
+inline const Setting<QString> observer{"user/observer", {}, Informative::OfCases};   ///< of the last blind trial
+inline const Setting<QString> trialLog{"user/trialLog", {}, Informative::OfCases};
 inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
 inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
 inline const Setting<QString> reportTemplate{
-    "export/reportTemplate", {}, Telling::OfCases};   ///< a file; empty: the built-in one
+    "export/reportTemplate", {}, Informative::OfCases};   ///< a file; empty: the built-in one
 inline const Setting<bool> privateMode{"privacy/private", false};   ///< see app/preferences/private_mode.h
 inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty: none is kept
 inline const Setting<QString> seenFault{"support/seenFault", {}};   ///< name of the last dump that was told of

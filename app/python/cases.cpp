@@ -20,40 +20,40 @@ void bindCase(py::module_& module)
         .def_property_readonly("viewCount", &Case::viewCount, "how many angiograms of the vessels it has")
         .def_property("frame", &Case::frame, &Case::setFrame, "from 0; poses turn along where the gantry did")
         .def_property(
-            "camera", [](const Case& theCase) { return Fixed<ProjectionCamera>(theCase.camera()); }, &Case::setCamera,
+            "camera", [](const Case& session) { return Fixed<ProjectionCamera>(session.camera()); }, &Case::setCamera,
             "of the angiogram's size; assign to change it")
         .def_property(
-            "cArm", [](const Case& theCase) { return Fixed<CArm>(theCase.cArm()); }, &Case::setCArm,
+            "cArm", [](const Case& session) { return Fixed<CArm>(session.cArm()); }, &Case::setCArm,
             "assign to change it: camera and start pose follow from it, whatever was set before")
         .def_property(
-            "startPose", [](const Case& theCase) { return fixedArray(theCase.startPose()); }, &Case::setStartPose,
+            "startPose", [](const Case& session) { return fixedArray(session.startPose()); }, &Case::setStartPose,
             "(4, 4); setting it moves the current pose there too")
         .def_property(
-            "cameraFromPatient", [](const Case& theCase) { return fixedArray(theCase.cameraFromPatient()); },
+            "cameraFromPatient", [](const Case& session) { return fixedArray(session.cameraFromPatient()); },
             &Case::setCameraFromPatient, "(4, 4), where the vessels are now; registrations begin here")
         .def_property(
-            "options", [](const Case& theCase) { return Fixed<RegistrationOptions>(theCase.options()); },
+            "options", [](const Case& session) { return Fixed<RegistrationOptions>(session.options()); },
             &Case::setOptions, "method, settings, locks; assign to change them")
         .def_property(
-            "traceOptions", [](const Case& theCase) { return Fixed<TraceOptions>(theCase.traceOptions()); },
+            "traceOptions", [](const Case& session) { return Fixed<TraceOptions>(session.traceOptions()); },
             &Case::setTraceOptions, "how frames are traced that have no target; assign to change them")
         .def_property(
-            "excludedBranchIds", [](const Case& theCase) { return fixedList(theCase.excludedBranchIds()); },
+            "excludedBranchIds", [](const Case& session) { return fixedList(session.excludedBranchIds()); },
             &Case::setExcludedBranchIds, "branches that are not used at all")
         .def_property(
-            "auxiliaryBranchIds", [](const Case& theCase) { return fixedList(theCase.auxiliaryBranchIds()); },
+            "auxiliaryBranchIds", [](const Case& session) { return fixedList(session.auxiliaryBranchIds()); },
             &Case::setAuxiliaryBranchIds, "branches that are solved first by methods that alternate")
         .def("setTarget", &Case::setTarget, py::arg("target"), "Image points of this frame, in place of tracing it.")
         .def_property_readonly(
-            "warnings", [](const Case& theCase) { return fixedList(theCase.warnings()); },
+            "warnings", [](const Case& session) { return fixedList(session.warnings()); },
             "of reading the case and its files")
         .def("__repr__",
-             [](const Case& theCase) {
-                 return py::str("<Case {!r}: {} views>").format(theCase.title(), theCase.viewCount());
+             [](const Case& session) {
+                 return py::str("<Case {!r}: {} views>").format(session.title(), session.viewCount());
              })
-        .def("__copy__", [](const Case& theCase) { return Case(theCase); })
+        .def("__copy__", [](const Case& session) { return Case(session); })
         .def(
-            "__deepcopy__", [](const Case& theCase, const py::dict&) { return Case(theCase); }, py::arg("memo"));
+            "__deepcopy__", [](const Case& session, const py::dict&) { return Case(session); }, py::arg("memo"));
 }
 
 void bindReading(py::module_& module)
@@ -78,12 +78,12 @@ void bindReading(py::module_& module)
         "Reads a case file and the files it names; vessels given as a scan, a label image or a surface are traced.");
     const py::call_guard<py::gil_scoped_release> unlocked;
     module.def(
-        "writeCase", [](Case& theCase, const Path& path) { writeCase(theCase, path.string()); }, py::arg("theCase"),
+        "writeCase", [](Case& session, const Path& path) { writeCase(session, path.string()); }, py::arg("theCase"),
         py::arg("path"), unlocked,
         "Writes a case file. What comes from no file is written beside it: of a.angiopose the vessels are\n"
         "a.tree.vtp, the angiogram a.angiogram.dcm, a target that was set a.curves.csv.");
     module.def(
-        "writeResult", [](const Case& theCase, const Path& path) { writeResult(theCase, path.string()); },
+        "writeResult", [](const Case& session, const Path& path) { writeResult(session, path.string()); },
         py::arg("theCase"), py::arg("path"), unlocked, "Writes result.json of the last registration of the case.");
 }
 
@@ -99,17 +99,17 @@ void bindWork(py::module_& module)
         "does.");
     module.def(
         "registerCase",
-        [](Case& theCase, const py::object& observe) {
+        [](Case& session, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return registerCase(theCase, observer); });
+            return withoutLock([&] { return registerCase(session, observer); });
         },
         py::arg("theCase"), py::arg("observe") = py::none(),
         "Registers the case with its options and takes over the pose. Raises for a case of several views.");
     module.def(
         "registerViews",
-        [](Case& theCase, const py::object& observe) {
+        [](Case& session, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return registerViews(theCase, observer); });
+            return withoutLock([&] { return registerViews(session, observer); });
         },
         py::arg("theCase"), py::arg("observe") = py::none(),
         "Registers all views of a case together and takes over the pose.");
@@ -134,7 +134,7 @@ void bindSimulation(py::module_& module)
                        "vessels of the image that the tree does not have, per branch, 0...1")
         .def_readwrite("frameCount", &SimulationOptions::frameCount, "of the run");
     py::class_<SimulatedCase>(module, "SimulatedCase", "A case with known answer.")
-        .def_readonly("theCase", &SimulatedCase::theCase, "with a start pose as a header gives it")
+        .def_readonly("theCase", &SimulatedCase::session, "with a start pose as a header gives it")
         .def_property_readonly("trueCameraFromPatient", asArray<&SimulatedCase::trueCameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
         .def_readonly("trueTarget", &SimulatedCase::trueTarget, "the curves of what is filled, sampled every px")

@@ -40,11 +40,11 @@ void bindCArm(py::module_& module)
         .def(py::init([](Length sourceToDetectorMm, Length sourceToPatientMm, Length columnSpacingMm,
                          Length rowSpacingMm, Length primaryAngleDeg, Length secondaryAngleDeg, Length rollDeg,
                          Length principalPointUPx, Length principalPointVPx, bool mirrored,
-                         const std::optional<Eigen::Vector3d>& isocentreInPatientMm) {
+                         const std::optional<Eigen::Vector3d>& isocenterInPatientMm) {
                  return CArm{
                      sourceToDetectorMm,  sourceToPatientMm, columnSpacingMm,   rowSpacingMm,      primaryAngleDeg,
                      secondaryAngleDeg,   rollDeg,           principalPointUPx, principalPointVPx, mirrored,
-                     isocentreInPatientMm};
+                     isocenterInPatientMm};
              }),
              py::kw_only(), py::arg("sourceToDetectorMm") = py::none(), py::arg("sourceToPatientMm") = py::none(),
              py::arg("columnSpacingMm") = py::none(), py::arg("rowSpacingMm") = py::none(),
@@ -63,8 +63,8 @@ void bindCArm(py::module_& module)
         .def_readwrite("principalPointUPx", &CArm::principalPointUPx, "None: image centre")
         .def_readwrite("principalPointVPx", &CArm::principalPointVPx, "None: image centre")
         .def_readwrite("mirrored", &CArm::mirrored, "True: shown as seen from the source")
-        .def_property("isocentreInPatientMm", asArray<&CArm::isocentreInPatientMm>(),
-                      assign<&CArm::isocentreInPatientMm>(), "(3,), patient LPS; None: not known");
+        .def_property("isocentreInPatientMm", asArray<&CArm::isocenterInPatientMm>(),
+                      assign<&CArm::isocenterInPatientMm>(), "(3,), patient LPS; None: not known");
     bindFixed<CArm>(module, "_FixedCArm");
 }
 

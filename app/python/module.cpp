@@ -55,7 +55,7 @@ PYBIND11_MODULE(_angiopose, module)
     bindAngiograms(module);
     bindVolumes(module);
     bindOptions(module);
-    bindBending(module);
+    bindDeformation(module);
     bindRegistration(module);
     bindCases(module);
 }

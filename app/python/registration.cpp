@@ -159,7 +159,7 @@ void bindResults(py::module_& module)
                                "best first, without the result itself")
         .def_property_readonly("wirePaths", asTuple<&Result::wirePaths>(),
                                "of the method wire, most likely first; the pose is that of the first")
-        .def_readonly("bent", &Result::bent, "BentVessels where bending was asked (option deformable), else None")
+        .def_readonly("bent", &Result::deformed, "BentVessels where bending was asked (option deformable), else None")
         .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
         .def_readonly(
             "probabilityWithin2Mm", &Result::probabilityWithin2Mm,
@@ -187,7 +187,7 @@ void bindResults(py::module_& module)
             },
             "(6,) each: turn (rad) and shift (mm) of a view's geometry to the first, camera axes")
         .def_readonly("uncertainty", &MultiViewResult::uncertainty, "of the first view's pose, from all views")
-        .def_readonly("bent", &MultiViewResult::bent, "BentVessels from all views, in space; or None")
+        .def_readonly("bent", &MultiViewResult::deformed, "BentVessels from all views, in space; or None")
         .def_readonly("trustworthy", &MultiViewResult::trustworthy, "False: look before you use the poses")
         .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why not");
 }
@@ -239,55 +239,56 @@ void bindRegistration(py::module_& module)
         "To .json, .tfm or .h5, by the extension; every number restores to the last bit.");
 }
 
-void bindBending(py::module_& module)
+void bindDeformation(py::module_& module)
 {
-    py::enum_<BendVerdict>(module, "BendVerdict", "Whether the image shows the vessels bent.")
-        .value("Rigid", BendVerdict::Rigid, "nothing speaks for a bend")
-        .value("Bent", BendVerdict::Bent)
-        .value("Unsure", BendVerdict::Unsure, "bent, but how is not certain: `messages` say why");
+    py::enum_<DeformationVerdict>(module, "BendVerdict", "Whether the image shows the vessels bent.")
+        .value("Rigid", DeformationVerdict::Rigid, "nothing speaks for a bend")
+        .value("Bent", DeformationVerdict::Deformed)
+        .value("Unsure", DeformationVerdict::Unsure, "bent, but how is not certain: `messages` say why");
 
-    using Bent = BentVessels;
-    py::class_<Bent>(
+    using Deformed = DeformedVessels;
+    py::class_<Deformed>(
         module, "BentVessels",
         "Vessels bent onto the image after their rigid registration (option deformable). One view tells\n"
         "motion in its image plane; along the ray the vessels keep their shape, and covarianceMm2 says how\n"
         "little is known there. Row i of each array tells of point i of the tree that was registered.")
-        .def_readonly("verdict", &Bent::verdict, "rigid, bent or unsure")
-        .def_readonly("tree", &Bent::tree, "as it was in the image, patient LPS mm")
+        .def_readonly("verdict", &Deformed::verdict, "rigid, bent or unsure")
+        .def_readonly("tree", &Deformed::tree, "as it was in the image, patient LPS mm")
         .def_property_readonly(
             "displacementMm",
-            [](const py::object& self) { return viewOf(self.cast<const Bent&>().displacementMm, self); },
+            [](const py::object& self) { return viewOf(self.cast<const Deformed&>().displacementMm, self); },
             "(N, 3), beyond any rigid motion, patient axes")
         .def_property_readonly(
             "covarianceMm2",
-            [](const py::object& self) { return matricesOf(self.cast<const Bent&>().covarianceMm2, self); },
+            [](const py::object& self) { return matricesOf(self.cast<const Deformed&>().covarianceMm2, self); },
             "(N, 3, 3), of each point's place, camera axes of the first view")
         .def_property_readonly(
-            "seenShare", [](const py::object& self) { return viewOf(self.cast<const Bent&>().seenShare, self); },
+            "seenShare", [](const py::object& self) { return viewOf(self.cast<const Deformed&>().seenShare, self); },
             "(N,), of the point's branch: share of its length that found a vessel, 0...1")
         .def_property_readonly(
             "viewPoses",
-            [](const Bent& bent) {
+            [](const Deformed& deformed) {
                 py::list poses;
-                for (const Pose& pose : bent.viewPoses) {
+                for (const Pose& pose : deformed.viewPoses) {
                     poses.append(fixedArray(pose));
                 }
                 return py::tuple(poses);
             },
             "(4, 4) of each view: the rigid pose nearest to `tree`, which it is projected with")
-        .def_readonly("logEvidenceGain", &Bent::logEvidenceGain, "of bent vessels over rigid ones")
-        .def_readonly("meanMotionMm", &Bent::meanMotionMm, "in the image plane of one view, else in space")
-        .def_readonly("largestMotionMm", &Bent::largestMotionMm, "likewise")
-        .def_readonly("spreadMm", &Bent::spreadMm, "rms difference between runs, in the image plane")
-        .def_readonly("placeStdMm", &Bent::placeStdMm, "rms 1-sigma of a point's place in the image plane")
-        .def_readonly("rigidOffMm", &Bent::rigidOffMm, "how far the rigid pose lies off, in the mean")
-        .def_readonly("rigidOffMostMm", &Bent::rigidOffMostMm, "in the mean over the branch where it is most")
-        .def_readonly("rigidOffMostAtBranch", &Bent::rigidOffMostAtBranch, "which branch that is")
-        .def_readonly("explainedShare", &Bent::explainedShare, "of the visible tree's length, 0...1")
-        .def_readonly("noisePx", &Bent::noisePx, "learned, of a traced vessel")
-        .def_property_readonly("messages", asTuple<&Bent::messages>(), "what moved, in words; why it is unsure")
-        .def("__repr__", [](const Bent& bent) {
-            return py::str("<BentVessels: {}, {:.3g} mm in the mean>").format(toText(bent.verdict), bent.meanMotionMm);
+        .def_readonly("logEvidenceGain", &Deformed::logEvidenceGain, "of bent vessels over rigid ones")
+        .def_readonly("meanMotionMm", &Deformed::meanMotionMm, "in the image plane of one view, else in space")
+        .def_readonly("largestMotionMm", &Deformed::largestMotionMm, "likewise")
+        .def_readonly("spreadMm", &Deformed::spreadMm, "rms difference between runs, in the image plane")
+        .def_readonly("placeStdMm", &Deformed::placeStdMm, "rms 1-sigma of a point's place in the image plane")
+        .def_readonly("rigidOffMm", &Deformed::rigidOffMm, "how far the rigid pose lies off, in the mean")
+        .def_readonly("rigidOffMostMm", &Deformed::rigidOffMostMm, "in the mean over the branch where it is most")
+        .def_readonly("rigidOffMostAtBranch", &Deformed::rigidOffMostAtBranch, "which branch that is")
+        .def_readonly("explainedShare", &Deformed::explainedShare, "of the visible tree's length, 0...1")
+        .def_readonly("noisePx", &Deformed::noisePx, "learned, of a traced vessel")
+        .def_property_readonly("messages", asTuple<&Deformed::messages>(), "what moved, in words; why it is unsure")
+        .def("__repr__", [](const Deformed& deformed) {
+            return py::str("<BentVessels: {}, {:.3g} mm in the mean>")
+                .format(toText(deformed.verdict), deformed.meanMotionMm);
         });
 }
 

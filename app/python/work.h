@@ -49,7 +49,7 @@ void bindVessels(pybind11::module_& module);
 void bindAngiograms(pybind11::module_& module);
 void bindVolumes(pybind11::module_& module);
 void bindOptions(pybind11::module_& module);
-void bindBending(pybind11::module_& module);
+void bindDeformation(pybind11::module_& module);
 void bindRegistration(pybind11::module_& module);
 void bindCases(pybind11::module_& module);
 

@@ -49,7 +49,7 @@ void RegistrationController::start()
         return;
     }
     phase_ = Phase::Tracing;
-    stopWished_ = false;
+    stopRequested_ = false;
     document_.setLocked(true);
     emit runningChanged(true);
     emit tracingStarted();
@@ -62,7 +62,7 @@ void RegistrationController::stop()
     if (phase_ == Phase::Tracing) {
         end();
     } else if (phase_ == Phase::Solving) {
-        stopWished_ = true;
+        stopRequested_ = true;
         job_.requestStop();
     }
 }
@@ -94,7 +94,7 @@ void RegistrationController::apply(const core::RegisteredCase& registered)
     std::vector<core::View> views = document_.current().views;   // with what was kept of them meanwhile
     for (const std::size_t place : registered.places) {
         core::View& view = views[place];
-        core::takeOver(view, registered.theCase.views[place]);
+        core::takeOver(view, registered.session.views[place]);
         view.snapshots = core::withSnapshot(std::move(view.snapshots), snapshotOfRun(*view.result, view.frame));
     }
     const bool areSeveral = registered.joint.has_value();
@@ -108,7 +108,7 @@ void RegistrationController::apply(const core::RegisteredCase& registered)
 void RegistrationController::giveUp(const core::Message& reason)
 {
     end();
-    if (!stopWished_) {   // stopped before there was any pose: nothing to tell
+    if (!stopRequested_) {   // stopped before there was any pose: nothing to tell
         emit failed(ui::messageText(reason));
     }
 }

@@ -40,7 +40,7 @@ private:
     TargetProvider& target_;
     RegistrationJob job_;
     bool allViews_ = true;
-    bool stopWished_ = false;
+    bool stopRequested_ = false;
     Phase phase_ = Phase::Idle;
 };
 

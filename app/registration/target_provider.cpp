@@ -13,13 +13,13 @@ std::size_t bytesOf(const SharedTrace& trace)
     return trace->fieldMask.pixels.size();
 }
 
-std::optional<TraceRequest> requestFor(const core::Case& theCase)
+std::optional<TraceRequest> requestFor(const core::Case& session)
 {
-    const auto& angiogram = theCase.shown().angiogram;
-    if (!angiogram || theCase.shown().frame < 0 || theCase.shown().frame >= angiogram->frameCount()) {
+    const auto& angiogram = session.shown().angiogram;
+    if (!angiogram || session.shown().frame < 0 || session.shown().frame >= angiogram->frameCount()) {
         return std::nullopt;
     }
-    return TraceRequest{angiogram, theCase.shown().frame, core::traceOptionsOf(theCase.shown())};
+    return TraceRequest{angiogram, session.shown().frame, core::traceOptionsOf(session.shown())};
 }
 
 }   // namespace
@@ -48,14 +48,14 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
     });
 }
 
-void TargetProvider::want(const core::Case& theCase)
+void TargetProvider::want(const core::Case& session)
 {
-    if (const auto given = core::givenTargetOf(theCase.shown())) {
+    if (const auto given = core::givenTargetOf(session.shown())) {
         wanted_.reset();
         settleGiven(given);
         return;
     }
-    const auto request = requestFor(theCase);
+    const auto request = requestFor(session);
     if (request && request == wanted_) {
         return;
     }

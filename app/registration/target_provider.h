@@ -18,7 +18,7 @@ class TargetProvider : public QObject {
 public:
     explicit TargetProvider(QObject* parent = nullptr);
 
-    void want(const core::Case& theCase);
+    void want(const core::Case& session);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
     const SharedTrace& trace() const { return trace_; }   ///< null while the target is a given one, or not ready
     const std::optional<core::Message>& problem() const { return problem_; }   ///< why there is none

@@ -23,32 +23,32 @@ constexpr int pictureWidthPx = 900;   // of one of the two
 constexpr int pageDpi = 96;   // as browsers count: one size for both kinds
 constexpr int markPx = 96;
 
-core::Result<core::RegistrationResult> judgementOfView(const core::Case& theCase, const core::Centerline2d& target)
+core::Result<core::RegistrationResult> judgementOfView(const core::Case& session, const core::Centerline2d& target)
 {
-    const auto input = core::registrationInputOf(theCase, target);
+    const auto input = core::registrationInputOf(session, target);
     if (!input) {
         return input.error();
     }
-    auto judged = core::evaluatePose(input.value(), theCase.shown().cameraFromPatient);
+    auto judged = core::evaluatePose(input.value(), session.shown().cameraFromPatient);
     if (!judged) {
         return judged.error();
     }
     core::RegistrationResult result = std::move(judged).value();
-    takeWordOfRun(result, theCase.shown());
+    takeWordOfRun(result, session.shown());
     return result;
 }
 
-core::Result<ReportedView> judgedView(const core::Case& theCase, const core::Result<core::Centerline2d>& target,
+core::Result<ReportedView> judgedView(const core::Case& session, const core::Result<core::Centerline2d>& target,
                                       const OverlayPictureOptions& look)
 {
     if (!target) {
         return target.error();
     }
-    const auto judgement = judgementOfView(theCase, target.value());
+    const auto judgement = judgementOfView(session, target.value());
     if (!judgement) {
         return judgement.error();
     }
-    return ReportedView{theCase, look, target.value(), judgement.value(), {}};
+    return ReportedView{session, look, target.value(), judgement.value(), {}};
 }
 
 /// The overlay, beside the start pose where that is another.
@@ -57,7 +57,7 @@ core::Result<QImage> pictureOf(const ReportedView& view)
     OverlayPictureOptions look = view.look;
     look.widthPx = pictureWidthPx;
     look.isStartBeside = hasStartBeside(view);
-    const auto drawn = drawOverlay(view.theCase, view.target, look);
+    const auto drawn = drawOverlay(view.session, view.target, look);
     if (!drawn) {
         return drawn.error();
     }
@@ -89,7 +89,7 @@ QByteArray pdfOf(const CaseReport& report, const ReportTemplate& page, const Rep
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(15.0, 15.0, 15.0, 15.0), QPageLayout::Millimeter);
     writer.setResolution(pageDpi);
-    writer.setTitle(QString::fromStdString(report.views.front().theCase.title));
+    writer.setTitle(QString::fromStdString(report.views.front().session.title));
     writer.setCreator(QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
     QTextDocument document;
     document.documentLayout()->setPaintDevice(&writer);
@@ -122,10 +122,10 @@ QByteArray htmlOf(const CaseReport& report, const ReportTemplate& page, const Re
 
 }   // namespace
 
-core::Result<std::vector<ReportedView>> judgedViews(const core::Case& theCase, const core::Centerline2d& shownTarget,
+core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, const core::Centerline2d& shownTarget,
                                                     const OverlayPictureOptions& look)
 {
-    auto shown = judgedView(theCase, shownTarget, look);
+    auto shown = judgedView(session, shownTarget, look);
     if (!shown) {
         return shown.error();
     }
@@ -134,11 +134,11 @@ core::Result<std::vector<ReportedView>> judgedViews(const core::Case& theCase, c
     ofOthers.radiograph = nullptr;
     ofOthers.cutout = {};
     std::vector<ReportedView> views{std::move(shown).value()};
-    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
-        if (place == theCase.shownView || !theCase.views[place].angiogram) {
+    for (std::size_t place = 0; place < session.views.size(); ++place) {
+        if (place == session.shownView || !session.views[place].angiogram) {
             continue;
         }
-        core::Case other = theCase;
+        core::Case other = session;
         other.shownView = place;
         auto view = judgedView(other, core::targetOf(other.shown()), ofOthers);
         views.push_back(view ? std::move(view).value()

@@ -14,7 +14,7 @@ namespace angiopose::app {
 
 /// One view of the case and what the report says of it.
 struct ReportedView {
-    core::Case theCase;   ///< with this view shown
+    core::Case session;   ///< with this view shown
     OverlayPictureOptions look;
     core::Centerline2d target;
     core::RegistrationResult judgement;   ///< of the view's pose
@@ -34,7 +34,7 @@ struct CaseReport {
 /// Judges every view: by the run that found its pose, else by its target (`shownTarget`, or what is traced in the other
 /// views). `look` is the shown view's; the others have no radiograph and find their own grey values. Fails where the
 /// shown view cannot be judged. Takes its time: for a worker.
-core::Result<std::vector<ReportedView>> judgedViews(const core::Case& theCase, const core::Centerline2d& shownTarget,
+core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, const core::Centerline2d& shownTarget,
                                                     const OverlayPictureOptions& look);
 
 enum class ReportKind { Pdf, Html };

@@ -18,16 +18,16 @@ bool showsResiduals(const ReportedView& view)
            view.look.vessels != ui::OverlayMode::Hidden;
 }
 
-double scaleEndMm(const core::Case& theCase)
+double scaleEndMm(const core::Case& session)
 {
-    const auto camera = core::cameraOf(theCase.shown());
+    const auto camera = core::cameraOf(session.shown());
     if (!camera) {
         return 0.0;
     }
     const double depthMm =
-        std::max((theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z(),
+        std::max((session.shown().cameraFromPatient * core::centroidInPatient(*session.vessels.tree)).z(),
                  core::minProjectableDepthMm);
-    return residualScaleMaximumPx(camera.value(), depthMm) * core::millimetresPerPixel(camera.value(), depthMm);
+    return residualScaleMaximumPx(camera.value(), depthMm) * core::millimetersPerPixel(camera.value(), depthMm);
 }
 
 /// A sample of the colour, which printers keep, and what it stands for.
@@ -41,8 +41,8 @@ QString sample(const ui::Color& color, const QString& meaning)
 
 bool hasStartBeside(const ReportedView& view)
 {
-    const auto start = core::startPoseOf(view.theCase);
-    return start && start.value().matrix() != view.theCase.shown().cameraFromPatient.matrix();
+    const auto start = core::startPoseOf(view.session);
+    return start && start.value().matrix() != view.session.shown().cameraFromPatient.matrix();
 }
 
 QString captionsOf(const ReportedView& view, int widthPx)
@@ -51,7 +51,7 @@ QString captionsOf(const ReportedView& view, int widthPx)
         return {};
     }
     const QString after =
-        view.theCase.shown().result ? PageWords::tr("After: registered") : PageWords::tr("After: pose set by hand");
+        view.session.shown().result ? PageWords::tr("After: registered") : PageWords::tr("After: pose set by hand");
     return QStringLiteral(
                "<table width=\"%1\" style=\"margin-top:6px\" cellspacing=\"0\" cellpadding=\"0\"><tr>"
                "<td width=\"50%\"><b>%2</b></td><td width=\"50%\"><b>%3</b></td></tr></table>")
@@ -63,7 +63,7 @@ QString colorLineOf(const ReportedView& view)
     if (!showsResiduals(view)) {
         return {};
     }
-    const double endMm = scaleEndMm(view.theCase);
+    const double endMm = scaleEndMm(view.session);
     const auto at = [endMm](double fraction) {
         return sample(ui::residualColor(fraction), ui::numberText(fraction * endMm, 0) + QStringLiteral(" mm"));
     };

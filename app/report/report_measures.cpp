@@ -12,32 +12,32 @@ namespace {
 using report::PageWords;
 
 /// A few per cent are how a lumen is read, not a narrowing of it.
-constexpr double leastNarrowingPercent = 10.0;
+constexpr double minNarrowingPercent = 10.0;
 
 }   // namespace
 
-ReportRows measuredRows(const core::Case& theCase)
+ReportRows measuredRows(const core::Case& session)
 {
-    const core::View& view = theCase.shown();
+    const core::View& view = session.shown();
     ReportRows rows;
     for (const core::ImageMeasurement& measurement : view.measurements) {
-        const ui::MeasureRow row = measureRow(measurement, {view, theCase.vessels.tree.get()});
+        const ui::MeasureRow row = measureRow(measurement, {view, session.vessels.tree.get()});
         rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
     }
-    const auto& scan = theCase.vessels.scan;
-    for (const core::SliceMeasurement& measurement : theCase.vessels.measurements) {
+    const auto& scan = session.vessels.scan;
+    for (const core::SliceMeasurement& measurement : session.vessels.measurements) {
         const ui::MeasureRow row = sliceRow(measurement, scan ? &scan->geometry : nullptr);
         rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
     }
     return rows;
 }
 
-ReportRows checkedRows(const core::Case& theCase)
+ReportRows checkedRows(const core::Case& session)
 {
-    const auto checked = core::checkedPoints(theCase);
+    const auto checked = core::checkedPoints(session);
     ReportRows rows;
-    for (const core::VesselMark& mark : theCase.vessels.marks) {
-        const ui::MarkRow row = markRow(mark, checked, theCase.shownView);
+    for (const core::VesselMark& mark : session.vessels.marks) {
+        const ui::MarkRow row = markRow(mark, checked, session.shownView);
         rows.emplace_back(row.name, row.value + QStringLiteral(" · ") + row.basis);
     }
     return rows;
@@ -51,7 +51,7 @@ QString widthWords(const core::VesselBranch& branch)
     }
     const core::BranchProfile& along = profile.value();
     const QString mean = QStringLiteral(" · ⌀ %1 mm").arg(ui::numberText(*along.meanDiameterMm, 1));
-    const bool isNarrowed = along.narrowing && along.narrowing->percent >= leastNarrowingPercent;
+    const bool isNarrowed = along.narrowing && along.narrowing->percent >= minNarrowingPercent;
     return isNarrowed ? mean + PageWords::tr(", narrowest %1 mm (−%2 %)")
                                    .arg(ui::numberText(along.narrowing->diameterMm, 1),
                                         ui::numberText(along.narrowing->percent, 0))

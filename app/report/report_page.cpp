@@ -52,10 +52,10 @@ QString programWords()
 }
 
 /// That the images are not of one patient stands where nobody overlooks it.
-QString mismatchLines(const core::Case& theCase)
+QString mismatchLines(const core::Case& session)
 {
     QString lines;
-    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+    for (const core::Message& mismatch : core::findMismatch(session)) {
         lines +=
             QStringLiteral("<p><b style=\"color:#b00020\">%1</b></p>").arg(ui::messageText(mismatch).toHtmlEscaped());
     }
@@ -67,7 +67,7 @@ QString patientWords(const ReportedView& view)
     if (view.look.identity == Identity::Hidden) {
         return ui::messageText(says::identityHidden());
     }
-    const core::StudyIdentity& study = view.theCase.shown().angiogram->identity;
+    const core::StudyIdentity& study = view.session.shown().angiogram->identity;
     QStringList patient;
     for (const std::string& part : {study.patientName, study.patientId, study.birthDate, study.institution}) {
         patient << fromCore(part).replace(QLatin1Char('^'), QLatin1Char(' ')).simplified();
@@ -82,8 +82,8 @@ enum class ReportPlace { Alone, First, Further };
 /// All that is about one view. A further one begins a page, lest its picture part from what stands above it.
 QString viewPart(const ReportedView& view, const QString& picture, ReportPlace place)
 {
-    const core::Case& theCase = view.theCase;
-    const QString title = numberedTitle(theCase.views, theCase.shownView);
+    const core::Case& session = view.session;
+    const QString title = numberedTitle(session.views, session.shownView);
     if (view.problem) {
         return heading(title) + card({ui::messageText(*view.problem)}, doubtfulGround);
     }
@@ -93,8 +93,8 @@ QString viewPart(const ReportedView& view, const QString& picture, ReportPlace p
     const QString seen = captionsOf(view, widthOf(view)) + picture + colorLineOf(view);
     const QString verdict = verdictPart(view);   // the worst news first
     return above + (view.judgement.trustworthy ? seen + verdict : verdict + seen) +
-           beside(resultPart(view) + branchPart(view), geometryPart(theCase) + posePart(theCase)) +
-           measuredPart(theCase) + checkedPart(theCase);
+           beside(resultPart(view) + branchPart(view), geometryPart(session) + posePart(session)) +
+           measuredPart(session) + checkedPart(session);
 }
 
 QString inputPart(const CaseReport& report)
@@ -107,17 +107,17 @@ QString inputPart(const CaseReport& report)
             rows.emplace_back(name, known + QStringLiteral(" · SHA-256 ") + fromCore(file.sha256).left(16));
         }
     };
-    const core::Case& theCase = report.views.front().theCase;
-    if (theCase.vessels.isLumenEdited) {
+    const core::Case& session = report.views.front().session;
+    if (session.vessels.isLumenEdited) {
         rows.emplace_back(PageWords::tr("Vessels"), PageWords::tr("traced from a lumen mask edited by hand"));
-        add(PageWords::tr("Lumen mask"), theCase.vessels.file);
-        add(PageWords::tr("Scan"), theCase.vessels.scanFile);
+        add(PageWords::tr("Lumen mask"), session.vessels.file);
+        add(PageWords::tr("Scan"), session.vessels.scanFile);
     } else {
-        add(PageWords::tr("Vessels"), theCase.vessels.file);
+        add(PageWords::tr("Vessels"), session.vessels.file);
     }
-    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
-        const core::View& view = theCase.views[place];
-        const QString number = theCase.views.size() > 1 ? QStringLiteral(" %1").arg(place + 1) : QString();
+    for (std::size_t place = 0; place < session.views.size(); ++place) {
+        const core::View& view = session.views[place];
+        const QString number = session.views.size() > 1 ? QStringLiteral(" %1").arg(place + 1) : QString();
         add(PageWords::tr("Angiogram") + number, view.imageFile);
         add(PageWords::tr("Traced vessels") + number, io::exportedFileOf(view.target));
     }
@@ -154,10 +154,10 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
     }
     const std::size_t mark = report.views.size();
     const QHash<QString, QString> parts{
-        {QStringLiteral("title"), fromCore(shown.theCase.title).toHtmlEscaped()},
+        {QStringLiteral("title"), fromCore(shown.session.title).toHtmlEscaped()},
         {QStringLiteral("notice"), ui::messageText(says::notForClinicalUse()).toHtmlEscaped()},
         {QStringLiteral("patient"), patientWords(shown).toHtmlEscaped()},
-        {QStringLiteral("warnings"), mismatchLines(shown.theCase)},
+        {QStringLiteral("warnings"), mismatchLines(shown.session)},
         {QStringLiteral("views"), views},
         {QStringLiteral("inputs"), inputPart(report)},
         {QStringLiteral("signature"), PageWords::tr("Signature").toHtmlEscaped()},

@@ -26,11 +26,11 @@ using Rows = ReportRows;
 constexpr std::size_t branchesListed = 12;
 constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber, dark enough for paper
 
-double mmPerPxOf(const core::Case& theCase)
+double mmPerPxOf(const core::Case& session)
 {
-    const auto camera = core::cameraOf(theCase.shown());
-    const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
-    return camera ? core::millimetresPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
+    const auto camera = core::cameraOf(session.shown());
+    const double depthMm = (session.shown().cameraFromPatient * core::centroidInPatient(*session.vessels.tree)).z();
+    return camera ? core::millimetersPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
 }
 
 QString methodWordsOf(const core::RegistrationResult& judged)
@@ -41,10 +41,10 @@ QString methodWordsOf(const core::RegistrationResult& judged)
 /// How the pose came about.
 Rows originRows(const ReportedView& view)
 {
-    const auto& result = view.theCase.shown().result;
+    const auto& result = view.session.shown().result;
     if (!result) {
-        const auto start = core::startPoseOf(view.theCase);
-        const bool isStart = start && start.value().matrix() == view.theCase.shown().cameraFromPatient.matrix();
+        const auto start = core::startPoseOf(view.session);
+        const bool isStart = start && start.value().matrix() == view.session.shown().cameraFromPatient.matrix();
         return {{PageWords::tr("Method"),
                  isStart ? PageWords::tr("none: this is the start pose") : PageWords::tr("pose set by hand")}};
     }
@@ -56,10 +56,10 @@ Rows originRows(const ReportedView& view)
         rows.emplace_back(PageWords::tr("Found"),
                           timeWords(found) + (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
     }
-    if (!core::resultOfShownFrame(view.theCase.shown())) {
+    if (!core::resultOfShownFrame(view.session.shown())) {
         rows.emplace_back(PageWords::tr("Found in"), PageWords::tr("frame %1; picture and figures are of frame %2")
                                                          .arg(result->provenance.frame.value_or(0) + 1)
-                                                         .arg(view.theCase.shown().frame + 1));
+                                                         .arg(view.session.shown().frame + 1));
     }
     return rows;
 }
@@ -90,8 +90,8 @@ QString resultPart(const ReportedView& view)
     const Rows origin = originRows(view);
     rows.insert(rows.end(), origin.begin(), origin.end());
     QStringList basis;
-    if (const auto known = core::fitBasis(view.theCase, view.judgement, view.target)) {
-        for (const core::Message& words : fitWords(*known, view.theCase.vessels)) {
+    if (const auto known = core::fitBasis(view.session, view.judgement, view.target)) {
+        for (const core::Message& words : fitWords(*known, view.session.vessels)) {
             basis << ui::messageText(words);
         }
     }
@@ -102,7 +102,7 @@ QString resultPart(const ReportedView& view)
 QString verdictPart(const ReportedView& view)
 {
     const ui::ResultSentences said =
-        ui::sentencesOf(view.judgement, *view.theCase.vessels.tree, mmPerPxOf(view.theCase));
+        ui::sentencesOf(view.judgement, *view.session.vessels.tree, mmPerPxOf(view.session));
     if (!view.judgement.trustworthy) {
         const QString meaning = PageWords::tr("This pose may be wrong. Do not use it as it is.");
         return heading(ui::messageText(says::notReliable()), doubtfulTone) +
@@ -121,10 +121,10 @@ QString branchPart(const ReportedView& view)
     const std::size_t count = std::min(worstFirst.size(), branchesListed);
     Rows rows;
     for (const core::BranchResidual& residual : std::span(worstFirst).first(count)) {
-        if (const core::VesselBranch* branch = view.theCase.vessels.tree->find(residual.branchId)) {
+        if (const core::VesselBranch* branch = view.session.vessels.tree->find(residual.branchId)) {
             rows.emplace_back(ui::displayName(*branch),
                               PageWords::tr("%1 mm median · %2 mm long")
-                                      .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.theCase), 2),
+                                      .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.session), 2),
                                            ui::numberText(branch->lengthMm(), 0)) +
                                   widthWords(*branch));
         }
@@ -135,21 +135,21 @@ QString branchPart(const ReportedView& view)
     return heading(name) + table(rows);
 }
 
-QString measuredPart(const core::Case& theCase)
+QString measuredPart(const core::Case& session)
 {
-    const Rows rows = measuredRows(theCase);
+    const Rows rows = measuredRows(session);
     return rows.empty() ? QString() : heading(PageWords::tr("Measured in the image")) + table(rows);
 }
 
-QString checkedPart(const core::Case& theCase)
+QString checkedPart(const core::Case& session)
 {
-    const Rows rows = checkedRows(theCase);
+    const Rows rows = checkedRows(session);
     return rows.empty() ? QString() : heading(PageWords::tr("Check points and rings")) + table(rows);
 }
 
-QString geometryPart(const core::Case& theCase)
+QString geometryPart(const core::Case& session)
 {
-    const ui::GeometryState state = geometryState(theCase);
+    const ui::GeometryState state = geometryState(session);
     Rows rows;
     for (std::size_t i = 0; i < ui::geometryValueCount; ++i) {
         const auto value = static_cast<ui::GeometryValue>(i);
@@ -167,7 +167,7 @@ QString geometryPart(const core::Case& theCase)
     return heading(PageWords::tr("Geometry")) + table(rows);
 }
 
-QString posePart(const core::Case& theCase)
+QString posePart(const core::Case& session)
 {
     QString text =
         heading(PageWords::tr("Pose: camera from patient, mm")) + QStringLiteral("<table cellpadding=\"3\">");
@@ -175,7 +175,7 @@ QString posePart(const core::Case& theCase)
         text += QStringLiteral("<tr>");
         for (int column = 0; column < 4; ++column) {
             text += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(theCase.shown().cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
+                        .arg(session.shown().cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
         }
         text += QStringLiteral("</tr>");
     }

@@ -18,9 +18,9 @@ QString verdictPart(const ReportedView& view);
 QString resultPart(const ReportedView& view);
 
 QString branchPart(const ReportedView& view);
-QString measuredPart(const core::Case& theCase);
-QString checkedPart(const core::Case& theCase);
-QString geometryPart(const core::Case& theCase);
-QString posePart(const core::Case& theCase);
+QString measuredPart(const core::Case& session);
+QString checkedPart(const core::Case& session);
+QString geometryPart(const core::Case& session);
+QString posePart(const core::Case& session);
 
 }   // namespace angiopose::app::report

@@ -17,9 +17,9 @@
 namespace angiopose::app {
 namespace {
 
-constexpr qint64 mostTextBytes = qint64{1} << 20;
-constexpr qint64 mostPictureFileBytes = qint64{16} << 20;
-constexpr int mostPictureSide = 8192;   // px
+constexpr qint64 maxTextBytes = qint64{1} << 20;
+constexpr qint64 maxPictureFileBytes = qint64{16} << 20;
+constexpr int maxPictureSide = 8192;   // px
 
 const QStringList& neededMarks()
 {
@@ -46,11 +46,11 @@ QString written(const QString& mark)
 std::optional<QString> textOf(const QString& path)
 {
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > mostTextBytes) {
+    if (!file.open(QIODevice::ReadOnly) || file.size() > maxTextBytes) {
         return {};
     }
     QStringDecoder utf8(QStringDecoder::Utf8);
-    QString text = utf8(file.read(mostTextBytes));
+    QString text = utf8(file.read(maxTextBytes));
     return utf8.hasError() || text.contains(QChar::Null) ? std::nullopt : std::optional(std::move(text));
 }
 
@@ -58,7 +58,7 @@ bool isTaken(QImageReader& reader)
 {
     const QByteArray format = reader.format();
     const QSize size = reader.size();
-    return (format == "png" || format == "jpeg") && size.width() <= mostPictureSide && size.height() <= mostPictureSide;
+    return (format == "png" || format == "jpeg") && size.width() <= maxPictureSide && size.height() <= maxPictureSide;
 }
 
 /// A picture inside the template itself.
@@ -75,7 +75,7 @@ QImage pictureBeside(const QFileInfo& page, const QString& name)
 {
     const QFileInfo file(page.dir(), name);
     const QString folder = page.dir().canonicalPath() + QLatin1Char('/');
-    if (!file.canonicalFilePath().startsWith(folder) || file.size() > mostPictureFileBytes) {
+    if (!file.canonicalFilePath().startsWith(folder) || file.size() > maxPictureFileBytes) {
         return {};
     }
     QImageReader reader(file.filePath());

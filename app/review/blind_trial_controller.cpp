@@ -94,10 +94,10 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.seed = setup.seed;
     trial_.rangeMm = setup.rangeMm;
     trial_.rangeDeg = setup.rangeDeg;
-    trial_.centrePose = current.shown().cameraFromPatient;
+    trial_.centerPose = current.shown().cameraFromPatient;
     trial_.pivotInPatient = core::centroidInPatient(*current.vessels.tree);
     trial_.startPose =
-        core::uniformlyDisplaced(trial_.centrePose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
+        core::uniformlyDisplaced(trial_.centerPose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<HideWhatIsKnown>(
         document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}, {}},
         [] { return tr("Blind trial"); }));
@@ -152,7 +152,7 @@ void BlindTrialController::showRunning(bool running)
     if (running) {
         ui_.actions[ui::Command::Landmarks]->setChecked(false);
     }
-    for (QWidget* part : ui_.telling) {
+    for (QWidget* part : ui_.informative) {
         part->setVisible(!running);
     }
 }

@@ -30,7 +30,7 @@ public:
     struct Ui {
         ui::WindowActions& actions;
         ui::TrialBar& bar;
-        std::vector<QWidget*> telling;   ///< how good a pose is: out of sight during a trial
+        std::vector<QWidget*> informative;   ///< how good a pose is: out of sight during a trial
         QWidget& dialogParent;
     };
     BlindTrialController(CaseDocument& document, TargetProvider& target, const Ui& ui, QObject* parent = nullptr);

@@ -35,8 +35,8 @@ std::optional<core::DisplayRange> automaticRange(const core::View& view)
         return std::nullopt;
     }
     const core::Angiogram& run = *view.angiogram;
-    const int fullest = std::clamp(run.suggestedFrame, 0, run.frameCount() - 1);
-    return core::displayRange(run.frames[static_cast<std::size_t>(fullest)]);
+    const int peak = std::clamp(run.suggestedFrame, 0, run.frameCount() - 1);
+    return core::displayRange(run.frames[static_cast<std::size_t>(peak)]);
 }
 
 /// Whoever has an image can tell by its hash that it was open here.

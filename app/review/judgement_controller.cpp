@@ -14,17 +14,17 @@ namespace angiopose::app {
 namespace {
 
 std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
-                                const std::vector<core::UnfilledBranch>& unfilled, const core::PoseJudgement& judgement,
-                                double millimetresPerPixel)
+                                const std::vector<core::UnopacifiedBranch>& unopacified,
+                                const core::PoseJudgement& judgement, double millimetersPerPixel)
 {
     std::vector<double> residuals;
     for (const auto& [branchId, distancesPx] : judgement.residualPx) {
         if (std::ranges::find(excludedBranchIds, branchId) != excludedBranchIds.end() ||
-            std::ranges::find(unfilled, branchId, &core::UnfilledBranch::branchId) != unfilled.end()) {
+            std::ranges::find(unopacified, branchId, &core::UnopacifiedBranch::branchId) != unopacified.end()) {
             continue;
         }
         for (const double distancePx : distancesPx) {
-            residuals.push_back(distancePx * millimetresPerPixel);
+            residuals.push_back(distancePx * millimetersPerPixel);
         }
     }
     return residuals;
@@ -84,7 +84,7 @@ void JudgementController::show()
     }
     const ui::JudgedPose judged = judgedPose(camera.value());
     on_.sync.showJudgement(judgement_);
-    on_.look.knowResiduals(judged.result.branches, judged.millimetresPerPixel);
+    on_.look.knowResiduals(judged.result.branches, judged.millimetersPerPixel);
     on_.replay.knowUncertainty(judged.result.uncertainty);
     on_.posePanel.showDepthDoubt(
         judged.source == ui::PoseSource::Start ? std::nullopt : ui::doubtfulDepthMm(judged.result.uncertainty));
@@ -114,15 +114,15 @@ ui::JudgedPose JudgementController::judgedPose(const core::ProjectionCamera& cam
     ui::JudgedPose judged;
     judged.result = judgement_->result;
     judged.source = sourceOf(takeWordOfRun(judged.result, current.shown()));
-    judged.millimetresPerPixel = core::millimetresPerPixel(camera, shownDepthMm);
-    judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetresPerPixel;
+    judged.millimetersPerPixel = core::millimetersPerPixel(camera, shownDepthMm);
+    judged.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * judged.millimetersPerPixel;
     if (const auto basis = core::fitBasis(current, judged.result, judgement_->residualPx)) {
         judged.judgedShare = basis->judgedShare;
         judged.wholeMedianMm = basis->wholeMedianMm;
         judged.basis = fitWords(*basis, current.vessels);
     }
-    judged.residualsMm =
-        residualsMm(current.vessels.excludedBranchIds, judged.result.unfilled, *judgement_, judged.millimetresPerPixel);
+    judged.residualsMm = residualsMm(current.vessels.excludedBranchIds, judged.result.unopacified, *judgement_,
+                                     judged.millimetersPerPixel);
     return judged;
 }
 

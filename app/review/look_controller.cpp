@@ -179,11 +179,11 @@ void LookController::showFullRange()
     }
 }
 
-void LookController::knowResiduals(std::vector<core::BranchResidual> branches, double millimetresPerPixel)
+void LookController::knowResiduals(std::vector<core::BranchResidual> branches, double millimetersPerPixel)
 {
     std::ranges::stable_sort(branches, std::greater{}, &core::BranchResidual::medianPx);
     worstFirst_ = std::move(branches);
-    millimetresPerPixel_ = millimetresPerPixel;
+    millimetersPerPixel_ = millimetersPerPixel;
     nextWorst_ = 0;
 }
 
@@ -203,7 +203,7 @@ void LookController::showNextWorst()
     ui_.strip.showStatus(tr("Worst %1 of %2: %3 mm median · W next · 1 fits")
                              .arg(rank + 1)
                              .arg(worstFirst_.size())
-                             .arg(ui::numberText(branch.medianPx * millimetresPerPixel_, 2)));
+                             .arg(ui::numberText(branch.medianPx * millimetersPerPixel_, 2)));
 }
 
 }   // namespace angiopose::app

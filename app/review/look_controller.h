@@ -35,7 +35,7 @@ public:
 
     void holdHidden(bool held);   ///< the vessels, while the key is held
     /// What W goes through, from the worst branch on.
-    void knowResiduals(std::vector<core::BranchResidual> branches, double millimetresPerPixel);
+    void knowResiduals(std::vector<core::BranchResidual> branches, double millimetersPerPixel);
 
     /// As what the vessels are drawn, where nobody makes radiographs of them.
     ui::OverlayMode lines() const { return heldHidden_ ? ui::OverlayMode::Hidden : style_; }
@@ -71,7 +71,7 @@ private:
     bool isRadiograph_ = false;   ///< in place of `style_`
     bool heldHidden_ = false;
     std::vector<core::BranchResidual> worstFirst_;
-    double millimetresPerPixel_ = 0.0;
+    double millimetersPerPixel_ = 0.0;
     std::size_t nextWorst_ = 0;
 };
 

@@ -30,7 +30,7 @@ core::Rgb shareOf(const ui::Color& color)
     return {static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
 }
 
-bool isSame(const core::ScanToSee& a, const core::ScanToSee& b)
+bool isSame(const core::VolumeToPrepare& a, const core::VolumeToPrepare& b)
 {
     const bool isSameBox = a.boxInPatient.has_value() == b.boxInPatient.has_value() &&
                            (!a.boxInPatient || a.boxInPatient->isApprox(*b.boxInPatient));
@@ -108,9 +108,9 @@ bool ScanController::isWanted() const
     return ui_.slices.hasScan() && ui_.actions[Command::ScanIn3d]->isChecked();
 }
 
-core::ScanToSee ScanController::toSee() const
+core::VolumeToPrepare ScanController::toSee() const
 {
-    core::ScanToSee what{ui_.slices.volume(), ui_.slices.sharedMask(), nullptr};
+    core::VolumeToPrepare what{ui_.slices.volume(), ui_.slices.sharedMask(), nullptr};
     const auto& tree = document_.current().vessels.tree;
     const bool hasTree = tree && !tree->branches.empty();
     if (!what.mask) {
@@ -136,7 +136,7 @@ void ScanController::follow()
     }
     if (!isWanted()) {
         release();
-    } else if (core::ScanToSee what = toSee(); !isSame(what, seen_)) {
+    } else if (core::VolumeToPrepare what = toSee(); !isSame(what, seen_)) {
         seen_ = what;
         job_.prepare(std::move(what), document_.current().vessels.input.tracing.threshold);
     }
@@ -155,17 +155,17 @@ void ScanController::release()
     ui_.treeView.requestRender();
 }
 
-core::ScanWish ScanController::look() const
+core::ScanRequest ScanController::look() const
 {
     const ui::ScanColors colors = ui::scanColors();
-    core::ScanWish wish{preset_, strength_, shareOf(colors.soft), shareOf(colors.bone), {}};
+    core::ScanRequest wanted{preset_, strength_, shareOf(colors.soft), shareOf(colors.bone), {}};
     for (const ui::MaskTint& tint : ui_.slices.labelTints()) {
-        wish.kinds.push_back(shareOf(tint.color));
+        wanted.kinds.push_back(shareOf(tint.color));
     }
-    if (wish.kinds.empty()) {
-        wish.kinds = {shareOf(colors.vessels)};
+    if (wanted.kinds.empty()) {
+        wanted.kinds = {shareOf(colors.vessels)};
     }
-    return wish;
+    return wanted;
 }
 
 void ScanController::askRough()
@@ -181,14 +181,14 @@ void ScanController::askFine()
     request(asked_, finePx, ScanDetail::Fine);
 }
 
-bool ScanController::request(const core::ScanWish& wish, int mostPx, ScanDetail detail)
+bool ScanController::request(const core::ScanRequest& wanted, int maxPx, ScanDetail detail)
 {
     if (!job_.isReady() || !ui_.treeView.isVisible()) {
         return false;
     }
-    const core::ParallelSight sight = ui_.treeView.scene().sight(mostPx);
+    const core::ParallelSight sight = ui_.treeView.scene().sight(maxPx);
     if (sight.isPlaced()) {   // not where nothing can be drawn
-        job_.request({wish, sight, detail});
+        job_.request({wanted, sight, detail});
     }
     return sight.isPlaced();
 }

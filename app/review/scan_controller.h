@@ -38,12 +38,12 @@ private:
     bool isWanted() const;
     void follow();
     void release();
-    core::ScanToSee toSee() const;
-    core::ScanWish look() const;
+    core::VolumeToPrepare toSee() const;
+    core::ScanRequest look() const;
     void askRough();
     void askFine();
     /// False: nothing can be seen now.
-    bool request(const core::ScanWish& wish, int mostPx, ScanDetail detail);
+    bool request(const core::ScanRequest& wanted, int maxPx, ScanDetail detail);
     void show(const CastPicture& picture);
     void showState();
     void setStrength(double strength);
@@ -52,8 +52,8 @@ private:
     Ui ui_;
     ScanJob job_;
     QTimer rest_;   ///< until the view has come to rest
-    core::ScanToSee seen_;   ///< what the job has, or is given
-    core::ScanWish asked_;   ///< how it was to be seen last
+    core::VolumeToPrepare seen_;   ///< what the job has, or is given
+    core::ScanRequest asked_;   ///< how it was to be seen last
     core::ScanPreset preset_;
     double strength_;
     bool isShown_ = false;

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::size_t mostSolutions = 9;
+constexpr std::size_t maxSolutions = 9;
 
 bool isSame(const std::vector<core::RigidTransform>& a, const std::vector<core::RigidTransform>& b)
 {
@@ -31,7 +31,7 @@ std::vector<core::RigidTransform> posesOf(const core::Case& current)
     }
     poses.push_back(current.shown().result->cameraFromPatient);
     for (const core::Hypothesis& other : current.shown().result->alternatives) {
-        if (poses.size() < mostSolutions) {
+        if (poses.size() < maxSolutions) {
             poses.push_back(other.cameraFromPatient);
         }
     }
@@ -41,12 +41,12 @@ std::vector<core::RigidTransform> posesOf(const core::Case& current)
 /// "3 › 7 › 9": the first and the last of many.
 QString courseWords(const core::WirePath& way)
 {
-    constexpr std::size_t mostNamed = 3;
+    constexpr std::size_t maxNamed = 3;
     QStringList names;
     for (const int id : way.branchIds) {
         names.push_back(QString::number(id));
     }
-    if (way.branchIds.size() > mostNamed) {
+    if (way.branchIds.size() > maxNamed) {
         names = {names.front(), QStringLiteral("…"), names.back()};
     }
     return names.join(QStringLiteral(" › "));
@@ -151,8 +151,8 @@ void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
         return;
     }
     const int widthPx = strip_.pictureWidthPx();
-    pictures_.start([theCase = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Pictures> {
-        core::Case snapshot = theCase;
+    pictures_.start([session = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Pictures> {
+        core::Case snapshot = session;
         Pictures pictures;
         for (const core::RigidTransform& pose : poses) {
             if (link.verdict() == core::Verdict::Stop) {

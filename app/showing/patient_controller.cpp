@@ -14,13 +14,13 @@ struct PatientWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
 };
 
-auto lineOf(const core::Case& theCase, bool isHidden)
+auto lineOf(const core::Case& session, bool isHidden)
 {
-    const std::vector<core::CasePatient> patients = core::patientsOf(theCase);
+    const std::vector<core::CasePatient> patients = core::patientsOf(session);
     ui::PatientLine line;
     if (patients.size() > 1) {
         line.doubt = PatientWords::tr("Not the same patient in all inputs");
-    } else if (!core::findMismatch(theCase).empty()) {
+    } else if (!core::findMismatch(session).empty()) {
         line.doubt = PatientWords::tr("The inputs do not belong together");
     }
     if (patients.empty()) {
@@ -31,11 +31,11 @@ auto lineOf(const core::Case& theCase, bool isHidden)
     } else if (patients.size() == 1) {
         line.name = readableName(patients.front().identity.patientName);
         const QString details = detailsOf(patients.front());
-        const QString inputs = inputsOf(patients.front(), theCase.views.size());
+        const QString inputs = inputsOf(patients.front(), session.views.size());
         line.details =
             details.isEmpty() ? QStringLiteral("(%1)").arg(inputs) : QStringLiteral("%1 (%2)").arg(details, inputs);
     } else {
-        line.details = patientLines(theCase).join(QStringLiteral("   "));
+        line.details = patientLines(session).join(QStringLiteral("   "));
     }
     return line;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/texts/bent_vessels.h"
+#include "app/texts/deformed_vessels.h"
 
 #include <QObject>
 
@@ -53,7 +53,7 @@ private:
     core::RigidTransform pose_;   ///< of the preview
     ResidualColors colors_ = ResidualColors::Kept;
     bool movesAllViews_ = true;
-    VesselShape shape_ = VesselShape::Bent;
+    VesselShape shape_ = VesselShape::Deformed;
     bool isMotionColored_ = false;
 };
 

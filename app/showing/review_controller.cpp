@@ -36,10 +36,10 @@ ReviewController::ReviewController(CaseDocument& document, ViewSync& sync, PoseP
 
 void ReviewController::connectShape()
 {
-    QAction* bent = ui_.actions[ui::Command::BentVessels];
-    bent->setChecked(preview_.shape() == VesselShape::Bent);
-    connect(bent, &QAction::toggled, this, [this](bool on) {
-        preview_.setShape(on ? VesselShape::Bent : VesselShape::Rigid);
+    QAction* deformed = ui_.actions[ui::Command::DeformedVessels];
+    deformed->setChecked(preview_.shape() == VesselShape::Deformed);
+    connect(deformed, &QAction::toggled, this, [this](bool on) {
+        preview_.setShape(on ? VesselShape::Deformed : VesselShape::Rigid);
         sayShape(on ? tr("Vessels as they are bent") : tr("Vessels as the rigid pose has them"));
     });
     connect(ui_.actions[ui::Command::MotionColors], &QAction::toggled, this, [this](bool on) {
@@ -52,7 +52,7 @@ void ReviewController::connectShape()
 void ReviewController::sayShape(const QString& words)
 {
     const core::Case& current = document_.current();
-    const bool isKnown = drawableBend(current.shown(), current.vessels, preview_.pose()) != nullptr;
+    const bool isKnown = drawableDeformation(current.shown(), current.vessels, preview_.pose()) != nullptr;
     ui_.strip.showStatus(isKnown ? words : tr("No bent vessels are known of this pose"));
 }
 

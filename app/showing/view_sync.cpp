@@ -1,6 +1,6 @@
 #include "app/showing/view_sync.h"
 
-#include "app/showing/seen_vessels.h"
+#include "app/showing/vessels_in_view.h"
 #include "app/texts/overlay_picture.h"
 #include "app/words/view_words.h"
 #include "core/evaluation/trial/branch_distances.h"
@@ -51,11 +51,11 @@ QString previewWords(PreviewOf whose)
 }
 
 /// Bar heights: the fullest frame fills its cell.
-std::vector<double> relativeToFullest(std::vector<double> shares)
+std::vector<double> relativeToPeak(std::vector<double> shares)
 {
-    const double fullest = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
+    const double peak = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
     for (double& share : shares) {
-        share = fullest > 0.0 ? share / fullest : 0.0;
+        share = peak > 0.0 ? share / peak : 0.0;
     }
     return shares;
 }
@@ -115,7 +115,7 @@ void ViewSync::showTree()
 void ViewSync::showShape()
 {
     const core::Case& current = document_.current();
-    const auto known = drawableBend(current.shown(), current.vessels, preview_.pose());
+    const auto known = drawableDeformation(current.shown(), current.vessels, preview_.pose());
     if (known == drawn_.known && (!known || preview_.shape() == drawn_.shape)) {
         return;
     }
@@ -143,7 +143,7 @@ void ViewSync::showAngiogram()
         clearFrame();
     }
     if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
-        isGreyNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
+        isGrayNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
     } else {
         measureOpacification();   // of what is stored: it does not change with the subtraction
     }
@@ -178,7 +178,7 @@ void ViewSync::showFrame(int frame)
     if (shownAngiogram_ && frame >= 0 && frame < shownAngiogram_->frameCount()) {
         const core::ImageF& image = shownAngiogram_->frames[static_cast<std::size_t>(frame)];
         ui_.view.setFrame(image);
-        if (std::exchange(isGreyNew_, false)) {
+        if (std::exchange(isGrayNew_, false)) {
             ui_.view.autoWindowLevel();
         }
         ui_.view.setFramePosition(frame, shownAngiogram_->frameCount());
@@ -268,7 +268,7 @@ void ViewSync::showJudgement(const SharedJudgement& judgement)
         return;
     }
     const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
-    const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
+    const double mmPerPx = core::millimetersPerPixel(*shownCamera_, depthMm);
     std::map<int, double> residualMm;
     for (const core::BranchResidual& branch : judgement_->result.branches) {
         residualMm[branch.branchId] = branch.medianPx * mmPerPx;
@@ -288,7 +288,7 @@ void ViewSync::showResidualColors()
         view.setResidualScale(0.0, 0.0);
     } else {
         const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
-        const double mmPerPx = core::millimetresPerPixel(*shownCamera_, depthMm);
+        const double mmPerPx = core::millimetersPerPixel(*shownCamera_, depthMm);
         if (drawn_.known && isMotionColored_) {
             colorByMotion(mmPerPx);
         } else {
@@ -310,7 +310,7 @@ void ViewSync::colorByMotion(double mmPerPx)
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
     const bool isOther = isOtherPose();
-    const bool isJudged = !isOther && (drawn_.shape != VesselShape::Bent || !target_);
+    const bool isJudged = !isOther && (drawn_.shape != VesselShape::Deformed || !target_);
     const auto residualPx = isJudged ? judgement_->residualPx
                                      : core::branchDistances(drawn_.tree, *target_, *shownCamera_, preview_.pose());
     if (isOther) {
@@ -369,7 +369,7 @@ void ViewSync::measureOpacification()
 
 void ViewSync::takeMeasured(const Measured& measured)
 {
-    frameCurve_ = {relativeToFullest(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs,
+    frameCurve_ = {relativeToPeak(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs,
                    measuredRun_->rWaveFrames};
     suggestedMasks_ = measured.masks;
     ui_.strip.showFrames(frameCurve_);

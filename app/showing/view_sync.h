@@ -5,7 +5,7 @@
 #include "app/jobs/judge_job.h"
 #include "app/jobs/trace_job.h"
 #include "app/showing/pose_preview.h"
-#include "app/texts/bent_vessels.h"
+#include "app/texts/deformed_vessels.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/scenes/overlay_scene.h"
 #include "ui/views/verdict_chip.h"
@@ -90,7 +90,7 @@ private:
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
-    bool isGreyNew_ = false;   ///< the next frame has other grey values than the last
+    bool isGrayNew_ = false;   ///< the next frame has other grey values than the last
     SharedJudgement judgement_;
     bool wasOtherPose_ = false;
     double otherMedianMm_ = 0.0;   ///< of the pose that is looked at; 0: not known

@@ -1,8 +1,8 @@
 #include "app/start/write_report.h"
 
-#include "app/habits/language_controller.h"
 #include "app/messages/says_report.h"
 #include "app/preferences/applied_choices.h"
+#include "app/preferences/language_controller.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/report/case_report.h"
@@ -32,13 +32,13 @@
 namespace angiopose::app {
 namespace {
 
-std::atomic<bool> stopWished{false};
+std::atomic<bool> stopRequested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler must not lock");
 int lastPercent = -1;
 
 extern "C" void onStopSignal(int signal)
 {
-    stopWished = true;
+    stopRequested = true;
     std::signal(signal, SIG_DFL);
 }
 
@@ -49,9 +49,9 @@ void catchStops()
     std::signal(SIGTERM, onStopSignal);
 }
 
-bool isStopWished()
+bool isStopRequested()
 {
-    return stopWished;
+    return stopRequested;
 }
 
 /// A line on stderr of how far the work is, where a person watches; Stop once that is wished.
@@ -64,7 +64,7 @@ core::Verdict watchWork(std::string_view stage, double fraction)
         std::fprintf(stderr, "\r\x1b[K%.*s %3d %%", static_cast<int>(stage.size()), stage.data(), percent);
         std::fflush(stderr);
     }
-    return isStopWished() ? core::Verdict::Stop : core::Verdict::Continue;
+    return isStopRequested() ? core::Verdict::Stop : core::Verdict::Continue;
 }
 
 /// Takes that line away.
@@ -91,7 +91,7 @@ int failWith(const core::Error& error)
 {
     endWatch();
     tell(error.message);
-    return error.isStop() || isStopWished() ? exitAtStop : exitNoInput;
+    return error.isStop() || isStopRequested() ? exitAtStop : exitNoInput;
 }
 
 void audit(io::AuditEvent event, const QString& path)
@@ -108,8 +108,8 @@ void audit(io::AuditEvent event, const QString& path)
 core::Result<core::Case> readCase(const ReportWords& words)
 {
     core::Messages warnings;
-    const io::CaseWish wish{{}, io::FullestFrame::NotNeeded};
-    auto read = io::openCaseWith(wish, words.casePath.toStdString(), warnings,
+    const io::CaseRequest request{{}, io::PeakFrame::NotNeeded};
+    auto read = io::openCaseWith(request, words.casePath.toStdString(), warnings,
                                  [](double fraction) { return watchWork("reading", fraction); });
     endWatch();
     for (const core::Message& warning : warnings) {
@@ -125,36 +125,36 @@ std::string authorOf(const ReportWords& words)
 
 /// The case with the pose that it is to be reported with, and the vessels of its image.
 struct Reportable {
-    core::Case theCase;
+    core::Case session;
     core::Centerline2d target;
 };
 
-core::Result<Reportable> registered(core::Case theCase, const ReportWords& words)
+core::Result<Reportable> registered(core::Case session, const ReportWords& words)
 {
     core::RegistrationPlan plan;
     plan.author = authorOf(words);
     plan.time = core::utcNow();
-    auto found = core::registerCase(std::move(theCase), std::move(plan), [](const core::WorkReport& report) {
+    auto found = core::registerCase(std::move(session), std::move(plan), [](const core::WorkReport& report) {
         return watchWork("registering", report.fraction);
     });
     endWatch();
     if (!found) {
         return found.error();
     }
-    if (isStopWished()) {
+    if (isStopRequested()) {
         return core::Stopped{says::reportStopped()};
     }
     core::RegisteredCase done = std::move(found).value();
-    return Reportable{std::move(done.theCase), std::move(done.targets.front())};
+    return Reportable{std::move(done.session), std::move(done.targets.front())};
 }
 
-core::Result<Reportable> asItIs(core::Case theCase)
+core::Result<Reportable> asItIs(core::Case session)
 {
-    auto target = core::targetOf(theCase.shown());
+    auto target = core::targetOf(session.shown());
     if (!target) {
         return target.error();
     }
-    return Reportable{std::move(theCase), std::move(target).value()};
+    return Reportable{std::move(session), std::move(target).value()};
 }
 
 core::Result<std::vector<ReportedView>> viewsOf(const Reportable& reported, const ReportWords& words)
@@ -162,7 +162,7 @@ core::Result<std::vector<ReportedView>> viewsOf(const Reportable& reported, cons
     OverlayPictureOptions look;
     look.texts = windowTexts;
     look.identity = words.identity;
-    return judgedViews(outgoingCase(reported.theCase), reported.target, look);
+    return judgedViews(outgoingCase(reported.session), reported.target, look);
 }
 
 core::Status write(const std::vector<ReportedView>& views, const ReportWords& words)
@@ -216,7 +216,7 @@ int writeReportOf(const ReportWords& words)
     if (!views) {
         return failWith(views.error().about(words.casePath.toStdString()));
     }
-    if (isStopWished()) {
+    if (isStopRequested()) {
         return failWith(core::Stopped{says::reportStopped()});
     }
     if (const auto written = write(views.value(), words); !written) {

@@ -86,19 +86,19 @@ void addDistances(core::Messages& lines, const core::CArm& cArm)
 }
 
 /// "0.391 mm/px detector (header)", with the scale at the vessel where the depth is known.
-void addPixelScale(core::Messages& lines, const core::Case& theCase)
+void addPixelScale(core::Messages& lines, const core::Case& session)
 {
     std::optional<core::Message> atDetector, atVessels;
-    const auto& spacing = theCase.shown().geometry.cArm.columnSpacingMm;
+    const auto& spacing = session.shown().geometry.cArm.columnSpacingMm;
     if (spacing.value) {
         atDetector = says::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originWord(spacing.origin));
     }
-    const auto camera = core::cameraOf(theCase.shown());
-    if (camera && theCase.vessels.tree) {
-        const double depthMm = (theCase.shown().cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
+    const auto camera = core::cameraOf(session.shown());
+    if (camera && session.vessels.tree) {
+        const double depthMm = (session.shown().cameraFromPatient * core::centroidInPatient(*session.vessels.tree)).z();
         if (depthMm > core::minProjectableDepthMm) {
             atVessels =
-                says::scaleAtVessels(core::Quantity{core::millimetresPerPixel(camera.value(), depthMm), 3, "mm/px"});
+                says::scaleAtVessels(core::Quantity{core::millimetersPerPixel(camera.value(), depthMm), 3, "mm/px"});
         }
     }
     if (atDetector && atVessels) {
@@ -151,21 +151,21 @@ ui::CornerTexts englishTexts(const CornerLines& lines)
     return textsOf(lines, [](const core::Message& message) { return message.text(); });
 }
 
-CornerLines cornerLines(const core::Case& theCase, Identity identity)
+CornerLines cornerLines(const core::Case& session, Identity identity)
 {
     CornerLines lines;
-    if (theCase.shown().angiogram) {
-        const core::StudyIdentity& study = theCase.shown().angiogram->identity;
+    if (session.shown().angiogram) {
+        const core::StudyIdentity& study = session.shown().angiogram->identity;
         lines.topLeft = identity == Identity::Shown ? patientLines(study) : core::Messages{says::identityHidden()};
         lines.topRight = studyLines(study, identity);
     }
-    if (!core::findMismatch(theCase).empty()) {
-        const bool areSeveral = core::patientsOf(theCase).size() > 1;
+    if (!core::findMismatch(session).empty()) {
+        const bool areSeveral = core::patientsOf(session).size() > 1;
         lines.topLeft.push_back(areSeveral ? says::notSamePatient() : says::notTogether());
     }
-    addAngles(lines.bottomRight, core::cArmOfFrame(theCase.shown()));
-    addDistances(lines.bottomRight, theCase.shown().geometry.cArm);
-    addPixelScale(lines.bottomRight, theCase);
+    addAngles(lines.bottomRight, core::cArmOfFrame(session.shown()));
+    addDistances(lines.bottomRight, session.shown().geometry.cArm);
+    addPixelScale(lines.bottomRight, session);
     return lines;
 }
 

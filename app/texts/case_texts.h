@@ -30,6 +30,6 @@ ui::CornerTexts englishTexts(const CornerLines& lines);
 
 /// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
 /// bottom right. The bottom left is the caller's: frame, window and zoom belong to the view.
-CornerLines cornerLines(const core::Case& theCase, Identity identity);
+CornerLines cornerLines(const core::Case& session, Identity identity);
 
 }   // namespace angiopose::app

@@ -32,15 +32,15 @@ bool passesImage(const Line& line, const core::ProjectionCamera& camera)
 /// The vessels that are shown, auxiliary ones in a layer of their own.
 std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::ProjectionCamera& camera)
 {
-    const core::Case& theCase = ground.theCase;
+    const core::Case& session = ground.session;
     const ui::BranchColors colors = ui::branchColors(ui::palette(ui::ThemeMode::Dark));
     io::StateLayer plain{"VESSELS", "Vessels of the 3-D tree", rgb(colors.plain), {}, {}};
     io::StateLayer auxiliary{"AUXILIARY", "Auxiliary vessels of the 3-D tree", rgb(colors.auxiliary), {}, {}};
-    const core::RigidTransform& pose = theCase.shown().cameraFromPatient;
-    const DrawnVessels drawn = drawnVessels(theCase.shown(), theCase.vessels, pose, ground.wanted.look.shape);
-    const core::VesselTree tree = core::without(drawn.tree, theCase.vessels.hiddenBranchIds);
+    const core::RigidTransform& pose = session.shown().cameraFromPatient;
+    const DrawnVessels drawn = drawnVessels(session.shown(), session.vessels, pose, ground.wanted.look.shape);
+    const core::VesselTree tree = core::without(drawn.tree, session.vessels.hiddenBranchIds);
     for (const ui::ProjectedBranch& branch : ui::projectedTree(tree, camera, pose)) {
-        const std::vector<int>& ids = theCase.vessels.auxiliaryBranchIds;
+        const std::vector<int>& ids = session.vessels.auxiliaryBranchIds;
         io::StateLayer& layer = std::ranges::find(ids, branch.id) == ids.end() ? plain : auxiliary;
         for (const auto& run : branch.runs) {
             Line line;
@@ -54,12 +54,12 @@ std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::
 }
 
 /// What was measured in the frame, with its value beside it.
-io::StateLayer measuredLayer(const core::Case& theCase)
+io::StateLayer measuredLayer(const core::Case& session)
 {
     io::StateLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
-    const core::MeasuredView seen(theCase.shown(), theCase.vessels.tree.get());
-    for (const core::ImageMeasurement& measurement : theCase.shown().measurements) {
-        if (measurement.frame != theCase.shown().frame || measurement.pixels.empty()) {
+    const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
+    for (const core::ImageMeasurement& measurement : session.shown().measurements) {
+        if (measurement.frame != session.shown().frame || measurement.pixels.empty()) {
             continue;
         }
         Line line = measurement.pixels;
@@ -93,7 +93,7 @@ core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& 
 
 core::DisplayRange shownRange(const DicomGround& ground, int frame, core::Messages& notes)
 {
-    const core::View& view = ground.theCase.shown();
+    const core::View& view = ground.session.shown();
     const core::Angiogram& run = *core::storedRunOf(view);
     const bool isTreated = view.storedRun != nullptr;
     if (isTreated) {
@@ -133,12 +133,12 @@ bool namesPatient(const std::string& title, const io::SourceImage& source)
 /// Letters in the image are not read: where there are any, they may be a name.
 io::BurnedInIdentity identityIn(const DicomGround& ground)
 {
-    const core::View& view = ground.theCase.shown();
+    const core::View& view = ground.session.shown();
     const core::Mask2d letters =
-        core::burnedInText(view.angiogram->frames[static_cast<std::size_t>(view.frame)], core::tellingLetterShare);
+        core::burnedInText(view.angiogram->frames[static_cast<std::size_t>(view.frame)], core::informativeLetterShare);
     const bool hasLetters = std::ranges::any_of(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
     const bool mayBeThere = ground.wanted.look.identity == Identity::Shown || ground.angiogram.isAnnotated ||
-                            hasLetters || namesPatient(ground.theCase.title, ground.angiogram);
+                            hasLetters || namesPatient(ground.session.title, ground.angiogram);
     return mayBeThere ? io::BurnedInIdentity::MayBeThere : io::BurnedInIdentity::None;
 }
 
@@ -146,7 +146,7 @@ io::BurnedInIdentity identityIn(const DicomGround& ground)
 OverlayPictureOptions lookOfRun(const DicomGround& ground)
 {
     OverlayPictureOptions look = ground.wanted.look;
-    const core::View& view = ground.theCase.shown();
+    const core::View& view = ground.session.shown();
     look.isStartBeside = false;
     look.coloring = OverlayColoring::Branches;
     look.radiograph = nullptr;
@@ -161,14 +161,14 @@ OverlayPictureOptions lookOfRun(const DicomGround& ground)
 
 core::Result<std::string> stateObject(const DicomGround& ground, core::Messages& notes)
 {
-    const core::View& view = ground.theCase.shown();
+    const core::View& view = ground.session.shown();
     const auto camera = core::cameraOf(view);
     if (!camera) {
         return camera.error();
     }
     io::ShownState shown;
     shown.layers = vesselLayers(ground, camera.value());
-    shown.layers.push_back(measuredLayer(ground.theCase));
+    shown.layers.push_back(measuredLayer(ground.session));
     shown.layers.push_back({"NOTICE", "What the overlay is", {200, 200, 200}, {}, {}});
     shown.layers.back().texts.push_back({"AngioPose. " + says::notForClinicalUse().text(), {8.0, 16.0}});
     shown.frame = std::min(view.frame, core::storedRunOf(view)->frameCount() - 1);
@@ -181,7 +181,7 @@ core::Result<std::string> stateObject(const DicomGround& ground, core::Messages&
 
 core::Result<std::string> pictureObject(const DicomGround& ground)
 {
-    auto picture = drawOverlay(ground.theCase, ground.target, ground.wanted.look);
+    auto picture = drawOverlay(ground.session, ground.target, ground.wanted.look);
     if (!picture) {
         return picture.error();
     }
@@ -191,20 +191,20 @@ core::Result<std::string> pictureObject(const DicomGround& ground)
 
 core::Result<std::string> runObject(const DicomGround& ground)
 {
-    const core::Angiogram& run = *ground.theCase.shown().angiogram;
+    const core::Angiogram& run = *ground.session.shown().angiogram;
     MoviePlan plan;
     plan.frames = {0, run.frameCount() - 1};
-    plan.followed = core::framesOf(ground.theCase.shown().followed);
+    plan.followed = core::framesOf(ground.session.shown().followed);
     OverlayPictureOptions look = lookOfRun(ground);
-    const MovieSteps steps(ground.theCase, plan, look.shape);
+    const MovieSteps steps(ground.session, plan, look.shape);
     io::CapturedPictures captured{{}, run.frameTimeMs, identityIn(ground), says::dicomDerivation().text()};
     for (std::size_t i = 0; i < steps.count(); ++i) {
-        if (ground.goesOn(static_cast<double>(i) / static_cast<double>(steps.count())) == core::Verdict::Stop) {
+        if (ground.shouldContinue(static_cast<double>(i) / static_cast<double>(steps.count())) == core::Verdict::Stop) {
             return core::Error(core::Stopped{says::dicomStopped()});
         }
         const MovieStep step = steps.at(i);
         look.words = step.words;
-        auto picture = drawOverlay(step.theCase, {}, look);
+        auto picture = drawOverlay(step.session, {}, look);
         if (!picture) {
             return picture.error();
         }

@@ -55,24 +55,24 @@ std::vector<DicomKind> kindsOf(const DicomExport& wanted)
     return kinds;
 }
 
-core::Result<DicomGround> groundOf(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<DicomGround> groundOf(const core::Case& session, const core::Centerline2d& target,
                                    const DicomExport& wanted, DicomFiles& files)
 {
-    auto angiogram = io::readSourceImage(theCase.shown().imageFile.path);
+    auto angiogram = io::readSourceImage(session.shown().imageFile.path);
     if (!angiogram) {
         return angiogram.error();
     }
     if (!angiogram.value().isDicom) {
         files.notes.push_back(says::dicomNewStudy());
     }
-    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+    for (const core::Message& mismatch : core::findMismatch(session)) {
         files.notes.push_back(mismatch);
     }
-    return DicomGround{theCase,
+    return DicomGround{session,
                        target,
                        wanted,
                        std::move(angiogram).value(),
-                       scanReferenceOf(theCase.vessels),
+                       scanReferenceOf(session.vessels),
                        io::newOrigin(wanted.author),
                        {}};
 }
@@ -80,7 +80,7 @@ core::Result<DicomGround> groundOf(const core::Case& theCase, const core::Center
 /// A run of one frame is the picture itself.
 bool isOffered(DicomKind kind, const DicomGround& ground)
 {
-    return kind != DicomKind::Run || ground.theCase.shown().angiogram->frameCount() > 1;
+    return kind != DicomKind::Run || ground.session.shown().angiogram->frameCount() > 1;
 }
 
 core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::path& folder, DicomFiles& files,
@@ -89,11 +89,11 @@ core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::p
     const std::vector<DicomKind> kinds = kindsOf(ground.wanted);
     std::vector<MadeFile> made;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        ground.goesOn = [&observe, i, count = kinds.size()](double fraction) {
+        ground.shouldContinue = [&observe, i, count = kinds.size()](double fraction) {
             return observe ? observe((static_cast<double>(i) + fraction) / static_cast<double>(count))
                            : core::Verdict::Continue;
         };
-        if (ground.goesOn(0.0) == core::Verdict::Stop) {
+        if (ground.shouldContinue(0.0) == core::Verdict::Stop) {
             return stoppedExport();
         }
         if (ground.wanted.kinds.empty() && !isOffered(kinds[i], ground)) {
@@ -158,15 +158,15 @@ std::optional<DicomKind> dicomKindFrom(std::string_view id)
     return found == kindTable.end() ? std::nullopt : std::optional(found->kind);
 }
 
-core::Result<DicomFiles> writeDicomObjects(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
                                            const DicomExport& wanted, const std::string& folder,
                                            const DicomObserver& observe)
 {
-    if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
+    if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
         return core::Error(says::dicomNothing());
     }
     DicomFiles files;
-    auto ground = groundOf(theCase, target, wanted, files);
+    auto ground = groundOf(session, target, wanted, files);
     if (!ground) {
         return ground.error();
     }
@@ -176,7 +176,7 @@ core::Result<DicomFiles> writeDicomObjects(const core::Case& theCase, const core
         return made.error();
     }
     std::vector<MadeFile> ready = std::move(made).value();
-    addCameraFile(ready, theCase.shown(), folder);
+    addCameraFile(ready, session.shown(), folder);
     if (observe && observe(1.0) == core::Verdict::Stop) {
         return stoppedExport();
     }

@@ -37,7 +37,7 @@ using DicomObserver = std::function<core::Verdict(double fraction)>;
 /// Writes the shown view's objects into a folder, which is made where it is not there: new instances in series of their
 /// own, in the study of the image they come from. All are made before the first is written, so that nothing is half
 /// there. Fails where an object that was asked for cannot be made.
-core::Result<DicomFiles> writeDicomObjects(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
                                            const DicomExport& wanted, const std::string& folder,
                                            const DicomObserver& observe = {});
 

@@ -17,7 +17,7 @@ namespace {
 /// One file for the vessels and the scan they are traced from, or two.
 std::string scanFrame(const DicomGround& ground)
 {
-    return io::scanFrameOfReference(ground.scan.source, ground.theCase.vessels.file.sha256);
+    return io::scanFrameOfReference(ground.scan.source, ground.session.vessels.file.sha256);
 }
 
 core::Result<std::string> reportObject(const DicomGround& ground)
@@ -27,14 +27,14 @@ core::Result<std::string> reportObject(const DicomGround& ground)
     }
     const auto pdf = ground.wanted.report();
     // Titles and file names in it may tell whose it is, whatever was hidden.
-    return pdf ? io::encapsulatedPdf(pdf.value(), ground.theCase.title, io::BurnedInIdentity::MayBeThere,
+    return pdf ? io::encapsulatedPdf(pdf.value(), ground.session.title, io::BurnedInIdentity::MayBeThere,
                                      ground.angiogram, ground.origin)
                : core::Result<std::string>(pdf.error());
 }
 
 core::Result<std::string> registrationObject(const DicomGround& ground, core::Messages& notes)
 {
-    const core::View& view = ground.theCase.shown();
+    const core::View& view = ground.session.shown();
     const auto camera = core::cameraOf(view);
     if (!camera) {
         return camera.error();
@@ -62,7 +62,7 @@ core::VoxelMask drawnTree(const core::VesselTree& tree, const core::VolumeGeomet
 
 core::Result<std::string> segmentationObject(const DicomGround& ground, core::Messages& notes)
 {
-    const core::Vessels& vessels = ground.theCase.vessels;
+    const core::Vessels& vessels = ground.session.vessels;
     if (!vessels.lumen && !vessels.scan) {
         return core::Error(says::dicomNoScan());
     }
@@ -112,7 +112,7 @@ core::Result<std::string> dicomObject(DicomKind kind, const DicomGround& ground,
         case DicomKind::Measurements:
             break;
     }
-    return io::measurementReport({io::reportedGroups(ground.theCase), scanFrame(ground)}, ground.angiogram,
+    return io::measurementReport({io::reportedGroups(ground.session), scanFrame(ground)}, ground.angiogram,
                                  ground.origin);
 }
 

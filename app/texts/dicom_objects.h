@@ -8,13 +8,13 @@ namespace angiopose::app {
 
 /// What all objects of one export rest on.
 struct DicomGround {
-    const core::Case& theCase;
+    const core::Case& session;
     const core::Centerline2d& target;
     const DicomExport& wanted;
     io::SourceImage angiogram;
     io::ScanReference scan;
     io::ObjectOrigin origin;
-    DicomObserver goesOn;   ///< asked while an object is made: the part of it
+    DicomObserver shouldContinue;   ///< asked while an object is made: the part of it
 };
 
 /// The bytes of an object; `ground` must have vessels and an image. What it cannot hold is added to `notes`.

@@ -26,7 +26,7 @@ std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ri
 void addSightings(std::vector<ui::ImageMark>& marks, const PlacedView& placed, int markId,
                   const std::optional<Eigen::Vector2d>& drawnAt)
 {
-    for (const core::Sighting& seen : placed.theCase.views[placed.view].sightings) {
+    for (const core::Sighting& seen : placed.session.views[placed.view].sightings) {
         if (seen.markId != markId || seen.frame != placed.frame) {
             continue;
         }
@@ -48,7 +48,7 @@ std::string labelOf(const PlacedView& placed, const core::VesselMark& mark,
 
 void addAnnotations(std::vector<ui::ImageMark>& marks, const PlacedView& placed)
 {
-    const std::vector<core::ImageAnnotation>& all = placed.theCase.views[placed.view].annotations;
+    const std::vector<core::ImageAnnotation>& all = placed.session.views[placed.view].annotations;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].frame == placed.frame) {
             const bool isArrow = all[i].kind == core::AnnotationKind::Arrow;
@@ -77,12 +77,12 @@ std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Ves
                                          const core::RigidTransform& pose, VesselShape shape)
 {
     std::vector<core::VesselMark> marks = vessels.marks;
-    if (marks.empty() || shape == VesselShape::Rigid || !drawableBend(view, vessels, pose)) {
+    if (marks.empty() || shape == VesselShape::Rigid || !drawableDeformation(view, vessels, pose)) {
         return marks;
     }
-    const core::VesselTree bent = drawnVessels(view, vessels, pose, shape).tree;
+    const core::VesselTree deformed = drawnVessels(view, vessels, pose, shape).tree;
     for (core::VesselMark& mark : marks) {
-        mark = core::movedWith(*vessels.tree, bent, std::move(mark));
+        mark = core::movedWith(*vessels.tree, deformed, std::move(mark));
     }
     return marks;
 }
@@ -90,14 +90,14 @@ std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Ves
 std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
                                        const std::function<std::string(const core::Message&)>& toText)
 {
-    const core::View& view = placed.theCase.views[placed.view];
+    const core::View& view = placed.session.views[placed.view];
     std::vector<ui::ImageMark> marks;
     const auto camera = core::cameraOf(view);
-    if (camera && !placed.theCase.vessels.marks.empty()) {
+    if (camera && !placed.session.vessels.marks.empty()) {
         const core::RigidTransform pose = placed.poseOf ? placed.poseOf(placed.view) : view.cameraFromPatient;
         const auto checked =
-            placed.poseOf ? core::checkedPoints(placed.theCase, placed.poseOf) : core::checkedPoints(placed.theCase);
-        const auto drawn = drawnMarks(view, placed.theCase.vessels, pose, placed.shape);
+            placed.poseOf ? core::checkedPoints(placed.session, placed.poseOf) : core::checkedPoints(placed.session);
+        const auto drawn = drawnMarks(view, placed.session.vessels, pose, placed.shape);
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             const core::VesselMark& mark = drawn[i];
             const bool isChosen = placed.chosenMarks.contains(static_cast<int>(i));

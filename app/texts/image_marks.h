@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/texts/bent_vessels.h"
+#include "app/texts/deformed_vessels.h"
 #include "core/case/case.h"
 #include "core/measuring/check_points.h"
 #include "core/measuring/image_scale.h"
@@ -16,10 +16,10 @@ namespace angiopose::app {
 
 /// A view of a case as it is shown, for what lies on it.
 struct PlacedView {
-    const core::Case& theCase;
+    const core::Case& session;
     std::size_t view = 0;
     int frame = 0;
-    VesselShape shape = VesselShape::Bent;   ///< places go along with bent vessels
+    VesselShape shape = VesselShape::Deformed;   ///< places go along with bent vessels
     core::PoseOfView poseOf = {};   ///< as shown; not set: the case's own
     std::set<int> chosenMarks = {};   ///< places among the marks of the vessels
     std::set<int> chosenAnnotations = {};

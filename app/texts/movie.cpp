@@ -13,18 +13,18 @@ constexpr core::DisplayRange darkGround{0.0, 1.0};
 
 /// What is the same in all pictures: grey values that follow the frame would flicker, and curves are those of one
 /// frame.
-OverlayPictureOptions steadyLook(const core::Case& theCase, OverlayPictureOptions options, const MoviePlan& plan)
+OverlayPictureOptions steadyLook(const core::Case& session, OverlayPictureOptions options, const MoviePlan& plan)
 {
     options.isStartBeside = false;
     options.radiograph = plan.content == MovieContent::Turn ? nullptr : options.radiograph;
-    const core::Angiogram& run = *theCase.shown().angiogram;
+    const core::Angiogram& run = *session.shown().angiogram;
     if (plan.content == MovieContent::Turn) {
         options.range = darkGround;
         options.cutout = {};
         options.depthCue = ui::DepthCue::NearBright;
         options.vessels = options.vessels == ui::OverlayMode::Hidden ? ui::OverlayMode::Centerline : options.vessels;
     } else if (!options.range) {
-        options.range = core::displayRange(run.frames[static_cast<std::size_t>(theCase.shown().frame)]);
+        options.range = core::displayRange(run.frames[static_cast<std::size_t>(session.shown().frame)]);
     }
     if (plan.content != MovieContent::Convergence) {
         options.coloring = OverlayColoring::Branches;   // other frames have other traces, or none
@@ -38,7 +38,7 @@ core::Result<core::ColorImage> pictureOf(const MovieStep& step, const core::Cent
                                          OverlayPictureOptions options)
 {
     options.words = step.words;
-    return drawOverlay(step.theCase, target, options);
+    return drawOverlay(step.session, target, options);
 }
 
 core::Status stopped(const std::string& path)
@@ -71,21 +71,21 @@ core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, cons
 
 }   // namespace
 
-core::Status writeMovie(const core::Case& theCase, const core::Centerline2d& target,
+core::Status writeMovie(const core::Case& session, const core::Centerline2d& target,
                         const OverlayPictureOptions& options, const MoviePlan& plan, const std::string& path,
                         const MovieObserver& observe)
 {
-    if (const auto problem = findProblem(theCase, plan)) {
+    if (const auto problem = findProblem(session, plan)) {
         return core::Error(*problem);
     }
-    const OverlayPictureOptions look = steadyLook(theCase, options, plan);
-    const MovieSteps steps(theCase, plan, look.shape);
+    const OverlayPictureOptions look = steadyLook(session, options, plan);
+    const MovieSteps steps(session, plan, look.shape);
     auto first = pictureOf(steps.at(0), target, look);
     if (!first) {
         return first.error();
     }
     const io::MovieSize size{first.value().width, first.value().height};
-    auto movie = io::MovieWriter::create(path, size, {theCase.title, provenanceTexts(theCase)});
+    auto movie = io::MovieWriter::create(path, size, {session.title, provenanceTexts(session)});
     return movie ? writePictures(*movie.value(), steps, target, look, std::move(first).value(), path, observe)
                  : core::Status(movie.error());
 }

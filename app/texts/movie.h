@@ -34,17 +34,17 @@ struct MovieLength {
     std::size_t pictures = 0;
     double seconds = 0.0;
 };
-MovieLength lengthOf(const core::Case& theCase, const MoviePlan& plan);
+MovieLength lengthOf(const core::Case& session, const MoviePlan& plan);
 
 /// Height by width of its pictures.
-double aspectOf(const core::Case& theCase, const MoviePlan& plan);
+double aspectOf(const core::Case& session, const MoviePlan& plan);
 
 /// Told the part that is done; its Stop ends the writing.
 using MovieObserver = std::function<core::Verdict(double fraction)>;
 
 /// Writes MP4 or GIF by the end of the path. Each picture is what drawOverlay makes of its frame and pose, in grey
 /// values that stay the same; it says whose pose it shows and whether that is trusted. After a Stop nothing is left.
-core::Status writeMovie(const core::Case& theCase, const core::Centerline2d& target,
+core::Status writeMovie(const core::Case& session, const core::Centerline2d& target,
                         const OverlayPictureOptions& options, const MoviePlan& plan, const std::string& path,
                         const MovieObserver& observe);
 

@@ -1,7 +1,7 @@
 #include "app/texts/movie_steps.h"
 
 #include "app/messages/says.h"
-#include "app/texts/bent_vessels.h"
+#include "app/texts/deformed_vessels.h"
 #include "core/case/case.h"
 #include "core/geometry/angle_units.h"
 #include "core/registration/pose/centroid_pose.h"
@@ -35,12 +35,12 @@ Eigen::Vector3d middleOf(const core::VesselTree& tree)
     return box.isEmpty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : box.center();
 }
 
-double radiusMm(const core::VesselTree& tree, const Eigen::Vector3d& centre)
+double radiusMm(const core::VesselTree& tree, const Eigen::Vector3d& center)
 {
     double radius = 1.0;
     for (const core::VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            radius = std::max(radius, (point - centre).norm());
+            radius = std::max(radius, (point - center).norm());
         }
     }
     return radius;
@@ -58,21 +58,21 @@ core::ProjectionCamera cameraAround(double radius)
 core::Case turnedBy(core::Case alone, double degrees)
 {
     const core::VesselTree& tree = *alone.vessels.tree;
-    const Eigen::Vector3d centre = middleOf(tree);
+    const Eigen::Vector3d center = middleOf(tree);
     const Eigen::AngleAxisd turn(degrees / core::degreesPerRadian, Eigen::Vector3d::UnitZ());
     const Eigen::Matrix3d rotation = fromFront() * turn.toRotationMatrix();
-    const Eigen::Vector3d inFront(0.0, 0.0, distanceInRadii * radiusMm(tree, centre));
-    alone.shown().cameraFromPatient = core::cameraFromPatient(core::CentroidPose{rotation, inFront}, centre);
+    const Eigen::Vector3d inFront(0.0, 0.0, distanceInRadii * radiusMm(tree, center));
+    alone.shown().cameraFromPatient = core::cameraFromPatient(core::CentroidPose{rotation, inFront}, center);
     return alone;
 }
 
 /// The vessels by themselves before a dark ground, as somebody sees them who stands in front of the patient: a view of
 /// its own in place of the shown one, which says nothing of image and pose. `shape` where bent ones are known.
-core::Case vesselsAlone(const core::Case& theCase, VesselShape shape)
+core::Case vesselsAlone(const core::Case& session, VesselShape shape)
 {
-    core::Case alone = theCase;
-    const core::View& shown = theCase.shown();
-    const core::VesselTree tree = drawnVessels(shown, theCase.vessels, shown.cameraFromPatient, shape).tree;
+    core::Case alone = session;
+    const core::View& shown = session.shown();
+    const core::VesselTree tree = drawnVessels(shown, session.vessels, shown.cameraFromPatient, shape).tree;
     core::Angiogram ground;
     ground.frames = {core::ImageF(sidePx, sidePx, 0.0F)};
     if (shown.angiogram) {
@@ -98,9 +98,9 @@ bool isDistrusted(const core::View& view)
 }
 
 /// At another pose nothing holds that was found or measured at the case's.
-void moveTo(core::Case& theCase, const core::RigidTransform& pose)
+void moveTo(core::Case& session, const core::RigidTransform& pose)
 {
-    core::View& view = theCase.shown();
+    core::View& view = session.shown();
     if (pose.matrix() == view.cameraFromPatient.matrix()) {
         return;
     }
@@ -115,12 +115,12 @@ std::size_t turnSteps(const MoviePlan& plan)
     return static_cast<std::size_t>(std::max(2L, std::lround(turnSeconds * plan.framesPerSecond)));
 }
 
-std::size_t stepCount(const core::Case& theCase, const MoviePlan& plan)
+std::size_t stepCount(const core::Case& session, const MoviePlan& plan)
 {
     const auto frames = static_cast<std::size_t>(std::max(1, plan.frames.count()));
     switch (plan.content) {
         case MovieContent::Convergence:
-            return theCase.shown().result ? theCase.shown().result->history.size() : 0;
+            return session.shown().result ? session.shown().result->history.size() : 0;
         case MovieContent::Turn:
             return turnSteps(plan);
         case MovieContent::Run:
@@ -136,16 +136,16 @@ double framesPerSecondOf(const core::Angiogram& run)
     return run.frameTimeMs > 1.0 ? msPerSecond / run.frameTimeMs : usualPerSecond;
 }
 
-std::optional<core::Message> findProblem(const core::Case& theCase, const MoviePlan& plan)
+std::optional<core::Message> findProblem(const core::Case& session, const MoviePlan& plan)
 {
-    if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
+    if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
         return says::overlayIncomplete();
     }
-    const auto& result = theCase.shown().result;
+    const auto& result = session.shown().result;
     if (plan.content == MovieContent::Convergence && (!result || result->history.empty())) {
         return says::movieNoHistory();
     }
-    const int last = theCase.shown().angiogram->frameCount() - 1;
+    const int last = session.shown().angiogram->frameCount() - 1;
     if (plan.content == MovieContent::Run &&
         (plan.frames.first < 0 || plan.frames.last > last || plan.frames.first > plan.frames.last)) {
         return says::movieFramesBeyond(plan.frames.first + 1, plan.frames.last + 1, last + 1);
@@ -153,33 +153,33 @@ std::optional<core::Message> findProblem(const core::Case& theCase, const MovieP
     return std::nullopt;
 }
 
-MovieLength lengthOf(const core::Case& theCase, const MoviePlan& plan)
+MovieLength lengthOf(const core::Case& session, const MoviePlan& plan)
 {
-    const std::size_t pictures = stepCount(theCase, plan);
+    const std::size_t pictures = stepCount(session, plan);
     const double restSeconds = plan.content == MovieContent::Convergence && pictures > 0
                                    ? restMs / msPerSecond - 1.0 / plan.framesPerSecond
                                    : 0.0;
     return {pictures, static_cast<double>(pictures) / plan.framesPerSecond + std::max(0.0, restSeconds)};
 }
 
-double aspectOf(const core::Case& theCase, const MoviePlan& plan)
+double aspectOf(const core::Case& session, const MoviePlan& plan)
 {
-    const auto& run = theCase.shown().angiogram;
+    const auto& run = session.shown().angiogram;
     return plan.content == MovieContent::Turn || !run || run->width() == 0
                ? 1.0
                : static_cast<double>(run->height()) / run->width();
 }
 
-MovieSteps::MovieSteps(const core::Case& theCase, const MoviePlan& plan, VesselShape shape)
-    : case_(theCase), plan_(plan)
+MovieSteps::MovieSteps(const core::Case& session, const MoviePlan& plan, VesselShape shape)
+    : case_(session), plan_(plan)
 {
     if (plan.content == MovieContent::Turn) {
-        const core::View& shown = theCase.shown();
-        const DrawnVessels drawn = drawnVessels(shown, theCase.vessels, shown.cameraFromPatient, shape);
+        const core::View& shown = session.shown();
+        const DrawnVessels drawn = drawnVessels(shown, session.vessels, shown.cameraFromPatient, shape);
         if (drawn.known) {
             turned_ = shapeLines(drawn).front();
         }
-        case_ = vesselsAlone(theCase, shape);
+        case_ = vesselsAlone(session, shape);
     }
 }
 
@@ -208,7 +208,7 @@ MovieStep MovieSteps::frameStep(std::size_t index) const
     const int frame = clock.frameAt(static_cast<double>(index));
     const core::View& own = case_.shown();
     MovieStep step{case_, std::nullopt, msPerSecond / plan_.framesPerSecond};
-    step.theCase.shown().frame = frame;
+    step.session.shown().frame = frame;
     if (frame == own.frame) {
         return step;
     }
@@ -217,7 +217,7 @@ MovieStep MovieSteps::frameStep(std::size_t index) const
         step.words = says::moviePoseOfFrame(own.frame + 1);
         return step;
     }
-    moveTo(step.theCase, followed->tracked.cameraFromPatient);
+    moveTo(step.session, followed->tracked.cameraFromPatient);
     step.words =
         followed->tracked.isTrustworthy && !isDistrusted(own) ? says::movieFollowed() : says::movieFollowedDistrusted();
     return step;
@@ -232,7 +232,7 @@ MovieStep MovieSteps::iterationStep(std::size_t index) const
     const bool isLast = index + 1 == history.size();
     const double ms = msPerSecond / plan_.framesPerSecond;
     MovieStep step{case_, std::nullopt, isLast ? std::max(restMs, ms) : ms};
-    moveTo(step.theCase, report.cameraFromPatient);
+    moveTo(step.session, report.cameraFromPatient);
     step.words = isDistrusted(own) ? says::movieStepDistrusted(index + 1, history.size(), median)
                                    : says::movieStep(index + 1, history.size(), median);
     return step;

@@ -37,28 +37,28 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
 }
 
 /// `heading` tells two pictures beside each other apart.
-ui::CornerTexts exportTexts(const core::Case& theCase, const core::Centerline2d& target,
+ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d& target,
                             const OverlayPictureOptions& options, const DrawnVessels& drawn,
                             const std::optional<core::Message>& heading)
 {
-    CornerLines lines = cornerLines(theCase, options.identity);
+    CornerLines lines = cornerLines(session, options.identity);
     lines.topRight.insert(lines.topRight.begin(), says::notForClinicalUse());
     if (heading) {
         lines.bottomLeft.push_back(*heading);
     }
-    if (const int count = theCase.shown().angiogram->frameCount(); count > 1) {
-        lines.bottomLeft.push_back(says::frameOfRun(theCase.shown().frame + 1, count));
+    if (const int count = session.shown().angiogram->frameCount(); count > 1) {
+        lines.bottomLeft.push_back(says::frameOfRun(session.shown().frame + 1, count));
     }
-    if (const core::RegistrationResult* const result = core::resultOfShownFrame(theCase.shown())) {
+    if (const core::RegistrationResult* const result = core::resultOfShownFrame(session.shown())) {
         const core::Quantity median{result->metrics.medianPx, 2, "px"};
         const core::Message pose = result->trustworthy ? says::poseOfMethod(result->method, median)
                                                        : says::poseNotTrustworthy(result->method, median);
-        lines.bottomLeft.push_back(drawn.shape == VesselShape::Bent ? says::ofRigidVessels(pose) : pose);
-        if (const auto basis = core::fitBasis(theCase, *result, target)) {
-            const core::Messages words = fitWords(*basis, theCase.vessels);
+        lines.bottomLeft.push_back(drawn.shape == VesselShape::Deformed ? says::ofRigidVessels(pose) : pose);
+        if (const auto basis = core::fitBasis(session, *result, target)) {
+            const core::Messages words = fitWords(*basis, session.vessels);
             lines.bottomLeft.insert(lines.bottomLeft.end(), words.begin(), words.end());
         }
-    } else if (const auto& elsewhere = theCase.shown().result) {   // its figures are not of this frame
+    } else if (const auto& elsewhere = session.shown().result) {   // its figures are not of this frame
         const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
         if (heading != pose) {
             lines.bottomLeft.push_back(pose);
@@ -66,7 +66,7 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const core::Centerline2d&
         if (!elsewhere->trustworthy) {
             lines.bottomLeft.push_back(says::runDistrusted());
         }
-    } else if (!heading && core::isAtStart(theCase.shown(), theCase.vessels)) {
+    } else if (!heading && core::isAtStart(session.shown(), session.vessels)) {
         lines.bottomLeft.push_back(says::poseAtStart());
     }
     if (drawn.known) {
@@ -76,27 +76,27 @@ ui::CornerTexts exportTexts(const core::Case& theCase, const core::Centerline2d&
             options.coloring == OverlayColoring::Motion ? std::optional(motionHeading()) : std::nullopt;
     }
     ui::CornerTexts texts = options.texts(lines);
-    texts.topLeft.insert(texts.topLeft.begin(), theCase.title);   // the user's words
+    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // the user's words
     return texts;
 }
 
-DrawnVessels shownVessels(const core::Case& theCase, VesselShape wanted)
+DrawnVessels shownVessels(const core::Case& session, VesselShape wanted)
 {
-    return drawnVessels(theCase.shown(), theCase.vessels, theCase.shown().cameraFromPatient, wanted);
+    return drawnVessels(session.shown(), session.vessels, session.shown().cameraFromPatient, wanted);
 }
 
-void dressScene(ui::OverlayScene& scene, const core::Case& theCase, const core::ProjectionCamera& camera,
+void dressScene(ui::OverlayScene& scene, const core::Case& session, const core::ProjectionCamera& camera,
                 const core::VesselTree& tree)
 {
-    const core::ImageF& frame = theCase.shown().angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
+    const core::ImageF& frame = session.shown().angiogram->frames[static_cast<std::size_t>(session.shown().frame)];
     scene.setFrame(frame);
     setAutomaticWindow(scene, frame);
     scene.setCamera(camera);
-    scene.setTree(core::without(tree, theCase.vessels.hiddenBranchIds));
-    scene.setPose(theCase.shown().cameraFromPatient);
+    scene.setTree(core::without(tree, session.vessels.hiddenBranchIds));
+    scene.setPose(session.shown().cameraFromPatient);
     ui::BranchMarks marks;
-    marks.auxiliary = {theCase.vessels.auxiliaryBranchIds.begin(), theCase.vessels.auxiliaryBranchIds.end()};
-    marks.excluded = {theCase.vessels.excludedBranchIds.begin(), theCase.vessels.excludedBranchIds.end()};
+    marks.auxiliary = {session.vessels.auxiliaryBranchIds.begin(), session.vessels.auxiliaryBranchIds.end()};
+    marks.excluded = {session.vessels.excludedBranchIds.begin(), session.vessels.excludedBranchIds.end()};
     scene.setMarks(marks);
 }
 
@@ -115,7 +115,7 @@ std::string poseText(const core::RigidTransform& pose)
 
 double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depthMm)
 {
-    return residualScaleMaximumMm / core::millimetresPerPixel(camera, depthMm);
+    return residualScaleMaximumMm / core::millimetersPerPixel(camera, depthMm);
 }
 
 namespace {
@@ -126,17 +126,17 @@ struct ScaleEnd {
     double mm = 0.0;
 };
 
-ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& theCase, const core::Centerline2d& target,
+ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& session, const core::Centerline2d& target,
                       const OverlayPictureOptions& options, const DrawnVessels& drawn)
 {
-    const core::ProjectionCamera camera = core::cameraOf(theCase.shown()).value();
-    const core::RigidTransform& pose = theCase.shown().cameraFromPatient;
-    const double depthMm = (pose * core::centroidInPatient(*theCase.vessels.tree)).z();
+    const core::ProjectionCamera camera = core::cameraOf(session.shown()).value();
+    const core::RigidTransform& pose = session.shown().cameraFromPatient;
+    const double depthMm = (pose * core::centroidInPatient(*session.vessels.tree)).z();
     const double shownDepthMm = std::max(depthMm, core::minProjectableDepthMm);
     if (options.coloring == OverlayColoring::Motion && drawn.known) {
         const double endMm = drawn.motion.scaleMaximumMm;
         scene.setResiduals(drawn.motion.distanceMm, endMm);
-        return {endMm / core::millimetresPerPixel(camera, shownDepthMm), endMm};
+        return {endMm / core::millimetersPerPixel(camera, shownDepthMm), endMm};
     }
     if (options.coloring == OverlayColoring::Branches || target.pointCount() == 0) {
         return {};
@@ -147,7 +147,7 @@ ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& theCase, const 
 }
 
 /// The scene as the options want it.
-ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& theCase, const core::Centerline2d& target,
+ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& session, const core::Centerline2d& target,
                     const OverlayPictureOptions& options, const DrawnVessels& drawn)
 {
     scene.setMode(options.radiograph ? ui::OverlayMode::Hidden : options.vessels);
@@ -156,19 +156,19 @@ ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& theCase, const co
     if (options.range) {
         scene.setWindowLevel(options.range->window(), options.range->level());
     }
-    return scene.mode() == ui::OverlayMode::Hidden ? ScaleEnd{} : colorVessels(scene, theCase, target, options, drawn);
+    return scene.mode() == ui::OverlayMode::Hidden ? ScaleEnd{} : colorVessels(scene, session, target, options, drawn);
 }
 
 /// What was measured on the frame, and the places of the vessels, in the words of the picture.
-std::vector<ui::ImageMark> marksIn(const core::Case& theCase, const OverlayPictureOptions& options)
+std::vector<ui::ImageMark> marksIn(const core::Case& session, const OverlayPictureOptions& options)
 {
     const auto toText = [&options](const core::Message& message) {
         return options.texts({.topLeft = {message}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
             .topLeft.front();
     };
     std::vector<ui::ImageMark> marks =
-        marksOf({theCase.shown(), theCase.vessels.tree.get()}, theCase.shown().frame, toText);
-    const PlacedView placed{theCase, theCase.shownView, theCase.shown().frame,
+        marksOf({session.shown(), session.vessels.tree.get()}, session.shown().frame, toText);
+    const PlacedView placed{session, session.shownView, session.shown().frame,
                             options.radiograph ? VesselShape::Rigid : options.shape};
     const std::vector<ui::ImageMark> places = placedMarks(placed, toText);
     marks.insert(marks.end(), places.begin(), places.end());
@@ -199,42 +199,42 @@ core::Result<Picture> drawScene(ui::OverlayScene& scene, const auto&... how)
 }
 
 template <class Picture>
-core::Result<Picture> drawOne(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<Picture> drawOne(const core::Case& session, const core::Centerline2d& target,
                               const OverlayPictureOptions& options, const std::optional<core::Message>& heading)
 {
-    const auto camera = core::cameraOf(theCase.shown());
+    const auto camera = core::cameraOf(session.shown());
     if (!camera) {
         return camera.error();
     }
     ui::OverlayScene scene;
-    const DrawnVessels drawn = shownVessels(theCase, options.radiograph ? VesselShape::Rigid : options.shape);
-    dressScene(scene, theCase, camera.value(), drawn.tree);
-    const ScaleEnd scale = styleScene(scene, theCase, target, options, drawn);
-    const core::ImageF& frame = theCase.shown().angiogram->frames.front();
+    const DrawnVessels drawn = shownVessels(session, options.radiograph ? VesselShape::Rigid : options.shape);
+    dressScene(scene, session, camera.value(), drawn.tree);
+    const ScaleEnd scale = styleScene(scene, session, target, options, drawn);
+    const core::ImageF& frame = session.shown().angiogram->frames.front();
     const int width = options.widthPx > 0 ? options.widthPx : 2 * frame.width;
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
     if (options.radiograph) {
-        const auto radiograph = options.radiograph(theCase.shown().cameraFromPatient);
+        const auto radiograph = options.radiograph(session.shown().cameraFromPatient);
         if (!radiograph) {
             return radiograph.error();
         }
         scene.setRadiograph(radiograph.value());
     }
     auto rendered = drawScene<Picture>(scene, width, height, wholeImage(frame),
-                                       exportTexts(theCase, target, options, drawn, heading), scale.px, scale.mm);
+                                       exportTexts(session, target, options, drawn, heading), scale.px, scale.mm);
     if (!rendered) {
         return rendered.error();
     }
     Picture picture = std::move(rendered).value();
-    if (const auto& result = theCase.shown().result; result && !result->trustworthy) {
+    if (const auto& result = session.shown().result; result && !result->trustworthy) {
         const std::string words =
             options.texts({.topLeft = {says::notReliable()}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
                 .topLeft.front();
         ui::burnVerdict(picture, words, ui::burnSizes(width, height));
     }
-    ui::burnMarks(picture, marksIn(theCase, options), wholeImage(frame), ui::burnSizes(width, height),
+    ui::burnMarks(picture, marksIn(session, options), wholeImage(frame), ui::burnSizes(width, height),
                   drawnPoints(scene));
     return picture;
 }
@@ -265,26 +265,26 @@ core::ColorImage beside(const core::ColorImage& left, const core::ColorImage& ri
 }
 
 template <class Picture>
-core::Result<Picture> drawAs(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<Picture> drawAs(const core::Case& session, const core::Centerline2d& target,
                              const OverlayPictureOptions& options)
 {
-    if (!theCase.vessels.tree || !theCase.shown().angiogram || theCase.shown().angiogram->frames.empty()) {
+    if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
         return core::Error(says::overlayIncomplete());
     }
     if (!options.isStartBeside) {
-        return drawOne<Picture>(theCase, target, options, options.words);
+        return drawOne<Picture>(session, target, options, options.words);
     }
-    const auto start = core::startPoseOf(theCase);
+    const auto start = core::startPoseOf(session);
     if (!start) {
         return start.error();
     }
-    core::Case before = theCase;
+    core::Case before = session;
     before.shown().cameraFromPatient = start.value();
     before.shown().result.reset();
     before.shown().measurements.clear();   // they would have other values there
     before.shown().sightings.clear();
     const auto left = drawOne<Picture>(before, target, options, says::beforeAtStart());
-    const auto right = drawOne<Picture>(theCase, target, options, says::afterAtPose());
+    const auto right = drawOne<Picture>(session, target, options, says::afterAtPose());
     if (!left) {
         return left.error();
     }
@@ -296,62 +296,62 @@ core::Result<Picture> drawAs(const core::Case& theCase, const core::Centerline2d
 
 }   // namespace
 
-core::Result<core::ColorImage> drawOverlay(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<core::ColorImage> drawOverlay(const core::Case& session, const core::Centerline2d& target,
                                            const OverlayPictureOptions& options)
 {
-    return drawAs<core::ColorImage>(theCase, target, options);
+    return drawAs<core::ColorImage>(session, target, options);
 }
 
-core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& session, const core::Centerline2d& target,
                                                    const OverlayPictureOptions& options)
 {
-    return drawAs<ui::VectorPicture>(theCase, target, options);
+    return drawAs<ui::VectorPicture>(session, target, options);
 }
 
-core::Result<core::ColorImage> drawThumbnail(const core::Case& theCase, int widthPx, const core::Centerline2d* target)
+core::Result<core::ColorImage> drawThumbnail(const core::Case& session, int widthPx, const core::Centerline2d* target)
 {
-    const auto& angiogram = theCase.shown().angiogram;
-    if (!theCase.vessels.tree || !angiogram || theCase.shown().frame >= angiogram->frameCount()) {
+    const auto& angiogram = session.shown().angiogram;
+    if (!session.vessels.tree || !angiogram || session.shown().frame >= angiogram->frameCount()) {
         return core::Error(says::pictureIncomplete());
     }
-    const auto camera = core::cameraOf(theCase.shown());
+    const auto camera = core::cameraOf(session.shown());
     if (!camera) {
         return camera.error();
     }
     ui::OverlayScene scene;
-    const DrawnVessels drawn = shownVessels(theCase, VesselShape::Bent);
-    dressScene(scene, theCase, camera.value(), drawn.tree);
+    const DrawnVessels drawn = shownVessels(session, VesselShape::Deformed);
+    dressScene(scene, session, camera.value(), drawn.tree);
     if (target) {
-        colorVessels(scene, theCase, *target, {}, drawn);
+        colorVessels(scene, session, *target, {}, drawn);
     }
-    const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(theCase.shown().frame)];
+    const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(session.shown().frame)];
     const int height = std::max(1, widthPx * frame.height / frame.width);
     scene.setLineWidthPx(std::max(1.0, widthPx / (target ? 200.0 : 80.0)));   // colours tell more than width
     return ui::renderOffscreen(scene, widthPx, height, wholeImage(frame));
 }
 
-std::map<std::string, std::string> provenanceTexts(const core::Case& theCase)
+std::map<std::string, std::string> provenanceTexts(const core::Case& session)
 {
     std::map<std::string, std::string> texts{
         {"Software", std::string("AngioPose ") + ANGIOPOSE_VERSION},
         {"Disclaimer", says::notForClinicalUse().text()},
-        {"Centreline", theCase.vessels.file.sha256},
-        {"Angiogram", theCase.shown().imageFile.sha256 + " frame " + std::to_string(theCase.shown().frame + 1)},
-        {"cameraFromPatient", poseText(theCase.shown().cameraFromPatient)},
+        {"Centreline", session.vessels.file.sha256},
+        {"Angiogram", session.shown().imageFile.sha256 + " frame " + std::to_string(session.shown().frame + 1)},
+        {"cameraFromPatient", poseText(session.shown().cameraFromPatient)},
     };
-    if (const auto& result = theCase.shown().result) {
+    if (const auto& result = session.shown().result) {
         texts["Method"] = result->method;
-        if (core::resultOfShownFrame(theCase.shown())) {
+        if (core::resultOfShownFrame(session.shown())) {
             texts["Trustworthy"] = result->trustworthy ? "yes" : "no";
         }
         for (const core::Message& warning : result->warnings) {
             texts["Warnings"] += warning.text() + "\n";
         }
-        texts["Found in"] = "frame " + std::to_string(result->provenance.frame.value_or(theCase.shown().frame) + 1);
+        texts["Found in"] = "frame " + std::to_string(result->provenance.frame.value_or(session.shown().frame) + 1);
         texts["Found"] = result->provenance.time;
         texts["Found by"] = result->provenance.author;
     }
-    for (const core::Message& mismatch : core::findMismatch(theCase)) {
+    for (const core::Message& mismatch : core::findMismatch(session)) {
         texts["Patient"] += mismatch.text() + "\n";
     }
     std::erase_if(texts, [](const auto& entry) { return entry.second.empty(); });

@@ -21,12 +21,12 @@ std::string endOf(const std::string& path)
 }
 
 /// A picture of the image alone says nothing of vessels.
-core::Case frameAlone(core::Case theCase)
+core::Case frameAlone(core::Case session)
 {
-    theCase.shown().result.reset();
-    theCase.shown().measurements.clear();
-    theCase.vessels.marks.clear();
-    return theCase;
+    session.shown().result.reset();
+    session.shown().measurements.clear();
+    session.vessels.marks.clear();
+    return session;
 }
 
 OverlayPictureOptions withoutVessels(OverlayPictureOptions options)
@@ -41,47 +41,47 @@ OverlayPictureOptions withoutVessels(OverlayPictureOptions options)
 
 }   // namespace
 
-core::Result<ui::VectorPicture> pictureVectors(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<ui::VectorPicture> pictureVectors(const core::Case& session, const core::Centerline2d& target,
                                                const OverlayPictureOptions& options, const PictureFile& file)
 {
     if (file.content == PictureContent::Frame16) {
-        return core::Error(says::greyPictureKind());
+        return core::Error(says::grayPictureKind());
     }
     const bool isFrame = file.content == PictureContent::Frame;
-    return isFrame ? drawOverlayVectors(frameAlone(theCase), {}, withoutVessels(options))
-                   : drawOverlayVectors(theCase, target, options);
+    return isFrame ? drawOverlayVectors(frameAlone(session), {}, withoutVessels(options))
+                   : drawOverlayVectors(session, target, options);
 }
 
-SvgFacts factsOf(const core::Case& theCase, const PictureFile& file)
+SvgFacts factsOf(const core::Case& session, const PictureFile& file)
 {
-    return {theCase.title, provenanceTexts(theCase), file.dotsPerInch};
+    return {session.title, provenanceTexts(session), file.dotsPerInch};
 }
 
-core::Status writePictureFile(const core::Case& theCase, const core::Centerline2d& target,
+core::Status writePictureFile(const core::Case& session, const core::Centerline2d& target,
                               const OverlayPictureOptions& options, const PictureFile& file, const std::string& path)
 {
     if (endOf(path) == ".svg") {
-        const auto vectors = pictureVectors(theCase, target, options, file);
-        return vectors ? io::writeAtomically(path, svgOf(vectors.value(), factsOf(theCase, file)))
+        const auto vectors = pictureVectors(session, target, options, file);
+        return vectors ? io::writeAtomically(path, svgOf(vectors.value(), factsOf(session, file)))
                        : core::Status(vectors.error());
     }
     if (endOf(path) != ".png") {
         return core::Error(says::pictureKindUnknown()).about(path);
     }
-    std::map<std::string, std::string> texts = provenanceTexts(theCase);
+    std::map<std::string, std::string> texts = provenanceTexts(session);
     if (file.content == PictureContent::Frame16) {
-        const auto& run = theCase.shown().angiogram;
-        return run && theCase.shown().frame < run->frameCount()
-                   ? io::writeGreyPng(*run, theCase.shown().frame, path, texts, file.dotsPerInch)
+        const auto& run = session.shown().angiogram;
+        return run && session.shown().frame < run->frameCount()
+                   ? io::writeGrayPng(*run, session.shown().frame, path, texts, file.dotsPerInch)
                    : core::Status(core::Error(says::overlayIncomplete()));
     }
     const bool isFrame = file.content == PictureContent::Frame;
-    if (!isFrame && theCase.shown().result) {
+    if (!isFrame && session.shown().result) {
         texts["Result"] = io::keptResultJson(
-            theCase, options.identity == Identity::Shown ? io::ResultNames::Kept : io::ResultNames::LeftOut);
+            session, options.identity == Identity::Shown ? io::ResultNames::Kept : io::ResultNames::LeftOut);
     }
     const auto picture =
-        isFrame ? drawOverlay(frameAlone(theCase), {}, withoutVessels(options)) : drawOverlay(theCase, target, options);
+        isFrame ? drawOverlay(frameAlone(session), {}, withoutVessels(options)) : drawOverlay(session, target, options);
     return picture ? io::writePng(picture.value(), path, texts, file.dotsPerInch) : core::Status(picture.error());
 }
 

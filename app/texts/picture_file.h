@@ -14,15 +14,15 @@ struct PictureFile {
 };
 
 /// The picture as vectors.
-core::Result<ui::VectorPicture> pictureVectors(const core::Case& theCase, const core::Centerline2d& target,
+core::Result<ui::VectorPicture> pictureVectors(const core::Case& session, const core::Centerline2d& target,
                                                const OverlayPictureOptions& options, const PictureFile& file);
 
 /// What files of it say about themselves.
-SvgFacts factsOf(const core::Case& theCase, const PictureFile& file);
+SvgFacts factsOf(const core::Case& session, const PictureFile& file);
 
 /// Writes PNG or SVG by the end of the path, with where the picture comes from. 16 bit are PNG alone, the shown frame
 /// at its own size without texts.
-core::Status writePictureFile(const core::Case& theCase, const core::Centerline2d& target,
+core::Status writePictureFile(const core::Case& session, const core::Centerline2d& target,
                               const OverlayPictureOptions& options, const PictureFile& file, const std::string& path);
 
 }   // namespace angiopose::app

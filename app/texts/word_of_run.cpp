@@ -16,8 +16,9 @@ void takeOver(core::RegistrationResult& judged, const core::RegistrationResult& 
     judged.uncertainty = run.uncertainty;
     judged.stopReason = run.stopReason;
     judged.time = run.time;
-    if (!run.unfilled.empty() || !run.wirePaths.empty()) {   // its figures are about what the image shows of the tree
-        judged.unfilled = run.unfilled;
+    if (!run.unopacified.empty() ||
+        !run.wirePaths.empty()) {   // its figures are about what the image shows of the tree
+        judged.unopacified = run.unopacified;
         judged.wirePaths = run.wirePaths;
         judged.metrics = run.metrics;
         judged.branches = run.branches;

@@ -36,7 +36,7 @@ public:
     LinkedCrosshair(const CaseDocument& document, const PosePreview& preview, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void told(const QString& what);
+    void reported(const QString& what);
 
 private:
     void follow(ui::AngiogramView& image);

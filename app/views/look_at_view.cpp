@@ -73,18 +73,18 @@ std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook
     return found == known.end() ? nullptr : found->target;
 }
 
-std::vector<ViewLook> lookAtViews(const core::Case& theCase,
+std::vector<ViewLook> lookAtViews(const core::Case& session,
                                   const std::shared_ptr<const core::Centerline2d>& shownTarget,
                                   const std::vector<ViewLook>& known, int widthPx)
 {
     std::vector<ViewLook> looks;
-    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
+    for (std::size_t place = 0; place < session.views.size(); ++place) {
         ViewLook& look = looks.emplace_back();
-        look.of = sightOf(theCase.views[place]);
-        const bool isShown = place == theCase.shownView;
+        look.of = sightOf(session.views[place]);
+        const bool isShown = place == session.shownView;
         if (isShown || look.of.angiogram) {
             look.target = isShown ? shownTarget : knownTarget(known, look.of);
-            lookAt(look, core::showingView(theCase, place), widthPx);
+            lookAt(look, core::showingView(session, place), widthPx);
         }
     }
     return looks;

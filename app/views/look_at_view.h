@@ -36,7 +36,7 @@ std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook
 
 /// Looks at the views of the case, in order; the target of the shown one is `shownTarget` (null: none yet). What is
 /// traced already is taken from `known`. For a worker: takes a tenth of a second per view and more.
-std::vector<ViewLook> lookAtViews(const core::Case& theCase,
+std::vector<ViewLook> lookAtViews(const core::Case& session,
                                   const std::shared_ptr<const core::Centerline2d>& shownTarget,
                                   const std::vector<ViewLook>& known, int widthPx);
 

@@ -1,6 +1,6 @@
 #include "app/views/other_view.h"
 
-#include "app/showing/seen_vessels.h"
+#include "app/showing/vessels_in_view.h"
 #include "app/texts/overlay_picture.h"
 #include "app/words/measure_words.h"
 #include "app/words/view_words.h"
@@ -63,7 +63,7 @@ void OtherView::showTree()
 /// Bent vessels come and go with the pose they were found from.
 void OtherView::showShape()
 {
-    const auto known = drawableBend(view(), current().vessels, pose_);
+    const auto known = drawableDeformation(view(), current().vessels, pose_);
     if (known != drawn_.known || (known && on_.preview.shape() != drawn_.shape)) {
         hideResiduals();
         drawTree();
@@ -154,9 +154,9 @@ void OtherView::showColors()
 void OtherView::showResiduals(const core::PoseJudgement& judgement)
 {
     ui::AngiogramView& image = on_.pane.image();
-    const bool isBent = drawn_.shape == VesselShape::Bent && judged_;
+    const bool isDeformed = drawn_.shape == VesselShape::Deformed && judged_;
     image.scene().setResiduals(
-        isBent ? core::branchDistances(drawn_.tree, *judged_->target, image.camera(), pose_) : judgement.residualPx,
+        isDeformed ? core::branchDistances(drawn_.tree, *judged_->target, image.camera(), pose_) : judgement.residualPx,
         residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
     image.redraw();
 }

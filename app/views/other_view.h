@@ -4,7 +4,7 @@
 #include "app/jobs/judge_job.h"
 #include "app/review/look_controller.h"
 #include "app/showing/pose_preview.h"
-#include "app/texts/bent_vessels.h"
+#include "app/texts/deformed_vessels.h"
 #include "app/views/look_at_view.h"
 #include "app/views/view_controller.h"
 

@@ -132,7 +132,7 @@ void SideBySideController::setOn(bool on)
     ui_.strip.showSideBySide(on);
     show();
     if (on && others().empty()) {
-        emit told(whyEmpty());
+        emit reported(whyEmpty());
     }
 }
 

@@ -45,7 +45,7 @@ public:
     SideBySideController(const Parts& parts, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void told(const QString& what);   ///< why nothing stands beside the image, …
+    void reported(const QString& what);   ///< why nothing stands beside the image, …
 
 private:
     void connectCase();

@@ -51,7 +51,7 @@ ui::GeometryState geometryState(const core::Case& current)
     if (const auto camera = core::cameraOf(current.shown()); camera && state.vesselCentroidMm) {
         const double depthMm = (current.shown().cameraFromPatient * *state.vesselCentroidMm).z();
         if (depthMm > core::minProjectableDepthMm) {
-            state.vesselMmPerPx = core::millimetresPerPixel(camera.value(), depthMm);
+            state.vesselMmPerPx = core::millimetersPerPixel(camera.value(), depthMm);
         }
     }
     return state;

@@ -61,8 +61,9 @@ QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCoun
 {
     QStringList sentences;
     for (const core::CheckedView& view : checked.views) {
-        const QString told = ui::messagesText(core::sentencesOf(view));
-        sentences << (viewCount > 1 ? MarkWords::tr("View %1:").arg(view.view + 1) + QLatin1Char(' ') + told : told);
+        const QString reported = ui::messagesText(core::sentencesOf(view));
+        sentences << (viewCount > 1 ? MarkWords::tr("View %1:").arg(view.view + 1) + QLatin1Char(' ') + reported
+                                    : reported);
     }
     if (viewCount > 1 || checked.views.empty()) {
         sentences << ui::messagesText(core::spaceSentences(checked));

@@ -45,14 +45,14 @@ QString detailsOf(const core::CasePatient& patient)
     return parts.join(QStringLiteral(" · "));
 }
 
-QStringList patientLines(const core::Case& theCase)
+QStringList patientLines(const core::Case& session)
 {
     QStringList lines;
-    for (const core::CasePatient& patient : core::patientsOf(theCase)) {
+    for (const core::CasePatient& patient : core::patientsOf(session)) {
         QStringList parts{readableName(patient.identity.patientName), detailsOf(patient)};
         parts.removeAll(QString());
         lines << QStringLiteral("%1 (%2)").arg(parts.join(QStringLiteral(" · ")),
-                                               inputsOf(patient, theCase.views.size()));
+                                               inputsOf(patient, session.views.size()));
     }
     return lines;
 }

@@ -16,6 +16,6 @@ QString inputsOf(const core::CasePatient& patient, std::size_t viewCount);
 QString detailsOf(const core::CasePatient& patient);
 
 /// Each as "Doe Jane · ID 0815 · born 1950-01-02 · F (scan)".
-QStringList patientLines(const core::Case& theCase);
+QStringList patientLines(const core::Case& session);
 
 }   // namespace angiopose::app

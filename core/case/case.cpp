@@ -2,9 +2,9 @@
 
 namespace angiopose::core {
 
-Result<RigidTransform> startPoseOf(const Case& theCase)
+Result<RigidTransform> startPoseOf(const Case& session)
 {
-    return startPoseOf(theCase.shown(), theCase.vessels);
+    return startPoseOf(session.shown(), session.vessels);
 }
 
 }   // namespace angiopose::core

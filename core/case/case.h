@@ -25,6 +25,6 @@ struct Case {
 };
 
 /// The start pose of the shown view.
-Result<RigidTransform> startPoseOf(const Case& theCase);
+Result<RigidTransform> startPoseOf(const Case& session);
 
 }   // namespace angiopose::core

@@ -36,7 +36,7 @@ CasePatient& patientOf(std::vector<CasePatient>& patients, const StudyIdentity& 
 
 }   // namespace
 
-Messages findMismatch(const Case& theCase)
+Messages findMismatch(const Case& session)
 {
     Messages found;
     const auto compare = [&found](const StudyIdentity& one, const StudyIdentity& other, Compared compared) {
@@ -46,14 +46,14 @@ Messages findMismatch(const Case& theCase)
             }
         }
     };
-    for (std::size_t k = 0; k < theCase.views.size(); ++k) {
-        const auto& run = theCase.views[k].angiogram;
+    for (std::size_t k = 0; k < session.views.size(); ++k) {
+        const auto& run = session.views[k].angiogram;
         if (!run) {
             continue;
         }
-        compare(theCase.vessels.scanIdentity, run->identity, Compared::ScanAndRun);
+        compare(session.vessels.scanIdentity, run->identity, Compared::ScanAndRun);
         for (std::size_t before = 0; before < k; ++before) {
-            if (const auto& other = theCase.views[before].angiogram) {
+            if (const auto& other = session.views[before].angiogram) {
                 compare(other->identity, run->identity, Compared::TwoRuns);
             }
         }
@@ -61,14 +61,14 @@ Messages findMismatch(const Case& theCase)
     return found;
 }
 
-std::vector<CasePatient> patientsOf(const Case& theCase)
+std::vector<CasePatient> patientsOf(const Case& session)
 {
     std::vector<CasePatient> patients;
-    if (saysWhose(theCase.vessels.scanIdentity)) {
-        patientOf(patients, theCase.vessels.scanIdentity).isOfScan = true;
+    if (saysWhose(session.vessels.scanIdentity)) {
+        patientOf(patients, session.vessels.scanIdentity).isOfScan = true;
     }
-    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
-        const auto& run = theCase.views[place].angiogram;
+    for (std::size_t place = 0; place < session.views.size(); ++place) {
+        const auto& run = session.views[place].angiogram;
         if (run && saysWhose(run->identity)) {
             patientOf(patients, run->identity).views.push_back(place);
         }

@@ -10,7 +10,7 @@ namespace angiopose::core {
 
 /// What speaks against the images of a case being of one patient and one side: the scan against every angiogram, and
 /// the angiograms of views against each other. Names nobody; every sentence once.
-Messages findMismatch(const Case& theCase);
+Messages findMismatch(const Case& session);
 
 /// Whom inputs of a case are of.
 struct CasePatient {
@@ -21,6 +21,6 @@ struct CasePatient {
 
 /// Whom the inputs of a case are of, the scan's first: one where nothing speaks against it. Inputs that say nothing of
 /// a patient are left out.
-std::vector<CasePatient> patientsOf(const Case& theCase);
+std::vector<CasePatient> patientsOf(const Case& session);
 
 }   // namespace angiopose::core

@@ -8,10 +8,10 @@ namespace {
 
 /// The registered views, each with its pose from `poseOf` its place; the others as they are.
 template <class PoseOf>
-std::vector<View> withPoses(const Case& theCase, const PoseOf& poseOf)
+std::vector<View> withPoses(const Case& session, const PoseOf& poseOf)
 {
-    std::vector<View> views = theCase.views;
-    for (const std::size_t place : registeredViews(theCase)) {
+    std::vector<View> views = session.views;
+    for (const std::size_t place : registeredViews(session)) {
         View& view = views[place];
         view.cameraFromPatient = poseOf(place);
         forgetFindings(view);
@@ -22,64 +22,64 @@ std::vector<View> withPoses(const Case& theCase, const PoseOf& poseOf)
 
 }   // namespace
 
-Case showingView(Case theCase, std::size_t index)
+Case showingView(Case session, std::size_t index)
 {
-    theCase.shownView = index;
-    theCase.shown().caseFile = {};
-    return theCase;
+    session.shownView = index;
+    session.shown().caseFile = {};
+    return session;
 }
 
-Case withoutView(Case theCase, std::size_t index)
+Case withoutView(Case session, std::size_t index)
 {
-    std::vector<std::size_t> places = registeredViews(theCase);
-    if (index == theCase.shownView) {
+    std::vector<std::size_t> places = registeredViews(session);
+    if (index == session.shownView) {
         if (places.size() < 2) {
-            return theCase;
+            return session;
         }
-        theCase = showingView(std::move(theCase), places[1]);
+        session = showingView(std::move(session), places[1]);
     }
-    theCase.views.erase(theCase.views.begin() + static_cast<std::ptrdiff_t>(index));
-    theCase.shownView -= index < theCase.shownView ? 1 : 0;
-    return theCase;
+    session.views.erase(session.views.begin() + static_cast<std::ptrdiff_t>(index));
+    session.shownView -= index < session.shownView ? 1 : 0;
+    return session;
 }
 
-std::vector<std::size_t> registeredViews(const Case& theCase)
+std::vector<std::size_t> registeredViews(const Case& session)
 {
-    std::vector<std::size_t> places{theCase.shownView};
-    for (std::size_t k = 0; k < theCase.views.size(); ++k) {
-        if (k != theCase.shownView && theCase.views[k].angiogram) {
+    std::vector<std::size_t> places{session.shownView};
+    for (std::size_t k = 0; k < session.views.size(); ++k) {
+        if (k != session.shownView && session.views[k].angiogram) {
             places.push_back(k);
         }
     }
     return places;
 }
 
-std::vector<View> viewsAt(const Case& theCase, const std::vector<std::size_t>& places)
+std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& places)
 {
     std::vector<View> views;
-    std::ranges::transform(places, std::back_inserter(views), [&](std::size_t place) { return theCase.views[place]; });
+    std::ranges::transform(places, std::back_inserter(views), [&](std::size_t place) { return session.views[place]; });
     return views;
 }
 
-RigidTransform poseMovedAlong(const Case& theCase, std::size_t place, const RigidTransform& cameraFromPatient)
+RigidTransform poseMovedAlong(const Case& session, std::size_t place, const RigidTransform& cameraFromPatient)
 {
-    if (place == theCase.shownView) {
+    if (place == session.shownView) {
         return cameraFromPatient;   // to the last bit
     }
-    const RigidTransform patientMotion = theCase.shown().cameraFromPatient.inverse() * cameraFromPatient;
-    return theCase.views[place].cameraFromPatient * patientMotion;
+    const RigidTransform patientMotion = session.shown().cameraFromPatient.inverse() * cameraFromPatient;
+    return session.views[place].cameraFromPatient * patientMotion;
 }
 
-std::vector<View> movedAlong(const Case& theCase, const RigidTransform& cameraFromPatient)
+std::vector<View> movedAlong(const Case& session, const RigidTransform& cameraFromPatient)
 {
-    return withPoses(theCase, [&](std::size_t place) { return poseMovedAlong(theCase, place, cameraFromPatient); });
+    return withPoses(session, [&](std::size_t place) { return poseMovedAlong(session, place, cameraFromPatient); });
 }
 
-std::vector<View> atStart(const Case& theCase)
+std::vector<View> atStart(const Case& session)
 {
-    return withPoses(theCase, [&theCase](std::size_t place) {
-        const View& view = theCase.views[place];
-        const auto start = startPoseOf(view, theCase.vessels);
+    return withPoses(session, [&session](std::size_t place) {
+        const View& view = session.views[place];
+        const auto start = startPoseOf(view, session.vessels);
         return start ? start.value() : view.cameraFromPatient;
     });
 }

@@ -23,23 +23,24 @@ const FollowedFrame* findFrame(const FollowedRun& run, int frame)
     return found == frames.end() ? nullptr : &*found;
 }
 
-const FollowedFrame* bendAt(const FollowedRun& run, const RigidTransform& cameraFromPatient)
+const FollowedFrame* deformationAt(const FollowedRun& run, const RigidTransform& cameraFromPatient)
 {
     const std::vector<FollowedFrame>& frames = framesOf(run);
     const auto found = std::ranges::find_if(frames, [&](const FollowedFrame& each) {
-        return each.bent && each.tracked.cameraFromPatient.matrix() == cameraFromPatient.matrix();
+        return each.deformed && each.tracked.cameraFromPatient.matrix() == cameraFromPatient.matrix();
     });
     return found == frames.end() ? nullptr : &*found;
 }
 
-bool isBentByItself(const FollowedFrame& frame)
+bool isDeformedByItself(const FollowedFrame& frame)
 {
-    return frame.bent && !frame.bentAsInFrame;
+    return frame.deformed && !frame.deformedAsInFrame;
 }
 
-std::shared_ptr<const DeformableResult> carriedBend(const FollowedFrame& from, const RigidTransform& cameraFromPatient)
+std::shared_ptr<const DeformableResult> carriedDeformation(const FollowedFrame& from,
+                                                           const RigidTransform& cameraFromPatient)
 {
-    auto carried = std::make_shared<DeformableResult>(*from.bent);
+    auto carried = std::make_shared<DeformableResult>(*from.deformed);
     carried->cameraFromPatient =
         cameraFromPatient * from.tracked.cameraFromPatient.inverse() * carried->cameraFromPatient;
     carried->viewPoses = {carried->cameraFromPatient};

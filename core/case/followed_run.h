@@ -17,15 +17,15 @@ struct FollowedFrame {
     TrackedFrame tracked;   ///< without a traced vessel: the pose of the frame before, not trustworthy
     std::optional<Message> problem;   ///< why nothing was traced
     /// How the vessels are bent there, beside that pose; null where they are not, or were not found bent before.
-    std::shared_ptr<const DeformableResult> bent{};
-    std::optional<int> bentAsInFrame{};   ///< the nearest that shows them, where this one does not
+    std::shared_ptr<const DeformableResult> deformed{};
+    std::optional<int> deformedAsInFrame{};   ///< the nearest that shows them, where this one does not
 };
 
 /// What following found in the run of a view (workflow/follow_frames).
 struct FollowedRun {
     std::shared_ptr<const std::vector<FollowedFrame>> frames;   ///< in order; null: it was not followed
     int fromFrame = 0;   ///< whose pose was given
-    InputFile bendsFile;   ///< that a case file names for the bends; no path: they come from no file
+    InputFile deformationsFile;   ///< that a case file names for the bends; no path: they come from no file
 };
 
 FollowedRun followedFrom(int frame, std::vector<FollowedFrame> frames);
@@ -36,12 +36,13 @@ const std::vector<FollowedFrame>& framesOf(const FollowedRun& run);
 const FollowedFrame* findFrame(const FollowedRun& run, int frame);   ///< null: none
 
 /// The frame that has the vessels bent at a pose; null where there is none.
-const FollowedFrame* bendAt(const FollowedRun& run, const RigidTransform& cameraFromPatient);
+const FollowedFrame* deformationAt(const FollowedRun& run, const RigidTransform& cameraFromPatient);
 
 /// Bent in the frame itself, rather than as in another.
-bool isBentByItself(const FollowedFrame& frame);
+bool isDeformedByItself(const FollowedFrame& frame);
 
 /// The vessels bent as in a frame that shows them, at the pose of another.
-std::shared_ptr<const DeformableResult> carriedBend(const FollowedFrame& from, const RigidTransform& cameraFromPatient);
+std::shared_ptr<const DeformableResult> carriedDeformation(const FollowedFrame& from,
+                                                           const RigidTransform& cameraFromPatient);
 
 }   // namespace angiopose::core

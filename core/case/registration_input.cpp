@@ -32,7 +32,7 @@ RegistrationOptions optionsFor(const View& view, const Vessels& vessels, Registr
     double& depthMm = options.angiopose.priorDepthMm;
     const CArm& cArm = view.geometry.cArm;
     const bool isAtPlane = !view.initialCameraFromPatient && isAtStart(view, vessels) &&
-                           !cArm.isocentreInPatientMm.value && &vesselDepthOf(cArm) == &cArm.sourceToObjectMm;
+                           !cArm.isocenterInPatientMm.value && &vesselDepthOf(cArm) == &cArm.sourceToObjectMm;
     if (isAtPlane && depthMm == AngioPoseOptions().priorDepthMm) {
         depthMm = objectPlaneMm;
     }
@@ -70,14 +70,14 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
     return input;
 }
 
-Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d target)
+Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d target)
 {
-    auto input = registrationInputOf(theCase.shown(), theCase.vessels, std::move(target));
+    auto input = registrationInputOf(session.shown(), session.vessels, std::move(target));
     if (!input) {
         return input;
     }
     RegistrationInput wanted = std::move(input).value();
-    wanted.cameraSpread = spreadFor(wanted.cameraSpread, theCase.options.geometry);
+    wanted.cameraSpread = spreadFor(wanted.cameraSpread, session.options.geometry);
     return wanted;
 }
 

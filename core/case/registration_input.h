@@ -17,7 +17,7 @@ RegistrationOptions optionsFor(const View& view, const Vessels& vessels, Registr
 Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target);
 
 /// Likewise of the shown view.
-Result<RegistrationInput> registrationInputOf(const Case& theCase, Centerline2d target);
+Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d target);
 
 /// What registerViews needs of several views.
 struct JointInputs {

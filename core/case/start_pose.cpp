@@ -7,13 +7,13 @@ namespace {
 
 Result<RigidTransform> poseFromAngles(const View& view, const Vessels& vessels)
 {
-    const auto& isocentre = view.geometry.cArm.isocentreInPatientMm.value;
-    if (!isocentre && !vessels.tree) {
+    const auto& isocenter = view.geometry.cArm.isocenterInPatientMm.value;
+    if (!isocenter && !vessels.tree) {
         return Error(says::noVesselTree());
     }
     CArm cArm = cArmOfFrame(view);
-    if (isocentre) {
-        return cameraFromPatient(cArm, *isocentre);
+    if (isocenter) {
+        return cameraFromPatient(cArm, *isocenter);
     }
     cArm.sourceToIsocenterMm = vesselDepthOf(cArm);
     return cameraFromPatient(cArm, centroidInPatient(*vessels.tree));

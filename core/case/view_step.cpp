@@ -53,11 +53,11 @@ std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& vi
         return Eigen::Vector3d(Eigen::Vector3d::Zero());
     }
     const GantryHeader *before = headerOf(first), *after = headerOf(view);
-    const bool isTold = before && after && before->table && after->table && before->table->tags == after->table->tags &&
-                        areOfOneStudy(first, view);
-    return isTold ? std::optional<Eigen::Vector3d>(after->table->isocenterInPatientMm -
-                                                   before->table->isocenterInPatientMm)
-                  : std::nullopt;
+    const bool isKnown = before && after && before->table && after->table &&
+                         before->table->tags == after->table->tags && areOfOneStudy(first, view);
+    return isKnown ? std::optional<Eigen::Vector3d>(after->table->isocenterInPatientMm -
+                                                    before->table->isocenterInPatientMm)
+                   : std::nullopt;
 }
 
 /// Whether the gantries' distances tell where the isocenter is: an object plane that stands in for it does only where
@@ -95,14 +95,14 @@ Result<ViewStep> stepOfGantries(const View& first, const View& view, const Vesse
     if (!isTogether) {
         found.spread = {tableRotationDeg, Eigen::Vector3d::Constant(tableShiftMm)};
     }
-    const bool isIsocenterTold = isIsocenterKnown(before, after);
-    if (!step || !isIsocenterTold) {
-        const double alongMm = isIsocenterTold ? unknownAlongMm : unknownAcrossMm;
+    const bool hasIsocenter = isIsocenterKnown(before, after);
+    if (!step || !hasIsocenter) {
+        const double alongMm = hasIsocenter ? unknownAlongMm : unknownAcrossMm;
         found.spread = {tableRotationDeg, {unknownAcrossMm, unknownAcrossMm, alongMm}};
         found.viewFromFirst = turnedInPlace(found.viewFromFirst, first, view, vessels);
-        found.notes.push_back(isIsocenterTold ? says::tableUnknown()
-                                              : says::isocenterUnknown(inMm(*before.sourceToIsocenterMm.value, 0),
-                                                                       inMm(*after.sourceToIsocenterMm.value, 0)));
+        found.notes.push_back(hasIsocenter ? says::tableUnknown()
+                                           : says::isocenterUnknown(inMm(*before.sourceToIsocenterMm.value, 0),
+                                                                    inMm(*after.sourceToIsocenterMm.value, 0)));
     }
     const bool moves =
         (headerOf(first) && headerOf(first)->tableMoves) || (headerOf(view) && headerOf(view)->tableMoves);

@@ -61,15 +61,15 @@ Sight sightFromDiffDrr(const DiffDrrView& view)
     const Eigen::Matrix3d fromWorld = oursFromTurned(detector.orientation) * view.pose.rotation.transpose();
     sight.cameraFromPatient.rotation = fromWorld * rasTurn();
     sight.cameraFromPatient.translation =
-        -(fromWorld * (rasTurn() * view.volumeCentreInPatient + view.pose.translation));
+        -(fromWorld * (rasTurn() * view.volumeCenterInPatient + view.pose.translation));
     return sight;
 }
 
-DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCentreInPatient)
+DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient)
 {
     const ProjectionCamera& camera = sight.camera;
     DiffDrrView view;
-    view.volumeCentreInPatient = volumeCentreInPatient;
+    view.volumeCenterInPatient = volumeCenterInPatient;
     DiffDrrDetector& detector = view.detector;
     detector.sddMm = sddMm;
     detector.width = camera.width;
@@ -81,7 +81,7 @@ DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d&
     detector.orientation = camera.fx < 0.0 ? DiffDrrOrientation::Pa : DiffDrrOrientation::Ap;
     const Eigen::Matrix3d turn = oursFromTurned(detector.orientation);
     view.pose.rotation = rasTurn() * sight.cameraFromPatient.rotation.transpose() * turn;
-    view.pose.translation = -(rasTurn() * volumeCentreInPatient) -
+    view.pose.translation = -(rasTurn() * volumeCenterInPatient) -
                             view.pose.rotation * (turn.transpose() * sight.cameraFromPatient.translation);
     return view;
 }

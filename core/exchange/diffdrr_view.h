@@ -27,7 +27,7 @@ struct DiffDrrDetector {
 struct DiffDrrView {
     DiffDrrDetector detector;
     RigidTransform pose;
-    Eigen::Vector3d volumeCentreInPatient = Eigen::Vector3d::Zero();   ///< LPS mm, of the grid's corners
+    Eigen::Vector3d volumeCenterInPatient = Eigen::Vector3d::Zero();   ///< LPS mm, of the grid's corners
 };
 
 /// Our camera and pose of it.
@@ -35,7 +35,7 @@ Sight sightFromDiffDrr(const DiffDrrView& view);
 
 /// Ours as DiffDRR has it, with reversed x: from the back where the image is as seen from the detector (fx < 0), from
 /// the front where it is mirrored. Only the ratio of distance and spacing matters to the projection; fy > 0.
-DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCentreInPatient);
+DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
 
 /// Its pose from Euler angles, rad, about the named axes ("ZXY": R = Rz Rx Ry), and a translation that turns with them.
 RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles, const Eigen::Vector3d& translationMm);

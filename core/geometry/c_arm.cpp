@@ -55,8 +55,8 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
     const double sid = *cArm.sourceToDetectorMm.value;
     camera.fx = (cArm.mirrored.value.value_or(false) ? 1.0 : -1.0) * sid / *cArm.columnSpacingMm.value;
     camera.fy = sid / *cArm.rowSpacingMm.value;
-    const Eigen::Vector2d centre(0.5 * (width - 1), 0.5 * (height - 1));
-    const Eigen::Vector2d principal = cArm.principalPointPx.value.value_or(centre);
+    const Eigen::Vector2d center(0.5 * (width - 1), 0.5 * (height - 1));
+    const Eigen::Vector2d principal = cArm.principalPointPx.value.value_or(center);
     camera.cx = principal.x();
     camera.cy = principal.y();
     if (const auto problem = findProblem(camera)) {
@@ -65,7 +65,7 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
     return camera;
 }
 
-Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient)
+Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient)
 {
     if (!isPositive(cArm.sourceToIsocenterMm)) {
         return missing(says::theSod());
@@ -73,8 +73,8 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
     if (!isKnown(cArm.primaryAngleDeg) || !isKnown(cArm.secondaryAngleDeg)) {
         return Error(says::anglesMissing());
     }
-    if (!isocentreInPatient.allFinite()) {
-        return Error(says::isocentreNotFinite());
+    if (!isocenterInPatient.allFinite()) {
+        return Error(says::isocenterNotFinite());
     }
     const double alpha = *cArm.primaryAngleDeg.value * radiansPerDegree;
     const double beta = *cArm.secondaryAngleDeg.value * radiansPerDegree;
@@ -85,7 +85,7 @@ Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d
     Eigen::Matrix3d rotation;
     rotation << -imageRight.transpose(), -imageUp.transpose(), direction.transpose();
     rotation = rollRotation(cArm.rollDeg.value.value_or(0.0), cArm.mirrored.value.value_or(false)) * rotation;
-    const Eigen::Vector3d source = isocentreInPatient - *cArm.sourceToIsocenterMm.value * direction;
+    const Eigen::Vector3d source = isocenterInPatient - *cArm.sourceToIsocenterMm.value * direction;
     return RigidTransform{rotation, -(rotation * source)};
 }
 

@@ -32,7 +32,7 @@ struct CArm {
     Sourced<double> rollDeg;   ///< image turned clockwise on screen; missing: 0
     Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); missing: image centre
     Sourced<bool> mirrored;   ///< true: shown as seen from the source, fx > 0
-    Sourced<Eigen::Vector3d> isocentreInPatientMm;   ///< in the vessels' coordinates; missing: their centroid
+    Sourced<Eigen::Vector3d> isocenterInPatientMm;   ///< in the vessels' coordinates; missing: their centroid
 };
 
 /// Takes the object plane for the isocenter where nothing else is known of that; as assumed.
@@ -59,7 +59,7 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 
 /// Pose of the C-arm about an isocentre given in patient LPS mm (ALGORITHMS §5.3). det R = +1 always.
 /// Fails when SOD or an angle is missing.
-Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient);
+Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient);
 
 /// Unit vector from isocentre to detector in patient LPS for the given angles: LAO 90° points to the patient's left.
 Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleDeg);

@@ -8,10 +8,10 @@ namespace angiopose::core {
 namespace {
 
 // What C-arms are like: outside, a value is a misprint, another unit, or of another machine.
-constexpr double leastSidMm = 500.0, mostSidMm = 2000.0;
-constexpr double mostMagnification = 2.5;
-constexpr double leastDetectorSpacingMm = 0.05, mostSpacingMm = 2.0;
-constexpr double leastDetectorMm = 60.0, mostDetectorMm = 700.0;
+constexpr double minSidMm = 500.0, maxSidMm = 2000.0;
+constexpr double maxMagnification = 2.5;
+constexpr double minDetectorSpacingMm = 0.05, maxSpacingMm = 2.0;
+constexpr double minDetectorMm = 60.0, maxDetectorMm = 700.0;
 
 // Headers round: how far two accounts of one length may differ.
 constexpr double sameLength = 0.05;
@@ -67,13 +67,13 @@ private:
     {
         if (isKnownPositive(cArm_.sourceToDetectorMm)) {
             const double sid = *cArm_.sourceToDetectorMm.value;
-            say(sid < leastSidMm || sid > mostSidMm, says::sidUnusual(inMm(sid, 0)));
+            say(sid < minSidMm || sid > maxSidMm, says::sidUnusual(inMm(sid, 0)));
         }
         if (hasDistances()) {
             const double sod = std::max(*vesselDepthOf(cArm_).value, cArm_.sourceToIsocenterMm.value.value_or(0.0));
             say(sod >= *cArm_.sourceToDetectorMm.value,
                 says::sodBeyondSid(inMm(sod, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
-            say(magnification() > mostMagnification, says::magnificationUnusual(Quantity{magnification(), 2}));
+            say(magnification() > maxMagnification, says::magnificationUnusual(Quantity{magnification(), 2}));
         }
     }
 
@@ -94,7 +94,7 @@ private:
             return;
         }
         const double column = *cArm_.columnSpacingMm.value, row = *cArm_.rowSpacingMm.value;
-        say(std::min(row, column) < leastDetectorSpacingMm || std::max(row, column) > mostSpacingMm,
+        say(std::min(row, column) < minDetectorSpacingMm || std::max(row, column) > maxSpacingMm,
             says::spacingUnusual(inMm(column, 4)));
         say(differ(row / column, header_.pixelAspect, sameAspect),
             says::aspectDiffers(Quantity{row / column, 3}, Quantity{header_.pixelAspect, 3}));
@@ -108,7 +108,7 @@ private:
         const Eigen::Vector2d extentMm(sizePx_.x() * *cArm_.columnSpacingMm.value,
                                        sizePx_.y() * *cArm_.rowSpacingMm.value);
         const Message covers = says::imageCovers(Quantity{extentMm.x()}, inMm(extentMm.y(), 0));
-        say(extentMm.maxCoeff() < leastDetectorMm || extentMm.maxCoeff() > mostDetectorMm,
+        say(extentMm.maxCoeff() < minDetectorMm || extentMm.maxCoeff() > maxDetectorMm,
             says::extentUnlikeDetector(covers));
         if (const auto& field = header_.fieldOfViewMm) {
             say(differ(extentMm.x(), field->x(), sameLength) || differ(extentMm.y(), field->y(), sameLength),

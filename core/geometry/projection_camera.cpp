@@ -31,7 +31,7 @@ Eigen::Vector3d rayThroughPixel(const ProjectionCamera& camera, const Eigen::Vec
     return Eigen::Vector3d((pixel.x() - camera.cx) / camera.fx, (pixel.y() - camera.cy) / camera.fy, 1.0).normalized();
 }
 
-double millimetresPerPixel(const ProjectionCamera& camera, double depthMm)
+double millimetersPerPixel(const ProjectionCamera& camera, double depthMm)
 {
     return depthMm / std::abs(camera.fx);
 }

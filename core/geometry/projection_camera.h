@@ -35,7 +35,7 @@ Eigen::Matrix<double, 2, 3> projectionJacobian(const ProjectionCamera& camera, c
 Eigen::Vector3d rayThroughPixel(const ProjectionCamera& camera, const Eigen::Vector2d& pixel);
 
 /// Millimetres that one pixel covers at the given depth.
-double millimetresPerPixel(const ProjectionCamera& camera, double depthMm);
+double millimetersPerPixel(const ProjectionCamera& camera, double depthMm);
 
 /// What makes this camera unusable, in words for the user; empty when it is fine.
 std::optional<Message> findProblem(const ProjectionCamera& camera);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double usualVoxels = 5e7;
 constexpr double usualVoxelsInside = 5e6;
-constexpr double leastVoxelSpacingMm = 0.1;
+constexpr double minVoxelSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
 constexpr int rowsUnheard = 1000;   ///< of one triangle
@@ -55,7 +55,7 @@ public:
     }
 
     /// Stops within a triangle that covers much.
-    void add(const std::array<Eigen::Vector3d, 3>& corners, const std::function<bool()>& goesOn)
+    void add(const std::array<Eigen::Vector3d, 3>& corners, const std::function<bool()>& shouldContinue)
     {
         const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
         const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
@@ -69,7 +69,7 @@ public:
         const int firstC = std::max(0, static_cast<int>(std::floor(low[c_])));
         const int firstB = std::max(0, static_cast<int>(std::floor(low[b_])));
         for (int c = firstC; c <= lastC; ++c) {
-            if (c > firstC && lastB - firstB > rowsUnheard && !goesOn()) {
+            if (c > firstC && lastB - firstB > rowsUnheard && !shouldContinue()) {
                 return;
             }
             for (int b = firstB; b <= lastB; ++b) {
@@ -86,9 +86,9 @@ public:
     }
 
     /// Adds a vote to every voxel that this axis finds inside; rays that end inside have no say.
-    void vote(Filling filling, VoxelMask& votes, const std::function<bool()>& goesOn)
+    void vote(Filling filling, VoxelMask& votes, const std::function<bool()>& shouldContinue)
     {
-        for (int c = 0; c < size_[c_] && goesOn(); ++c) {
+        for (int c = 0; c < size_[c_] && shouldContinue(); ++c) {
             for (int b = 0; b < size_[b_]; ++b) {
                 std::vector<Crossing>& row = rows_[rowIndex(b, c)];
                 int total = 0;
@@ -148,22 +148,22 @@ VolumeGeometry gridAround(const Box& box, double spacingMm)
 }
 
 void castAlong(int axis, const SurfaceMesh& mesh, VoxelMask& votes, Filling filling,
-               const std::function<bool()>& goesOn)
+               const std::function<bool()>& shouldContinue)
 {
     RayCaster caster(votes.geometry, axis);
     const Eigen::Vector3d origin = votes.geometry.originInPatient;
     const double spacing = votes.geometry.spacingMm.x();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if ((t & trianglesUnheard) == 0 && !goesOn()) {
+        if ((t & trianglesUnheard) == 0 && !shouldContinue()) {
             return;
         }
         const auto& triangle = mesh.triangles[t];
         caster.add({(mesh.pointsInPatient[triangle[0]] - origin) / spacing,
                     (mesh.pointsInPatient[triangle[1]] - origin) / spacing,
                     (mesh.pointsInPatient[triangle[2]] - origin) / spacing},
-                   goesOn);
+                   shouldContinue);
     }
-    caster.vote(filling, votes, goesOn);
+    caster.vote(filling, votes, shouldContinue);
 }
 
 /// Between the walls, by the divergence theorem; of an open mesh what its cones to the middle of the box hold.
@@ -191,14 +191,14 @@ double usualSpacingMm(const SurfaceMesh& mesh)
     const Eigen::Vector3d extent = (box.high - box.low).cwiseMax(0.1);
     // Thinning takes its time for what lies inside: little of the box for vessels, all of it for a block.
     const double needed = std::max(extent.prod() / usualVoxels, insideMm3(mesh, box) / usualVoxelsInside);
-    return std::max(std::cbrt(needed), leastVoxelSpacingMm);
+    return std::max(std::cbrt(needed), minVoxelSpacingMm);
 }
 
-Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const std::function<bool()>& goesOn)
+Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const std::function<bool()>& shouldContinue)
 {
     bool isStopped = false;
     const std::function<bool()> hears = [&] {
-        isStopped = isStopped || (goesOn && !goesOn());
+        isStopped = isStopped || (shouldContinue && !shouldContinue());
         return !isStopped;
     };
     if (mesh.triangles.empty() || !(spacingMm > 0.0)) {

@@ -14,7 +14,8 @@ double usualSpacingMm(const SurfaceMesh& mesh);
 /// Voxels whose centre lies inside the mesh, on a grid along the patient's axes with room around. A closed, oriented
 /// mesh is filled by winding number, so that parts may overlap. Open or tangled meshes are decided by the majority of
 /// the three axes, which closes the open ends of tubes. Fails on a mesh without extent, or too fine a spacing, and as
-/// stopped where `goesOn`, asked all the time, says no.
-Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const std::function<bool()>& goesOn = {});
+/// stopped where `shouldContinue`, asked all the time, says no.
+Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm,
+                              const std::function<bool()>& shouldContinue = {});
 
 }   // namespace angiopose::core

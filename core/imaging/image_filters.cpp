@@ -55,20 +55,20 @@ void blurRow(const float* source, float* target, int width, const std::vector<fl
     padded.assign(static_cast<std::size_t>(width) + 2 * (kernel.size() - 1), source[0]);
     std::copy(source, source + width, padded.begin() + reach);
     std::fill(padded.begin() + reach + width, padded.end(), source[width - 1]);
-    const float* centre = padded.data() + reach;
+    const float* center = padded.data() + reach;
     for (int x = 0; x < width; ++x) {
-        target[x] = kernel[0] * centre[x];
+        target[x] = kernel[0] * center[x];
     }
     for (int i = 1; i <= reach; ++i) {
-        addWeighted(target, centre - i, centre + i, kernel[static_cast<std::size_t>(i)], width);
+        addWeighted(target, center - i, center + i, kernel[static_cast<std::size_t>(i)], width);
     }
 }
 
 void blurColumns(const ImageF& source, int y, float* target, const std::vector<float>& kernel)
 {
-    const float* centre = &source.pixels[source.index(0, y)];
+    const float* center = &source.pixels[source.index(0, y)];
     for (int x = 0; x < source.width; ++x) {
-        target[x] = kernel[0] * centre[x];
+        target[x] = kernel[0] * center[x];
     }
     for (int i = 1; i < static_cast<int>(kernel.size()); ++i) {
         const float weight = kernel[static_cast<std::size_t>(i)];

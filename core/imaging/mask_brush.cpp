@@ -43,7 +43,7 @@ private:
         }
         const auto value =
             hasSameVoxels_ ? std::optional(brush_.scan->value(place)) : valueAt(*brush_.scan, pointInPatient);
-        return value && *value >= brush_.leastValue;
+        return value && *value >= brush_.minValue;
     }
 
     const VoxelMask& mask_;

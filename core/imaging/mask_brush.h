@@ -10,8 +10,8 @@ enum class MaskAim { Paint, Erase };
 struct MaskBrush {
     MaskAim aim = MaskAim::Paint;
     double radiusMm = 2.0;
-    const Volume* scan = nullptr;   ///< only voxels whose value in it is not below `leastValue`; null: all
-    double leastValue = 0.0;
+    const Volume* scan = nullptr;   ///< only voxels whose value in it is not below `minValue`; null: all
+    double minValue = 0.0;
 };
 
 /// The part of a stroke between two places of the pointer.

@@ -8,15 +8,15 @@
 namespace angiopose::core {
 namespace {
 
-struct NeighbourStep {
+struct NeighborStep {
     int dx;
     int dy;
 };
-constexpr std::array<NeighbourStep, 8> morphologySteps{
+constexpr std::array<NeighborStep, 8> morphologySteps{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// Pixels reached from `seed` over pixels that are set (or clear) as the seed is; marks them as seen.
-std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t neighbours, Mask2d& seen)
+std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t neighbors, Mask2d& seen)
 {
     const bool wanted = mask.pixels[seed] != 0;
     std::vector<std::size_t> reached{seed};
@@ -24,7 +24,7 @@ std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t
     for (std::size_t next = 0; next < reached.size(); ++next) {
         const int x = static_cast<int>(reached[next] % static_cast<std::size_t>(mask.width));
         const int y = static_cast<int>(reached[next] / static_cast<std::size_t>(mask.width));
-        for (std::size_t k = 0; k < neighbours; ++k) {
+        for (std::size_t k = 0; k < neighbors; ++k) {
             if (!mask.contains(x + morphologySteps[k].dx, y + morphologySteps[k].dy)) {
                 continue;
             }

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 /// Voxels of a block along each axis: those of the smallest blocks, about cubic, of which there are few enough.
-Eigen::Vector3i blockFor(const VolumeGeometry& geometry, const Eigen::Vector3i& size, std::size_t mostVoxels)
+Eigen::Vector3i blockFor(const VolumeGeometry& geometry, const Eigen::Vector3i& size, std::size_t maxVoxels)
 {
     constexpr double growth = 1.02;
     for (double sideMm = geometry.spacingMm.minCoeff();; sideMm *= growth) {
@@ -17,7 +17,7 @@ Eigen::Vector3i blockFor(const VolumeGeometry& geometry, const Eigen::Vector3i& 
             (sideMm / geometry.spacingMm.array()).round().max(1.0).min(size.cast<double>().array()).cast<int>();
         const Eigen::Array3i counts = (size.array() + block.array() - 1) / block.array();
         const double count = counts.cast<double>().prod();
-        if (count <= static_cast<double>(std::max<std::size_t>(mostVoxels, 1)) ||
+        if (count <= static_cast<double>(std::max<std::size_t>(maxVoxels, 1)) ||
             (block.array() == size.array()).all()) {
             return block;
         }
@@ -80,18 +80,18 @@ VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::A
             (box.max().array().ceil().cast<int>() + 1).min(geometry.size.array()).matrix()};
 }
 
-std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std::size_t mostVoxels,
-                              const std::function<bool()>& goesOn)
+std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std::size_t maxVoxels,
+                              const std::function<bool()>& shouldContinue)
 {
     const Eigen::Vector3i size = range.high - range.low;
     if ((size.array() <= 0).any()) {
         return std::nullopt;
     }
-    return meansOfBlocks(volume, range, blockFor(volume.geometry, size, mostVoxels), goesOn);
+    return meansOfBlocks(volume, range, blockFor(volume.geometry, size, maxVoxels), shouldContinue);
 }
 
 std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
-                                    const std::function<bool()>& goesOn)
+                                    const std::function<bool()>& shouldContinue)
 {
     Volume means(blockGeometry(volume.geometry, range, block));
     means.slope = volume.slope;
@@ -99,7 +99,7 @@ std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& rang
     const bool isWhole = parallelFor(
         static_cast<std::size_t>(means.geometry.size.z()), threadCount(0),
         [&](std::size_t k) { fillSlice(volume, range, block, static_cast<int>(k), means); },
-        [&](double) { return goesOn(); });
+        [&](double) { return shouldContinue(); });
     return isWhole ? std::optional(std::move(means)) : std::nullopt;
 }
 

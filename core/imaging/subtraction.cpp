@@ -1,6 +1,6 @@
 #include "core/imaging/subtraction.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/wide_blur.h"
 #include "core/support/symmetric.h"

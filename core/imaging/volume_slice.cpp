@@ -99,7 +99,7 @@ template <class Work>
 void forBands(int rows, const Work& work)
 {
     constexpr int bandRows = 32;
-    constexpr int mostThreads = 4;
+    constexpr int maxThreads = 4;
     const auto bands = static_cast<std::size_t>((rows + bandRows - 1) / bandRows);
     const auto workBand = [&](std::size_t band) {
         const int first = static_cast<int>(band) * bandRows;
@@ -107,7 +107,7 @@ void forBands(int rows, const Work& work)
             work(row);
         }
     };
-    parallelFor(bands, std::min(mostThreads, threadCount(0)), workBand, [](double) { return true; });
+    parallelFor(bands, std::min(maxThreads, threadCount(0)), workBand, [](double) { return true; });
 }
 
 /// Calls `take(pixel, voxel)` for every pixel that lies in a voxel.
@@ -278,7 +278,7 @@ Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d&
     return pointInPatient.cwiseMax(box.lowMm).cwiseMin(box.highMm);
 }
 
-Eigen::Vector3d centreOf(const VolumeGeometry& geometry)
+Eigen::Vector3d centerOf(const VolumeGeometry& geometry)
 {
     return geometry.patientFromVoxel() * (0.5 * (geometry.size.cast<double>() - Eigen::Vector3d::Ones()));
 }

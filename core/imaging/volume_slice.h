@@ -68,6 +68,6 @@ std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& point
 
 /// The nearest point of the box of voxel centres, in patient axes.
 Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient);
-Eigen::Vector3d centreOf(const VolumeGeometry& geometry);
+Eigen::Vector3d centerOf(const VolumeGeometry& geometry);
 
 }   // namespace angiopose::core

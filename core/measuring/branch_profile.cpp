@@ -23,8 +23,8 @@ struct DiameterLine {
     double at(double arcMm) const { return startMm + slope * arcMm; }
 };
 
-constexpr std::size_t leastDiameters = 6;
-constexpr double leastShareThatAgrees = 0.25;
+constexpr std::size_t minDiameters = 6;
+constexpr double minShareThatAgrees = 0.25;
 constexpr std::array sharesBelow{0.3, 0.2, 0.15, 0.1, 0.1, 0.1, 0.1};   // above: twice as much
 
 DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
@@ -48,7 +48,7 @@ DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
 /// from fewer than 6 diameters, or where fewer than a quarter of them agree.
 std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& diameters)
 {
-    if (diameters.size() < leastDiameters) {
+    if (diameters.size() < minDiameters) {
         return std::nullopt;
     }
     DiameterLine line = lineThrough(diameters);
@@ -60,7 +60,7 @@ std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& di
                 healthy.push_back(each);
             }
         }
-        if (static_cast<double>(healthy.size()) < leastShareThatAgrees * static_cast<double>(diameters.size())) {
+        if (static_cast<double>(healthy.size()) < minShareThatAgrees * static_cast<double>(diameters.size())) {
             return std::nullopt;
         }
         line = lineThrough(healthy);
@@ -71,7 +71,7 @@ std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& di
 constexpr double profileSpacingMm = 0.5;
 constexpr double diameterReachMm = 1.0;
 constexpr double curvatureReachMm = 3.0;
-constexpr double leastBendMm = 2.0;   // shorter than that nothing bends measurably
+constexpr double minDeformationMm = 2.0;   // shorter than that nothing bends measurably
 constexpr double referenceReachMm = 30.0;   // beyond it bifurcations have made another vessel of it
 constexpr double recoveryReachMm = 20.0;
 constexpr double narrowingEnds = 0.9;   // of the reference
@@ -100,10 +100,10 @@ std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSampl
 }
 
 /// Of the parabola that fits the places around it best.
-double bendAt(const std::vector<ProfileSample>& samples, std::size_t middle)
+double deformationAt(const std::vector<ProfileSample>& samples, std::size_t middle)
 {
     const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
-    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < leastBendMm) {
+    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minDeformationMm) {
         return unknownHere;
     }
     const auto count = static_cast<Eigen::Index>(end - first);
@@ -117,8 +117,8 @@ double bendAt(const std::vector<ProfileSample>& samples, std::size_t middle)
     }
     const Eigen::MatrixXd fitted = powers.colPivHouseholderQr().solve(points);
     const Eigen::Vector3d speed = fitted.row(1).transpose();
-    const Eigen::Vector3d bend = 2.0 * fitted.row(2).transpose();
-    return speed.cross(bend).norm() / std::pow(speed.norm(), 3.0);
+    const Eigen::Vector3d curvature = 2.0 * fitted.row(2).transpose();
+    return speed.cross(curvature).norm() / std::pow(speed.norm(), 3.0);
 }
 
 std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
@@ -131,7 +131,7 @@ std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
         samples[i] = {stepMm * static_cast<double>(i), points[i], unknownHere, unknownHere, unknownHere};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        samples[i].curvaturePerMm = bendAt(samples, i);
+        samples[i].curvaturePerMm = deformationAt(samples, i);
     }
     if (!hasAllRadii(branch)) {
         return samples;
@@ -239,7 +239,7 @@ void addDiameters(BranchProfile& profile)
     }
     const auto [least, greatest] = std::ranges::minmax_element(profile.samples, {}, &ProfileSample::diameterMm);
     profile.meanDiameterMm = sum / static_cast<double>(profile.samples.size());
-    profile.leastDiameterMm = least->diameterMm;
+    profile.minDiameterMm = least->diameterMm;
     profile.greatestDiameterMm = greatest->diameterMm;
     addNarrowing(profile);
 }

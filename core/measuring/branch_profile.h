@@ -35,7 +35,7 @@ struct BranchProfile {
     double tortuosity = 1.0;   ///< length over the distance of the ends; 1 is straight; not a number for a closed loop
     double greatestCurvaturePerMm = 0.0;   ///< not a number for branches below 2 mm
     std::optional<double> meanDiameterMm;   ///< over the length; nothing without radii
-    std::optional<double> leastDiameterMm;
+    std::optional<double> minDiameterMm;
     std::optional<double> greatestDiameterMm;
     std::optional<Narrowing> narrowing;   ///< nothing where there is no reference
     Messages doubts;   ///< what could not be measured, and why

@@ -1,9 +1,9 @@
 #include "core/measuring/check_points.h"
 
-#include "core/case/known_bend.h"
+#include "core/case/known_deformation.h"
 #include "core/geometry/angle_units.h"
 #include "core/messages/says.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/support/symmetric.h"
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastAngleDeg = 10.0;   // below that a pixel along the image is 6 pixels along the ray
+constexpr double minAngleDeg = 10.0;   // below that a pixel along the image is 6 pixels along the ray
 constexpr int refinements = 10;
 
 /// A ray in patient axes.
@@ -98,15 +98,15 @@ const Sighting* sightingOf(const View& view, int markId)
     return found;
 }
 
-std::optional<double> errorBent(const View& view, const Vessels& vessels, const Sight& sight, const VesselMark& mark,
-                                const Sighting& seen)
+std::optional<double> errorDeformed(const View& view, const Vessels& vessels, const Sight& sight,
+                                    const VesselMark& mark, const Sighting& seen)
 {
-    const auto bend = knownBend(view, vessels, sight.cameraFromPatient);
-    if (!bend) {
+    const auto deformation = knownDeformation(view, vessels, sight.cameraFromPatient);
+    if (!deformation) {
         return std::nullopt;
     }
-    const VesselTree bent = bentTreeAt(*vessels.tree, *bend, sight.cameraFromPatient);
-    const auto error = imageError(sight, movedWith(*vessels.tree, bent, mark).pointInPatient, seen.pixel);
+    const VesselTree deformed = deformedTreeAt(*vessels.tree, *deformation, sight.cameraFromPatient);
+    const auto error = imageError(sight, movedWith(*vessels.tree, deformed, mark).pointInPatient, seen.pixel);
     return error ? std::optional(error.value().mm) : std::nullopt;
 }
 
@@ -125,7 +125,7 @@ CheckedView checkedView(const View& view, const Vessels& vessels, const RigidTra
     }
     const Sight sight{camera.value(), pose};
     checked.error = imageError(sight, mark.pointInPatient, seen.pixel);
-    checked.bentMm = errorBent(view, vessels, sight, mark, seen);
+    checked.deformedMm = errorDeformed(view, vessels, sight, mark, seen);
     const bool isFound = view.result && view.result->cameraFromPatient.matrix() == pose.matrix();
     if (isFound && vessels.tree) {
         checked.claimed = claimedError(*view.result, *vessels.tree, camera.value(), mark.pointInPatient);
@@ -142,26 +142,26 @@ std::string listed(const std::vector<std::size_t>& views)
     return text;
 }
 
-CheckedPoint checkedPoint(const Case& theCase, const VesselMark& mark, const PoseOfView& poseOf)
+CheckedPoint checkedPoint(const Case& session, const VesselMark& mark, const PoseOfView& poseOf)
 {
     CheckedPoint checked{mark, {}, Error(says::checkNeedsTwoViews()), {}, {}};
     std::vector<PointedPixel> rays;
-    for (std::size_t place = 0; place < theCase.views.size(); ++place) {
-        const View& view = theCase.views[place];
+    for (std::size_t place = 0; place < session.views.size(); ++place) {
+        const View& view = session.views[place];
         const Sighting* seen = view.angiogram ? sightingOf(view, mark.id) : nullptr;
         if (!seen) {
             continue;
         }
         const RigidTransform pose = poseOf(place);
-        CheckedView& told = checked.views.emplace_back(checkedView(view, theCase.vessels, pose, mark, *seen));
-        told.view = place;
-        if (!told.error) {
+        CheckedView& reported = checked.views.emplace_back(checkedView(view, session.vessels, pose, mark, *seen));
+        reported.view = place;
+        if (!reported.error) {
             continue;
         }
         rays.push_back({{cameraOf(view).value(), pose}, seen->pixel});
         checked.meetingViews.push_back(place);
-        if (told.claimed) {
-            const double claimed = told.claimed->spaceMm;
+        if (reported.claimed) {
+            const double claimed = reported.claimed->spaceMm;
             checked.claimedSpaceMm = std::min(claimed, checked.claimedSpaceMm.value_or(claimed));
         }
     }
@@ -232,7 +232,7 @@ Result<MeetingPoint> meetingPoint(std::span<const PointedPixel> seen)
     }
     MeetingPoint meeting;
     meeting.angleDeg = widestAngleDeg(rays);
-    if (!(meeting.angleDeg >= leastAngleDeg)) {
+    if (!(meeting.angleDeg >= minAngleDeg)) {
         return Error(says::checkRaysAlike(Quantity{meeting.angleDeg, 1, "°"}));
     }
     meeting.pointInPatient = refined(seen, nearestToRays(rays));
@@ -243,20 +243,20 @@ Result<MeetingPoint> meetingPoint(std::span<const PointedPixel> seen)
     return meeting;
 }
 
-std::vector<CheckedPoint> checkedPoints(const Case& theCase, const PoseOfView& poseOf)
+std::vector<CheckedPoint> checkedPoints(const Case& session, const PoseOfView& poseOf)
 {
     std::vector<CheckedPoint> checked;
-    for (const VesselMark& mark : theCase.vessels.marks) {
+    for (const VesselMark& mark : session.vessels.marks) {
         if (mark.kind == VesselMarkKind::CheckPoint) {
-            checked.push_back(checkedPoint(theCase, mark, poseOf));
+            checked.push_back(checkedPoint(session, mark, poseOf));
         }
     }
     return checked;
 }
 
-std::vector<CheckedPoint> checkedPoints(const Case& theCase)
+std::vector<CheckedPoint> checkedPoints(const Case& session)
 {
-    return checkedPoints(theCase, [&theCase](std::size_t view) { return theCase.views[view].cameraFromPatient; });
+    return checkedPoints(session, [&session](std::size_t view) { return session.views[view].cameraFromPatient; });
 }
 
 std::optional<Message> labelOf(const CheckedPoint& checked, std::size_t shownView)
@@ -279,8 +279,8 @@ Messages sentencesOf(const CheckedView& checked)
         says::checkImageError(inMm(error.depthMm, 0), inMm(error.mm, 2), Quantity{error.px, 1, "px"},
                               inMm(error.mmPerPx, 2)),
         checked.claimed ? says::checkClaimed(inMm(checked.claimed->inPlaneMm, 2)) : says::checkNothingClaimed()};
-    if (checked.bentMm) {
-        sentences.push_back(says::checkBent(inMm(*checked.bentMm, 2)));
+    if (checked.deformedMm) {
+        sentences.push_back(says::checkDeformed(inMm(*checked.deformedMm, 2)));
     }
     return sentences;
 }

@@ -56,7 +56,7 @@ struct CheckedView {
     std::size_t view = 0;   ///< place in Case::views
     int frame = 0;   ///< in which it was pointed at
     Result<ImageError> error;   ///< of the vessels as the rigid pose has them
-    std::optional<double> bentMm;   ///< the same error with the vessels bent, where that is known
+    std::optional<double> deformedMm;   ///< the same error with the vessels bent, where that is known
     std::optional<ClaimedError> claimed;   ///< by the result that found the pose
 };
 
@@ -76,8 +76,8 @@ struct CheckedPoint {
 using PoseOfView = std::function<RigidTransform(std::size_t view)>;
 
 /// Every check point of a case, in its order; rings are none. `poseOf`: as shown.
-std::vector<CheckedPoint> checkedPoints(const Case& theCase, const PoseOfView& poseOf);
-std::vector<CheckedPoint> checkedPoints(const Case& theCase);   ///< at the case's own poses
+std::vector<CheckedPoint> checkedPoints(const Case& session, const PoseOfView& poseOf);
+std::vector<CheckedPoint> checkedPoints(const Case& session);   ///< at the case's own poses
 
 /// Short, for a list: "1.2 mm off, 0.6 mm claimed" of the shown view, else in space; nothing where neither is known.
 std::optional<Message> labelOf(const CheckedPoint& checked, std::size_t shownView);

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 /// The one that says least for its value.
-Origin leastCertain(const std::vector<Origin>& origins)
+Origin minCertain(const std::vector<Origin>& origins)
 {
     constexpr std::array order{Origin::Header, Origin::Derived, Origin::User, Origin::Assumed, Origin::Missing};
     const auto rank = [&order](Origin origin) { return std::ranges::find(order, origin); };
@@ -36,7 +36,7 @@ Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
     const Origin origin =
         view.geometry.cameraOverride
             ? Origin::User
-            : leastCertain({cArm.sourceToDetectorMm.origin, cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin});
+            : minCertain({cArm.sourceToDetectorMm.origin, cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin});
     return ImageScale{MeasurementPlane::Vessels,
                       {depthMm / std::abs(camera.value().fx), depthMm / std::abs(camera.value().fy)},
                       depthMm,
@@ -55,7 +55,7 @@ Result<ImageScale> scaleAtDetector(const View& view)
     return ImageScale{MeasurementPlane::Detector,
                       {*cArm.columnSpacingMm.value, *cArm.rowSpacingMm.value},
                       0.0,
-                      leastCertain({cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin})};
+                      minCertain({cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin})};
 }
 
 Result<ImageScale> scaleAsTyped(const View& view)

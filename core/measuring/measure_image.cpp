@@ -95,15 +95,15 @@ void addDepthDoubt(Messages& basis, const ImageScale& scale, const RegistrationR
 
 }   // namespace
 
-std::size_t leastPoints(MeasurementKind kind)
+std::size_t minPoints(MeasurementKind kind)
 {
     return kind == MeasurementKind::Length ? 2 : 3;
 }
 
 Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale)
 {
-    if (measurement.pixels.size() < leastPoints(measurement.kind)) {
-        return Error(says::measurePoints(leastPoints(measurement.kind), measurement.pixels.size()));
+    if (measurement.pixels.size() < minPoints(measurement.kind)) {
+        return Error(says::measurePoints(minPoints(measurement.kind), measurement.pixels.size()));
     }
     Polyline<2> points;
     for (const Eigen::Vector2d& pixel : measurement.pixels) {

@@ -13,7 +13,7 @@ struct MeasuredImage {
 };
 
 /// The fewest points of a measurement.
-std::size_t leastPoints(MeasurementKind kind);
+std::size_t minPoints(MeasurementKind kind);
 
 /// Length along the points; the angle (0°…180°) at the second point; the area inside the closed outline. Angles need
 /// the shape of a pixel only. Fails, saying why, on points that do not make such a thing: too few, not finite, an angle

@@ -1,7 +1,7 @@
 #include "core/registration/registration.h"
 
 #include "core/messages/says.h"
-#include "core/registration/bending_doubt.h"
+#include "core/registration/deformation_check.h"
 #include "core/registration/judging/judge_pose.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "core/registration/follow_run.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 
 #include <utility>
 
@@ -9,39 +9,39 @@ namespace angiopose::core {
 namespace {
 
 /// The question with the vessels as they lie in the image.
-RegistrationInput asBent(RegistrationInput input, const DeformableResult& bent)
+RegistrationInput asDeformed(RegistrationInput input, const DeformableResult& deformed)
 {
-    input.tree = bentTreeAt(input.tree, bent, input.initialCameraFromPatient);
+    input.tree = deformedTreeAt(input.tree, deformed, input.initialCameraFromPatient);
     return input;
 }
 
 }   // namespace
 
 RunFollower::RunFollower(RegistrationInput input, const RegistrationOptions& options, FrameTracker tracker,
-                         std::optional<BendTracker> bends)
-    : input_(std::move(input)), options_(options), tracker_(std::move(tracker)), bends_(std::move(bends))
+                         std::optional<DeformationTracker> deformations)
+    : input_(std::move(input)), options_(options), tracker_(std::move(tracker)), deformations_(std::move(deformations))
 {
 }
 
 Result<RunFollower> RunFollower::from(const RegistrationInput& input,
-                                      const std::shared_ptr<const DeformableResult>& bent,
+                                      const std::shared_ptr<const DeformableResult>& deformed,
                                       const RegistrationOptions& options)
 {
     const RigidTransform& pose = input.initialCameraFromPatient;
-    std::optional<BendTracker> bends;
-    const bool isBent = bent && isOf(input.tree, *bent);
-    if (isBent) {
-        auto tracker = BendTracker::after({input, pose, 0}, *bent);
+    std::optional<DeformationTracker> deformations;
+    const bool isDeformed = deformed && isOf(input.tree, *deformed);
+    if (isDeformed) {
+        auto tracker = DeformationTracker::after({input, pose, 0}, *deformed);
         if (!tracker) {
             return tracker.error();
         }
-        bends = std::move(tracker).value();
+        deformations = std::move(tracker).value();
     }
-    auto problem = makeProblem(isBent ? asBent(input, *bent) : input, options);
+    auto problem = makeProblem(isDeformed ? asDeformed(input, *deformed) : input, options);
     if (!problem) {
         return problem.error();
     }
-    return RunFollower(input, options, FrameTracker(std::move(problem).value(), options), std::move(bends));
+    return RunFollower(input, options, FrameTracker(std::move(problem).value(), options), std::move(deformations));
 }
 
 Result<TrackedVessels> RunFollower::next(const Centerline2d& target, const SearchObserver& observe)
@@ -51,16 +51,16 @@ Result<TrackedVessels> RunFollower::next(const Centerline2d& target, const Searc
         return tracked.error();
     }
     TrackedVessels followed{tracked.value(), nullptr};
-    if (bends_ && followed.tracked.isTrustworthy) {   // other frames tell nothing of their bend
+    if (deformations_ && followed.tracked.isTrustworthy) {   // other frames tell nothing of their bend
         input_.target = target;
         input_.initialCameraFromPatient = followed.tracked.cameraFromPatient;
-        auto found = bends_->next({input_, followed.tracked.cameraFromPatient, 0});
+        auto found = deformations_->next({input_, followed.tracked.cameraFromPatient, 0});
         if (found) {
-            if (auto bent = makeProblem(asBent(input_, found.value()), options_)) {
-                tracker_.followAsBent(std::move(bent).value());
+            if (auto deformed = makeProblem(asDeformed(input_, found.value()), options_)) {
+                tracker_.followAsDeformed(std::move(deformed).value());
             }
-            if (found.value().verdict != BendVerdict::Rigid) {
-                followed.bent = std::make_shared<const DeformableResult>(std::move(found).value());
+            if (found.value().verdict != DeformationVerdict::Rigid) {
+                followed.deformed = std::make_shared<const DeformableResult>(std::move(found).value());
             }
         }
     }

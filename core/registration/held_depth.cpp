@@ -30,8 +30,8 @@ std::optional<MethodSolution> withDepthHeld(const RegistrationProblem& whole, co
     if (judged.uncertainty.observed[5] || whole.freedom.isLocked(PoseAxis::AlongRay) || stays) {
         return {};
     }
-    const bool isPart = std::ranges::count(solution.isFilled, std::uint8_t{1}) > 0;
-    const RegistrationProblem part = isPart ? partOf(whole, solution.isFilled) : RegistrationProblem();
+    const bool isPart = std::ranges::count(solution.isOpacified, std::uint8_t{1}) > 0;
+    const RegistrationProblem part = isPart ? partOf(whole, solution.isOpacified) : RegistrationProblem();
     const RegistrationProblem& problem = isPart ? part : whole;
     const Eigen::Vector3d& centroid = problem.tree.centroid;
     const CentroidPose start = aboutCentroid(problem.start, centroid);

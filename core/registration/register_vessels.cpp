@@ -1,9 +1,9 @@
 #include "core/registration/registration.h"
 
 #include "core/messages/says.h"
-#include "core/registration/bending_doubt.h"
-#include "core/registration/frame_doubt.h"
+#include "core/registration/deformation_check.h"
 #include "core/registration/held_depth.h"
+#include "core/registration/image_orientation_check.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/judging/within_2mm.h"
 #include "core/registration/methods/method.h"
@@ -30,7 +30,7 @@ bool isRuleOfThumb(const Message& said)
 
 bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
 {
-    const bool isOff = result.bent && putsOverlayOff(*result.bent);
+    const bool isOff = result.deformed && putsOverlayOff(*result.deformed);
     const bool isHeard = std::ranges::any_of(result.warnings, speaksAgainstTrust);
     return !isOff && isHeard && std::ranges::all_of(result.warnings, [](const Message& said) {
         return !speaksAgainstTrust(said) || isRuleOfThumb(said);
@@ -41,7 +41,7 @@ bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
 /// experience with such fits, and trust follow where that is clear (ALGORITHMS §6.21): a fit that is all but sure is
 /// trusted though little agrees or little is filled, one that often fails is not. Of a fit that other signs
 /// speak against, a high probability is not stated.
-void heedExperience(RegistrationResult& result)
+void calibrateConfidence(RegistrationResult& result)
 {
     const double probability = overlayProbability(result);
     result.probabilityWithin2Mm = probability;
@@ -70,8 +70,8 @@ RegistrationResult judgeWithCare(const RegistrationProblem& problem, const Regis
     if (held) {
         result = judgePose(problem, options, *held);
     }
-    const FrameDoubt doubt =
-        doubtFrame(problem, options, solution, result, [&](double) { return progress.askAgain(); });
+    const ImageOrientationCheck doubt =
+        checkImageOrientation(problem, options, solution, result, [&](double) { return progress.askAgain(); });
     if (progress.isStopped()) {
         result.stopReason = StopReason::StoppedByUser;
         result.trustworthy = false;
@@ -83,25 +83,25 @@ RegistrationResult judgeWithCare(const RegistrationProblem& problem, const Regis
     return result;
 }
 
-bool isBendAsked(const RegistrationProblem& problem, const RegistrationOptions& options, const MethodSolution& solution,
-                 const RegistrationResult& result)
+bool isDeformationRequested(const RegistrationProblem& problem, const RegistrationOptions& options,
+                            const MethodSolution& solution, const RegistrationResult& result)
 {
-    if (result.stopReason == StopReason::StoppedByUser || options.bending != Bending::Auto) {
-        return result.stopReason != StopReason::StoppedByUser && options.bending == Bending::Always;
+    if (result.stopReason == StopReason::StoppedByUser || options.deformation != Deformation::Auto) {
+        return result.stopReason != StopReason::StoppedByUser && options.deformation == Deformation::Always;
     }
     if (!solution.wantsCare || isAnyLocked(options.locks)) {
         return false;
     }
-    return result.unfilled.empty()
-               ? looksBent({problem, *solution.targetLines, result.cameraFromPatient})
-               : looksBent({partOf(problem, solution.isFilled), *solution.targetLines, result.cameraFromPatient});
+    return result.unopacified.empty() ? looksDeformed({problem, *solution.targetLines, result.cameraFromPatient})
+                                      : looksDeformed({partOf(problem, solution.isOpacified), *solution.targetLines,
+                                                       result.cameraFromPatient});
 }
 
 /// What looks empty in the image does not speak for a bend.
-DeformableView bendView(const RegistrationInput& input, const RegistrationResult& result)
+DeformableView deformationView(const RegistrationInput& input, const RegistrationResult& result)
 {
     DeformableView view{input, result.cameraFromPatient};
-    for (const UnfilledBranch& branch : result.unfilled) {
+    for (const UnopacifiedBranch& branch : result.unopacified) {
         view.input.excludedBranchIds.push_back(branch.branchId);
     }
     return view;
@@ -128,15 +128,15 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
     if (solution.wire) {
         judgeByWire(problem.value(), *solution.wire, result);
     }
-    if (isBendAsked(problem.value(), options, solution, result)) {
-        const DeformableView view = bendView(input, result);
-        result.bent = judgeByBending({&view, 1}, bendingOptions(options),
-                                     {result.uncertainty, result.trustworthy, result.warnings},
-                                     [&](const IterationReport&) { return progress.askAgain("bending"); });
+    if (isDeformationRequested(problem.value(), options, solution, result)) {
+        const DeformableView view = deformationView(input, result);
+        result.deformed = judgeByDeformation({&view, 1}, deformationOptions(options),
+                                             {result.uncertainty, result.trustworthy, result.warnings},
+                                             [&](const IterationReport&) { return progress.askAgain("bending"); });
         result.stopReason = progress.isStopped() ? StopReason::StoppedByUser : result.stopReason;
     }
     if (solution.wantsCare && result.stopReason != StopReason::StoppedByUser) {
-        heedExperience(result);
+        calibrateConfidence(result);
     }
     result.method = options.method;
     result.history = progress.history();

@@ -4,7 +4,7 @@
 #include "core/messages/says.h"
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/joint_solve.h"
-#include "core/registration/bending_doubt.h"
+#include "core/registration/deformation_check.h"
 #include "core/registration/judging/judge_pose.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/methods/method_info.h"
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double clearlyLess = 0.9;   // of the agreement that the views reach each by itself
 constexpr double knownTurnReachDeg = 3.0;   // of a search in a view whose turn another view tells
-constexpr std::size_t mostSearchedAgain = 3;
-constexpr double widestForBendingMm = 8.0;   // what corrected a wider step was no bend
+constexpr std::size_t maxSearchedAgain = 3;
+constexpr double widestForDeformationMm = 8.0;   // what corrected a wider step was no bend
 constexpr double aloneShare = 0.9;   // of the progress of a view; the rest is its joint refinement
 
 Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
@@ -84,8 +84,8 @@ public:
     /// Asks whether to go on while the poses rest.
     Verdict askAgain(std::string_view stage)
     {
-        told_.stage = stage;
-        isStopped_ = isStopped_ || (observe_ && iterations_ > 0 && observe_(told_) == Verdict::Stop);
+        reported_.stage = stage;
+        isStopped_ = isStopped_ || (observe_ && iterations_ > 0 && observe_(reported_) == Verdict::Stop);
         return isStopped_ ? Verdict::Stop : Verdict::Continue;
     }
 
@@ -95,9 +95,9 @@ private:
     Verdict pass(std::size_t view, IterationReport report)
     {
         report.iteration = ++iterations_;
-        report.progress =
-            std::max(told_.progress, (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_));
-        told_ = report;
+        report.progress = std::max(reported_.progress,
+                                   (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_));
+        reported_ = report;
         isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
         return isStopped_ ? Verdict::Stop : Verdict::Continue;
     }
@@ -108,7 +108,7 @@ private:
     std::size_t viewCount_;
     const IterationObserver& observe_;
     std::vector<double> distances_;
-    IterationReport told_;   ///< the last one
+    IterationReport reported_;   ///< the last one
     int iterations_ = 0;
     bool isStopped_ = false;
 };
@@ -169,11 +169,11 @@ public:
         : solve_(solve), inputs_(inputs), ofOneView_(options), multiView_(multiView), progress_(progress)
     {
         ofOneView_.geometry.otherFrames = false;   // all views together tell
-        ofOneView_.bending = Bending::Off;
+        ofOneView_.deformation = Deformation::Off;
         best_.pose = {solve.inFirst(inputs.front().initialCameraFromPatient, 0),
                       std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
         for (std::size_t k = 1; k < inputs.size(); ++k) {
-            tellsShift_ = tellsShift_ && multiView.stepTo(k).tellsShift();
+            knowsShift_ = knowsShift_ && multiView.stepTo(k).knowsShift();
             isTight_ = isTight_ && multiView.stepTo(k).shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
         }
     }
@@ -186,20 +186,20 @@ public:
                 return alone.error();
             }
             poses_.push_back(std::move(alone).value());
-            if (tellsShift_ || best_.score < 0.0) {   // otherwise the first stands for who stops early
+            if (knowsShift_ || best_.score < 0.0) {   // otherwise the first stands for who stops early
                 refineFrom(k);
             }
         }
         if (poses_.size() < inputs_.size() || progress_.isStopped()) {
             return best_.pose;
         }
-        if (!tellsShift_) {
+        if (!knowsShift_) {
             best_.score = -1.0;
         }
         if (!isTight_) {
             refineTogether();
         }
-        if (!tellsShift_ && best_.score < 0.0) {
+        if (!knowsShift_ && best_.score < 0.0) {
             if (const auto again = searchTurnedAlike(); !again) {
                 return again.error();
             }
@@ -261,7 +261,7 @@ private:
         const std::vector<RigidTransform> ofFirst = poses_.front();
         for (std::size_t k = 1; k < inputs_.size(); ++k) {
             turned.angiopose.priorRotationDeg = multiView_.stepTo(k).rotationDeg;
-            for (std::size_t i = 0; i < std::min(ofFirst.size(), mostSearchedAgain) && !progress_.isStopped(); ++i) {
+            for (std::size_t i = 0; i < std::min(ofFirst.size(), maxSearchedAgain) && !progress_.isStopped(); ++i) {
                 RegistrationInput input = inputs_[k];
                 input.initialCameraFromPatient = solve_.turnedLike(ofFirst[i], k);
                 auto found = posesAlone(k, input, turned);
@@ -291,7 +291,7 @@ private:
     RegistrationOptions ofOneView_;
     const MultiViewOptions& multiView_;
     JointProgress& progress_;
-    bool tellsShift_ = true;   ///< see StepSpread, of all steps
+    bool knowsShift_ = true;   ///< see StepSpread, of all steps
     bool isTight_ = true;   ///< taken together
     std::vector<std::vector<RigidTransform>> poses_;   ///< that each view explains
     BestJoint best_;
@@ -313,13 +313,14 @@ void addView(MultiViewResult& result, std::size_t number, const JointView& view,
     }
 }
 
-bool isBendAsked(const JointSolve::Views& views, const RegistrationOptions& options, const MultiViewResult& result)
+bool isDeformationRequested(const JointSolve::Views& views, const RegistrationOptions& options,
+                            const MultiViewResult& result)
 {
-    if (options.bending != Bending::Auto || options.method != methodInfos().front().id) {
-        return options.bending == Bending::Always;
+    if (options.deformation != Deformation::Auto || options.method != methodInfos().front().id) {
+        return options.deformation == Deformation::Always;
     }
     for (std::size_t k = 0; k < views.size(); ++k) {
-        if (looksBent({views[k]->problem, views[k]->lines, result.views[k].cameraFromPatient})) {
+        if (looksDeformed({views[k]->problem, views[k]->lines, result.views[k].cameraFromPatient})) {
             return true;
         }
     }
@@ -328,24 +329,25 @@ bool isBendAsked(const JointSolve::Views& views, const RegistrationOptions& opti
 
 /// All views together tell how the vessels are bent. The geometry between them is that of the start poses: what
 /// corrected it for a rigid tree may have been the bend.
-void hearBending(MultiViewResult& result, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
-                 const MultiViewOptions& multiView, JointProgress& progress)
+void hearDeformation(MultiViewResult& result, std::span<const RegistrationInput> inputs,
+                     const RegistrationOptions& options, const MultiViewOptions& multiView, JointProgress& progress)
 {
     std::vector<DeformableView> views;
-    DeformableOptions bending = bendingOptions(options);
+    DeformableOptions deformation = deformationOptions(options);
     const RigidTransform fromStart =
         inputs.front().initialCameraFromPatient.inverse() * result.views.front().cameraFromPatient;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         const StepSpread spread = multiView.stepTo(k);
-        const bool isToldByHeader = spread.shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
+        const bool isKnownFromHeader = spread.shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
         const RigidTransform& found = result.views[k].cameraFromPatient;
-        views.push_back({inputs[k], isToldByHeader ? inputs[k].initialCameraFromPatient * fromStart : found,
+        views.push_back({inputs[k], isKnownFromHeader ? inputs[k].initialCameraFromPatient * fromStart : found,
                          multiView.numberOf(k)});
-        bending.geometryDeg = std::max(bending.geometryDeg, spread.rotationDeg);
-        bending.geometryMm = std::max(bending.geometryMm, std::min(spread.shiftMm.maxCoeff(), widestForBendingMm));
+        deformation.geometryDeg = std::max(deformation.geometryDeg, spread.rotationDeg);
+        deformation.geometryMm =
+            std::max(deformation.geometryMm, std::min(spread.shiftMm.maxCoeff(), widestForDeformationMm));
     }
-    result.bent = judgeByBending(views, bending, {result.uncertainty, result.trustworthy, result.warnings},
-                                 [&](const IterationReport&) { return progress.askAgain("bending"); });
+    result.deformed = judgeByDeformation(views, deformation, {result.uncertainty, result.trustworthy, result.warnings},
+                                         [&](const IterationReport&) { return progress.askAgain("bending"); });
     for (RegistrationResult& view : result.views) {
         view.stopReason = progress.isStopped() ? StopReason::StoppedByUser : view.stopReason;
     }
@@ -395,8 +397,8 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
             result.warnings.push_back(says::inView(multiView.numberOf(k), said));
         }
     }
-    if (!progress.isStopped() && isBendAsked(views, options, result)) {
-        hearBending(result, inputs, options, multiView, progress);
+    if (!progress.isStopped() && isDeformationRequested(views, options, result)) {
+        hearDeformation(result, inputs, options, multiView, progress);
     }
     return result;
 }

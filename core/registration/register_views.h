@@ -15,7 +15,7 @@ struct StepSpread {
     Eigen::Vector3d shiftMm = Eigen::Vector3d::Constant(1.5);   ///< of the tree's centroid, in that view's camera axes
 
     /// Whether a pose in one view says where about the vessels lie in the other.
-    bool tellsShift() const { return shiftMm.maxCoeff() < 20.0; }
+    bool knowsShift() const { return shiftMm.maxCoeff() < 20.0; }
 };
 
 struct MultiViewOptions {
@@ -34,7 +34,7 @@ struct MultiViewResult {
     std::vector<Vector6d> corrections;
     PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
     std::vector<CameraEvidence> cameras;   ///< from all views, one for each; empty: all cameras count as exact
-    std::shared_ptr<const DeformableResult> bent;   ///< see RegistrationResult
+    std::shared_ptr<const DeformableResult> deformed;   ///< see RegistrationResult
     bool trustworthy = false;   ///< every view is, and no correction is implausible
     Messages warnings;
 };

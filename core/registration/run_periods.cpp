@@ -9,11 +9,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastPoses = 12;
+constexpr std::size_t minPoses = 12;
 constexpr double cyclesSeen = 1.8;   // at least, of the slowest period that is looked for
 constexpr double samplesPerCycle = 3.0;   // at least, of the fastest
 constexpr double stepsPerCycle = 8.0;   // of the grid: a peak is 1 / duration wide
-constexpr double leastAmplitudeMm = 0.3;
+constexpr double minAmplitudeMm = 0.3;
 constexpr double chanceOfNoise = 1e-4;
 
 struct Band {
@@ -91,7 +91,7 @@ std::optional<PeriodicMotion> takeOut(const Band& band, const Eigen::VectorXd& s
     const double chance = tried * std::pow(1.0 - share, half) * (1.0 + half * share);
     const WaveFit fit = fitWave(seconds, signal, bestHz);
     const PeriodicMotion found{1.0 / bestHz, amplitudeOf(fit), share};
-    if (chance > chanceOfNoise || found.amplitudeMm < leastAmplitudeMm) {
+    if (chance > chanceOfNoise || found.amplitudeMm < minAmplitudeMm) {
         return std::nullopt;
     }
     signal = fit.left;
@@ -103,7 +103,7 @@ std::optional<PeriodicMotion> takeOut(const Band& band, const Eigen::VectorXd& s
 RunPeriods findPeriods(std::span<const TimedPose> poses, const Eigen::Vector3d& pointInPatient)
 {
     RunPeriods periods;
-    if (poses.size() < leastPoses) {
+    if (poses.size() < minPoses) {
         return periods;
     }
     const auto count = static_cast<Eigen::Index>(poses.size());

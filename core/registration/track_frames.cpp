@@ -28,10 +28,10 @@ FrameTracker::FrameTracker(RegistrationProblem first, const RegistrationOptions&
 }
 
 /// Poses go on being told about the same point.
-void FrameTracker::followAsBent(RegistrationProblem bent)
+void FrameTracker::followAsDeformed(RegistrationProblem deformed)
 {
-    bent.tree.centroid = problem_.tree.centroid;
-    problem_ = std::move(bent);
+    deformed.tree.centroid = problem_.tree.centroid;
+    problem_ = std::move(deformed);
     points_ = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), usedTrackingPoints));
 }
 

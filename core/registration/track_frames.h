@@ -23,7 +23,7 @@ public:
     Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
     /// The vessels have changed their shape: `bent` is the problem of the same branches as they are now.
-    void followAsBent(RegistrationProblem bent);
+    void followAsDeformed(RegistrationProblem deformed);
 
 private:
     bool isFit(double score) const;

@@ -35,7 +35,7 @@ void addScaled(ImageF& image, const ImageF& field, double standardDeviation)
 
 /// A long shallow arc across the picture.
 struct Arc {
-    Eigen::Vector2d centrePx;
+    Eigen::Vector2d centerPx;
     double radiusPx;
     double fromRad;
     double toRad;
@@ -43,7 +43,7 @@ struct Arc {
     Eigen::Vector2d at(double t) const
     {
         const double angle = fromRad + t * (toRad - fromRad);
-        return centrePx + radiusPx * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        return centerPx + radiusPx * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     }
     double lengthPx() const { return radiusPx * std::abs(toRad - fromRad); }
 };
@@ -54,9 +54,9 @@ Arc drawArc(const ImageF& image, CounterRandom& random)
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
     const double radiusPx = size * random.uniform(0.5, 1.2);
     const Eigen::Vector2d crossing(random.uniform(0.1, 0.9) * image.width, random.uniform(0.1, 0.9) * image.height);
-    const Eigen::Vector2d centre = crossing - radiusPx * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d center = crossing - radiusPx * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     const double halfSpan = 1.2 * size / radiusPx;
-    return {centre, radiusPx, angle - halfSpan, angle + halfSpan};
+    return {center, radiusPx, angle - halfSpan, angle + halfSpan};
 }
 
 /// Discs along the arc: a tube whose attenuation at the axis is `peak`.

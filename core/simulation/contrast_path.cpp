@@ -47,7 +47,7 @@ ImageF contrastThicknessMm(const std::vector<ContrastPath>& paths, const Bolus& 
                 const Eigen::Vector3d pointInCamera = cameraFromPatient * piece.pointInPatient;
                 const std::optional<Eigen::Vector2d> pixel = project(camera, pointInCamera);
                 if (dose > 1e-6 && pixel) {
-                    const double radiusPx = piece.radiusMm / millimetresPerPixel(camera, pointInCamera.z());
+                    const double radiusPx = piece.radiusMm / millimetersPerPixel(camera, pointInCamera.z());
                     splatDisc(thicknessMm, *pixel, radiusPx, dose);
                 }
             }

@@ -48,11 +48,11 @@ Curve2d drawClutter(const ProjectionCamera& camera, CounterRandom& random)
     Curve2d curve{-1, {}, {}};
     Eigen::Vector2d point(random.uniform(0.2, 0.8) * camera.width, random.uniform(0.2, 0.8) * camera.height);
     double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
-    double bend = 0.0;
+    double turn = 0.0;
     for (double along = 0.0; along < clutterLengthPx; along += 1.0) {
         curve.pointsPx.push_back(point);
-        bend = 0.97 * bend + 0.002 * random.normal();
-        direction += bend;
+        turn = 0.97 * turn + 0.002 * random.normal();
+        direction += turn;
         point += Eigen::Vector2d(std::cos(direction), std::sin(direction));
     }
     return curve;

@@ -20,7 +20,7 @@ RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
     for (int iteration = 0; iteration < 20; ++iteration) {
         Matrix6d hessian = Matrix6d::Zero();
         Vector6d gradient = Vector6d::Zero();
-        const Eigen::Vector3d centre = pose * centroid;
+        const Eigen::Vector3d center = pose * centroid;
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const Eigen::Vector3d x = pose * pointsInPatient[i];
             const std::optional<Eigen::Vector2d> pixel = project(camera, x);
@@ -28,14 +28,14 @@ RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
                 continue;
             }
             Eigen::Matrix<double, 3, 6> motion;
-            motion << -skew(x - centre), Eigen::Matrix3d::Identity();
+            motion << -skew(x - center), Eigen::Matrix3d::Identity();
             const Eigen::Matrix<double, 2, 6> jacobian = projectionJacobian(camera, x) * motion;
             hessian += jacobian.transpose() * jacobian;
             gradient += jacobian.transpose() * (*pixel - pixels[i]);
         }
         const Vector6d step = -solveSymmetric(hessian, gradient);
         const Eigen::Matrix3d rotation = expSo3(step.head<3>()) * pose.rotation;
-        pose = {rotation, centre + step.tail<3>() - rotation * centroid};
+        pose = {rotation, center + step.tail<3>() - rotation * centroid};
         if (step.norm() < 1e-12) {
             break;
         }

@@ -18,9 +18,9 @@ constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< of the image width
 constexpr double focalSpotSigmaPx = 0.5;   ///< with the next, σ 0.7 px in all
 constexpr double screenSigmaPx = 0.5;   ///< blurs the quantum noise too
 constexpr int maskAverage = 4;   ///< the mask is the mean of this many frames
-constexpr double midGrey = 2048.0;
-constexpr double greyPerAttenuation = 2200.0;
-constexpr double largestGrey = 4095.0;
+constexpr double midGray = 2048.0;
+constexpr double grayPerAttenuation = 2200.0;
+constexpr double largestGray = 4095.0;
 constexpr int bodyMarginPx = 8;   ///< body beyond the field, for motion
 
 /// Streams of the run's generator.
@@ -113,7 +113,7 @@ ImageF noiselessContrast(const ImageF& attenuation, const ImageF& thicknessMm, d
     ImageF contrast = blurred(expectedCounts(attenuation, photonCount), screenSigmaPx);
     const ImageF filled = blurred(expectedCounts(withContrast(attenuation, thicknessMm), photonCount), screenSigmaPx);
     for (std::size_t i = 0; i < contrast.pixels.size(); ++i) {
-        contrast.pixels[i] = static_cast<float>(greyPerAttenuation) * std::log(contrast.pixels[i] / filled.pixels[i]);
+        contrast.pixels[i] = static_cast<float>(grayPerAttenuation) * std::log(contrast.pixels[i] / filled.pixels[i]);
     }
     return contrast;
 }
@@ -122,10 +122,10 @@ ImageF subtracted(const ImageF& logMask, const ImageF& logFrame, const Mask2d& o
 {
     ImageF result(logMask.width, logMask.height);
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
-        const double grey =
-            midGrey - greyPerAttenuation * (static_cast<double>(logMask.pixels[i]) - logFrame.pixels[i]);
+        const double gray =
+            midGray - grayPerAttenuation * (static_cast<double>(logMask.pixels[i]) - logFrame.pixels[i]);
         result.pixels[i] =
-            open.pixels[i] != 0 ? static_cast<float>(std::round(std::clamp(grey, 0.0, largestGrey))) : 0.0F;
+            open.pixels[i] != 0 ? static_cast<float>(std::round(std::clamp(gray, 0.0, largestGray))) : 0.0F;
     }
     return result;
 }
@@ -146,27 +146,27 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
 
     DsaRun run;
     run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * timing.runS / options.frameCount) : 0.0;
-    double fullest = -1.0;
-    ImageF fullestThicknessMm;
-    ImageF fullestAttenuation;   // of the body alone
+    double peak = -1.0;
+    ImageF peakThicknessMm;
+    ImageF peakAttenuation;   // of the body alone
     for (int k = 0; k < options.frameCount; ++k) {
         const double share = (k + 0.5) / options.frameCount;
         const ImageF thicknessMm = contrastThicknessMm(scene.paths, bolus, timing.firstS + share * timing.runS,
                                                        scene.camera, scene.cameraFromPatient);
         const ImageF attenuation = shiftedBody(body, motionAt(share, options.maskMotionPx, random.fork(MotionStream)));
         const double contrast = std::accumulate(thicknessMm.pixels.begin(), thicknessMm.pixels.end(), 0.0);
-        if (contrast > fullest) {
-            fullest = contrast;
-            run.fullestFrame = k;
-            fullestThicknessMm = thicknessMm;
-            fullestAttenuation = attenuation;
+        if (contrast > peak) {
+            peak = contrast;
+            run.peakFrame = k;
+            peakThicknessMm = thicknessMm;
+            peakAttenuation = attenuation;
         }
         const ImageF logFrame = logDetected(expectedCounts(withContrast(attenuation, thicknessMm), options.photonCount),
                                             1, random.fork(FirstFrameStream + static_cast<std::uint64_t>(k)));
         run.frames.push_back(subtracted(logMask, logFrame, open));
     }
     if (!run.frames.empty()) {
-        run.trueContrast = noiselessContrast(fullestAttenuation, fullestThicknessMm, options.photonCount);
+        run.trueContrast = noiselessContrast(peakAttenuation, peakThicknessMm, options.photonCount);
     }
     return run;
 }

@@ -20,7 +20,7 @@ struct DsaScene {
 struct DsaRun {
     std::vector<ImageF> frames;
     double frameTimeMs = 0.0;   ///< 0 for a single frame
-    int fullestFrame = 0;   ///< most contrast medium in the field
+    int peakFrame = 0;   ///< most contrast medium in the field
     ImageF trueContrast;   ///< of that frame: grey values by which the contrast medium darkens it, free of noise
 };
 

@@ -20,8 +20,8 @@ ScanField fieldOf(const VolumeGeometry& geometry)
 void paintTrunk(ScanPainter& painter, const ScanField& field)
 {
     const double endless = std::numeric_limits<double>::infinity();
-    painter.ellipsoid(field.centre, {0.97 * field.half.x(), 0.93 * field.half.y(), endless}, fatHu);
-    painter.ellipsoid(field.centre, {0.9 * field.half.x(), 0.86 * field.half.y(), endless}, muscleHu);
+    painter.ellipsoid(field.center, {0.97 * field.half.x(), 0.93 * field.half.y(), endless}, fatHu);
+    painter.ellipsoid(field.center, {0.9 * field.half.x(), 0.86 * field.half.y(), endless}, muscleHu);
 }
 
 void paintSkeleton(ScanPainter& painter, const ScanField& field, CounterRandom& random)
@@ -30,13 +30,13 @@ void paintSkeleton(ScanPainter& painter, const ScanField& field, CounterRandom& 
     const double depth = 0.72 * field.half.y();
     constexpr double vertebraMm = 30.0;
     for (double z = -field.half.z(); z < field.half.z() + vertebraMm; z += vertebraMm) {
-        const Eigen::Vector3d vertebra = field.centre + Eigen::Vector3d(0.0, depth, z);
+        const Eigen::Vector3d vertebra = field.center + Eigen::Vector3d(0.0, depth, z);
         painter.ellipsoid(vertebra, {17.0, 14.0, 16.0}, cortexHu);
         painter.ellipsoid(vertebra, {15.4, 12.4, 14.4}, marrow);
         for (const double side : {-1.0, 1.0}) {
             const auto bead = [&](int number) {
                 const double angle = side * (0.5 + 0.03 * number);
-                return (field.centre + Eigen::Vector3d(0.88 * field.half.x() * std::sin(angle),
+                return (field.center + Eigen::Vector3d(0.88 * field.half.x() * std::sin(angle),
                                                        0.8 * field.half.y() * std::cos(angle), z - 0.4 * number))
                     .eval();
             };

@@ -12,7 +12,7 @@ inline constexpr double cortexHu = 900.0;
 
 /// Extent of the scan in the patient.
 struct ScanField {
-    Eigen::Vector3d centre;
+    Eigen::Vector3d center;
     Eigen::Vector3d half;
 };
 

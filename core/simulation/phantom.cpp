@@ -31,8 +31,8 @@ RigidTransform clinicalPose(const VesselTree& tree, CounterRandom random)
 ProjectionCamera cameraOfSize(int imageSizePx)
 {
     const double f = focalLengthPx * imageSizePx / referenceSizePx;
-    const double centre = 0.5 * (imageSizePx - 1);
-    return {-f, f, centre, centre, imageSizePx, imageSizePx};
+    const double center = 0.5 * (imageSizePx - 1);
+    return {-f, f, center, center, imageSizePx, imageSizePx};
 }
 
 }   // namespace

@@ -22,7 +22,7 @@ Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
             }
             curve.pointsPx.push_back(*pixel);
             if (hasRadii) {
-                curve.radiusPx.push_back(branch.radiusMm[i] / millimetresPerPixel(camera, pointInCamera.z()));
+                curve.radiusPx.push_back(branch.radiusMm[i] / millimetersPerPixel(camera, pointInCamera.z()));
             }
         }
         if (!curve.pointsPx.empty()) {

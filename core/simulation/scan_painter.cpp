@@ -13,11 +13,11 @@ ScanGrid lumenShares(const VesselTree& tree, const VolumeGeometry& geometry)
     const double stepMm = 0.3 * painter.voxelMm();
     for (const VesselBranch& branch : resampled(tree, stepMm).branches) {
         for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
-            const Eigen::Vector3d& centre = branch.pointsInPatient[n];
+            const Eigen::Vector3d& center = branch.pointsInPatient[n];
             const double radius = branch.radiusMm[n];
-            painter.around(centre, Eigen::Vector3d::Constant(radius + painter.voxelMm()),
+            painter.around(center, Eigen::Vector3d::Constant(radius + painter.voxelMm()),
                            [&](std::size_t voxel, const Eigen::Vector3d& point) {
-                               const double share = shareInside((point - centre).norm() - radius, painter.voxelMm());
+                               const double share = shareInside((point - center).norm() - radius, painter.voxelMm());
                                shares.voxels[voxel] = std::max(shares.voxels[voxel], static_cast<float>(share));
                            });
         }

@@ -25,10 +25,10 @@ public:
 
     /// `work(voxel index, point)` for each voxel within `reachMm` of `centre` along the axes.
     template <class Work>
-    void around(const Eigen::Vector3d& centre, const Eigen::Vector3d& reachMm, const Work& work)
+    void around(const Eigen::Vector3d& center, const Eigen::Vector3d& reachMm, const Work& work)
     {
         const VolumeGeometry& geometry = grid_.geometry;
-        const Eigen::Array3d middle = (centre - geometry.originInPatient).cwiseQuotient(geometry.spacingMm);
+        const Eigen::Array3d middle = (center - geometry.originInPatient).cwiseQuotient(geometry.spacingMm);
         const Eigen::Array3d reach = reachMm.cwiseQuotient(geometry.spacingMm).array() + 1.0;
         const Eigen::Array3i low = (middle - reach).floor().max(0.0).cast<int>();
         const Eigen::Array3i high = (middle + reach).ceil().min(geometry.size.cast<double>().array() - 1.0).cast<int>();
@@ -48,19 +48,19 @@ public:
     }
 
     /// An ellipsoid; an infinite half axis makes a cylinder.
-    void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& halfAxes, double hu)
+    void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, double hu)
     {
-        ellipsoid(centre, halfAxes, [hu] { return hu; });
+        ellipsoid(center, halfAxes, [hu] { return hu; });
     }
 
     /// The same, of what `draw()` gives for each voxel.
     template <class Draw>
     requires std::is_invocable_r_v<double, Draw>
-    void ellipsoid(const Eigen::Vector3d& centre, const Eigen::Vector3d& halfAxes, const Draw& draw)
+    void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, const Draw& draw)
     {
         const double smallest = halfAxes.minCoeff();
-        around(centre, halfAxes.cwiseMin(1e5), [&](std::size_t voxel, const Eigen::Vector3d& point) {
-            const double radius = (point - centre).cwiseQuotient(halfAxes).norm();
+        around(center, halfAxes.cwiseMin(1e5), [&](std::size_t voxel, const Eigen::Vector3d& point) {
+            const double radius = (point - center).cwiseQuotient(halfAxes).norm();
             if (const double share = shareInside((radius - 1.0) * smallest, voxelMm_); share > 0.0) {
                 blend(voxel, share, draw());
             }

@@ -76,10 +76,10 @@ ViewGeometryTruth drawGeometry(const Eigen::Vector3d& centroid, double extentMm,
     ViewGeometryTruth geometry;
     geometry.header = drawCArm(extentMm, dsa, random);
     const CArm truth = withTrueAngles(geometry.header, random);
-    const Eigen::Vector3d isocentre = centroid + drawOffset(truth, centringErrorMm, 0.5 * depthErrorMm, random);
-    const Eigen::Vector3d guess = isocentre + drawOffset(geometry.header, lateralErrorMm, depthErrorMm, random);
+    const Eigen::Vector3d isocenter = centroid + drawOffset(truth, centringErrorMm, 0.5 * depthErrorMm, random);
+    const Eigen::Vector3d guess = isocenter + drawOffset(geometry.header, lateralErrorMm, depthErrorMm, random);
     const Result<ProjectionCamera> camera = cameraFromCArm(geometry.header, dsa.width, dsa.height);
-    const Result<RigidTransform> truePose = cameraFromPatient(truth, isocentre);
+    const Result<RigidTransform> truePose = cameraFromPatient(truth, isocenter);
     const Result<RigidTransform> initialPose = cameraFromPatient(geometry.header, guess);
     assert(camera && truePose && initialPose);   // drawCArm gives every value
     geometry.camera = camera.value();
@@ -89,14 +89,14 @@ ViewGeometryTruth drawGeometry(const Eigen::Vector3d& centroid, double extentMm,
 }
 
 /// The rigid pose that lays the undeformed tree best onto its deformed self in the image.
-RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& bent, const ProjectionCamera& camera,
+RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& warped, const ProjectionCamera& camera,
                              const RigidTransform& cameraFromPatient)
 {
     std::vector<Eigen::Vector3d> points;
     std::vector<Eigen::Vector2d> pixels;
     for (std::size_t b = 0; b < tree.branches.size(); ++b) {
         for (std::size_t i = 0; i < tree.branches[b].pointsInPatient.size(); ++i) {
-            const auto pixel = project(camera, cameraFromPatient * bent.branches[b].pointsInPatient[i]);
+            const auto pixel = project(camera, cameraFromPatient * warped.branches[b].pointsInPatient[i]);
             if (pixel) {
                 points.push_back(tree.branches[b].pointsInPatient[i]);
                 pixels.push_back(*pixel);
@@ -122,7 +122,7 @@ Angiogram asAngiogram(DsaRun run, const CArm& header, std::uint64_t seed)
     angiogram.frames = std::move(run.frames);
     angiogram.polarity = Polarity::VesselsDark;
     angiogram.frameTimeMs = run.frameTimeMs;
-    angiogram.suggestedFrame = run.fullestFrame;
+    angiogram.suggestedFrame = run.peakFrame;
     angiogram.cArm = header;
     angiogram.identity.patientName = "Simulated";
     angiogram.identity.patientId = "SIM-" + std::to_string(seed);
@@ -175,13 +175,13 @@ SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& ge
                              const DsaOptions& dsa)
 {
     const CounterRandom random(viewSeed);
-    GrownTree bent = grown;
+    GrownTree warped = grown;
     CounterRandom deformation = random.fork(DeformationStream);
     if (dsa.nonRigidStdMm > 0.0) {
-        bent.tree = deformed(grown.tree, dsa.nonRigidStdMm, deformation);
+        warped.tree = deformed(grown.tree, dsa.nonRigidStdMm, deformation);
     }
     CounterRandom filling = random.fork(FillingStream);
-    FilledVessels vessels = fillVessels(bent, dsa, filling);
+    FilledVessels vessels = fillVessels(warped, dsa, filling);
 
     SimulatedCase result;
     result.tree = grown.tree;
@@ -190,8 +190,9 @@ SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& ge
     result.trueCameraFromPatient = geometry.trueCameraFromPatient;
     if (dsa.nonRigidStdMm > 0.0) {
         result.trueCameraFromPatient =
-            bestRigidPose(grown.tree, bent.tree, geometry.camera, geometry.trueCameraFromPatient);
-        result.bentTree = movedTree(bent.tree, result.trueCameraFromPatient.inverse() * geometry.trueCameraFromPatient);
+            bestRigidPose(grown.tree, warped.tree, geometry.camera, geometry.trueCameraFromPatient);
+        result.deformedTree =
+            movedTree(warped.tree, result.trueCameraFromPatient.inverse() * geometry.trueCameraFromPatient);
     }
     result.missingBranchIds = vessels.missingBranchIds;
     result.trueTarget = projectCurves(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);

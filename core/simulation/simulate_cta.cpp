@@ -21,7 +21,7 @@ constexpr double treeShare = 0.72;   ///< of the shortest side of the scan
 void paintOrgans(ScanPainter& painter, const ScanField& field, CounterRandom& random)
 {
     const auto place = [&](double x, double y, double z) {
-        return (field.centre + field.half.cwiseProduct(Eigen::Vector3d(x, y, z)) +
+        return (field.center + field.half.cwiseProduct(Eigen::Vector3d(x, y, z)) +
                 3.0 * Eigen::Vector3d(random.normal(), random.normal(), random.normal()))
             .eval();
     };
@@ -37,8 +37,8 @@ void paintOrgans(ScanPainter& painter, const ScanField& field, CounterRandom& ra
 
 void paintTable(ScanPainter& painter, const ScanField& field)
 {
-    const double top = field.centre.y() + 0.95 * field.half.y();
-    painter.around({field.centre.x(), top + 2.0, field.centre.z()}, {field.half.x(), 3.0, field.half.z()},
+    const double top = field.center.y() + 0.95 * field.half.y();
+    painter.around({field.center.x(), top + 2.0, field.center.z()}, {field.half.x(), 3.0, field.half.z()},
                    [&](std::size_t voxel, const Eigen::Vector3d& point) {
                        painter.blend(voxel, shareInside(std::abs(point.y() - top - 2.0) - 1.5, painter.voxelMm()),
                                      tableHu);

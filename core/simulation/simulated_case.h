@@ -57,7 +57,7 @@ struct SimulatedCase {
     Angiogram angiogram;   ///< DSA run, vessels dark, geometry as a header would give it
     ProjectionCamera camera;
     RigidTransform trueCameraFromPatient;   ///< best rigid pose
-    std::optional<VesselTree> bentTree;   ///< of deformed vessels: as they lay, seen with trueCameraFromPatient
+    std::optional<VesselTree> deformedTree;   ///< of deformed vessels: as they lay, seen with trueCameraFromPatient
     RigidTransform initialCameraFromPatient;   ///< DICOM-like: angles ±1°, isocentre off by lateral 15 mm, depth 30 mm
     std::vector<int> missingBranchIds;   ///< not filled in the image
     Centerline2d trueTarget;   ///< the filled branches and the extra vessels, as projectCurves shows them

@@ -24,9 +24,9 @@ public:
     /// The same, told of a file or of a key in one.
     Error about(std::string_view subject) const
     {
-        Error told = *this;
-        told.message = message.about(subject);
-        return told;
+        Error reported = *this;
+        reported.message = message.about(subject);
+        return reported;
     }
 
     Message message;

@@ -41,7 +41,7 @@ Centerline2d resampled(const Centerline2d& centerline, double spacingPx)
 std::optional<Message> findProblem(const Centerline2d& centerline)
 {
     if (centerline.pointCount() == 0) {
-        return says::centrelineEmpty();
+        return says::centerlineEmpty();
     }
     for (const Curve2d& curve : centerline.curves) {
         for (const Eigen::Vector2d& point : curve.pointsPx) {

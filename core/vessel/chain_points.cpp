@@ -98,29 +98,29 @@ JoinedPoints spanningForest(std::size_t count, std::vector<Joint> joints)
     std::ranges::sort(joints, std::less{});
     std::vector<std::size_t> parents(count);
     std::iota(parents.begin(), parents.end(), std::size_t{0});
-    JoinedPoints neighbours(count);
+    JoinedPoints neighbors(count);
     for (const Joint& joint : joints) {
         const std::size_t first = rootOf(parents, joint.first);
         const std::size_t second = rootOf(parents, joint.second);
         if (first != second) {
             parents[first] = second;
-            neighbours[joint.first].push_back(joint.second);
-            neighbours[joint.second].push_back(joint.first);
+            neighbors[joint.first].push_back(joint.second);
+            neighbors[joint.second].push_back(joint.first);
         }
     }
-    return neighbours;
+    return neighbors;
 }
 
 /// From `start` over points that are not taken yet to the next end, or to the next fork.
-Curve2d curveFrom(std::size_t start, const ImagePoints& points, const JoinedPoints& neighbours,
+Curve2d curveFrom(std::size_t start, const ImagePoints& points, const JoinedPoints& neighbors,
                   std::vector<char>& isTaken)
 {
     Curve2d curve;
     for (std::size_t at = start;;) {
         isTaken[at] = 1;
         curve.pointsPx.push_back(points[at]);
-        const auto next = std::ranges::find_if(neighbours[at], [&](std::size_t point) { return !isTaken[point]; });
-        if (next == neighbours[at].end() || (neighbours[at].size() > 2 && at != start)) {
+        const auto next = std::ranges::find_if(neighbors[at], [&](std::size_t point) { return !isTaken[point]; });
+        if (next == neighbors[at].end() || (neighbors[at].size() > 2 && at != start)) {
             return curve;
         }
         at = *next;
@@ -137,20 +137,20 @@ Centerline2d chainPoints(const ImagePoints& points)
     }
     const std::vector<std::size_t> order = fromLeftToRight(points);
     const double reachPx = std::max(besideOnGridPx, reachInSpacings * usualSpacing(points, order));
-    const JoinedPoints neighbours = spanningForest(points.size(), jointsWithin(points, order, reachPx));
+    const JoinedPoints neighbors = spanningForest(points.size(), jointsWithin(points, order, reachPx));
     std::vector<char> isTaken(points.size());
     const auto collect = [&](const auto& isStart) {
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (!isTaken[i] && isStart(i)) {
-                centerline.curves.push_back(curveFrom(i, points, neighbours, isTaken));
+                centerline.curves.push_back(curveFrom(i, points, neighbors, isTaken));
                 centerline.curves.back().id = static_cast<int>(centerline.curves.size());
             }
         }
     };
-    collect([&](std::size_t i) { return neighbours[i].size() < 2; });   // from the ends
-    collect([&](std::size_t i) { return neighbours[i].size() > 2; });   // from forks that no end led to
+    collect([&](std::size_t i) { return neighbors[i].size() < 2; });   // from the ends
+    collect([&](std::size_t i) { return neighbors[i].size() > 2; });   // from forks that no end led to
     const auto isCutOff = [&](std::size_t point) { return isTaken[point] != 0; };
-    collect([&](std::size_t i) { return std::ranges::any_of(neighbours[i], isCutOff); });   // between forks
+    collect([&](std::size_t i) { return std::ranges::any_of(neighbors[i], isCutOff); });   // between forks
     collect([](std::size_t) { return true; });
     return centerline;
 }

@@ -8,12 +8,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastTold = 8;   // points from which a curve has an order to speak of
+constexpr std::size_t minReported = 8;   // points from which a curve has an order to speak of
 constexpr std::size_t askedPoints = 48;
 constexpr std::size_t firstAskedPoints = 16;   // where all but one of these are in order, the others are, too
-constexpr double leastInOrder = 0.8;   // curves have nearly 1, pixels row by row 0.4 to 0.7
+constexpr double minInOrder = 0.8;   // curves have nearly 1, pixels row by row 0.4 to 0.7
 constexpr double nearlyNearest = 1.5;   // steps along the pixel grid are 1 or √2
-constexpr std::size_t leastLonePoints = 20;
+constexpr std::size_t minLonePoints = 20;
 
 bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
 {
@@ -45,14 +45,14 @@ std::size_t countInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t
 bool isUnordered(const Curve2d& curve)
 {
     const std::size_t count = curve.pointsPx.size();
-    if (count < leastTold) {
+    if (count < minReported) {
         return false;
     }
     if (count >= askedPoints && countInOrder(curve.pointsPx, firstAskedPoints) + 1 >= firstAskedPoints) {
         return false;
     }
     const std::size_t asked = std::min(count, askedPoints);
-    return static_cast<double>(countInOrder(curve.pointsPx, asked)) < leastInOrder * static_cast<double>(asked);
+    return static_cast<double>(countInOrder(curve.pointsPx, asked)) < minInOrder * static_cast<double>(asked);
 }
 
 /// The points one by one are most of the curves.
@@ -60,7 +60,7 @@ bool comesInSinglePoints(const Centerline2d& given)
 {
     const auto single = static_cast<std::size_t>(
         std::ranges::count_if(given.curves, [](const Curve2d& curve) { return curve.pointsPx.size() == 1; }));
-    return single >= leastLonePoints && 2 * single > given.curves.size();
+    return single >= minLonePoints && 2 * single > given.curves.size();
 }
 
 }   // namespace

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostStrayShare = 0.01;
+constexpr double maxStrayShare = 0.01;
 
 /// The median along each axis; points that are no numbers do not count.
 Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& points)
@@ -44,7 +44,7 @@ std::size_t dropStrayPoints(SurfaceMesh& mesh)
         kept.push_back(isNear ? next++ : gone);
     }
     const std::size_t stray = kept.size() - next;
-    if (stray == 0 || static_cast<double>(stray) > mostStrayShare * static_cast<double>(kept.size())) {
+    if (stray == 0 || static_cast<double>(stray) > maxStrayShare * static_cast<double>(kept.size())) {
         return 0;
     }
     for (std::size_t n = 0; n < kept.size(); ++n) {

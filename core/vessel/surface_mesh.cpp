@@ -54,14 +54,14 @@ MeshCheck checkMesh(const SurfaceMesh& mesh)
     return check;
 }
 
-SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& goesOn)
+SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue)
 {
     SurfaceMesh result;
     std::map<std::tuple<double, double, double>, std::uint32_t> indexOfPlace;
     std::vector<std::uint32_t> merged;
     merged.reserve(mesh.pointsInPatient.size());
     for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
-        if ((merged.size() & pointsUnheard) == 0 && goesOn && !goesOn()) {
+        if ((merged.size() & pointsUnheard) == 0 && shouldContinue && !shouldContinue()) {
             return {};
         }
         const auto [place, isNew] = indexOfPlace.try_emplace({point.x(), point.y(), point.z()},

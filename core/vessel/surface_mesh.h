@@ -26,7 +26,7 @@ struct MeshCheck {
 MeshCheck checkMesh(const SurfaceMesh& mesh);
 
 /// The same mesh with points at exactly the same place merged, and triangles without area left out. Incomplete where
-/// `goesOn`, asked now and then, says no.
-SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& goesOn = {});
+/// `shouldContinue`, asked now and then, says no.
+SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue = {});
 
 }   // namespace angiopose::core

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastLinkMm = 0.5;   // ends that meet need not touch
+constexpr double minLinkMm = 0.5;   // ends that meet need not touch
 
 struct KnotPair {
     std::size_t a = 0;
@@ -28,7 +28,7 @@ std::size_t nearestKnotOf(const TreeKnots& knots, std::size_t branch, const Eige
 }
 
 /// Along the branches, and where branches meet.
-std::vector<KnotPair> neighbourPairs(const VesselTree& tree, const TreeKnots& knots)
+std::vector<KnotPair> neighborPairs(const VesselTree& tree, const TreeKnots& knots)
 {
     std::vector<KnotPair> pairs;
     for (std::size_t b = 0; b + 1 < knots.firstOfBranch.size(); ++b) {
@@ -52,10 +52,10 @@ std::vector<KnotPair> neighbourPairs(const VesselTree& tree, const TreeKnots& kn
 /// The pairs as a forest, from the first knot of every piece outwards.
 std::vector<KnotLink> linkForest(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
 {
-    std::vector<std::vector<std::size_t>> neighbours(knots.size());
+    std::vector<std::vector<std::size_t>> neighbors(knots.size());
     for (const KnotPair& pair : pairs) {
-        neighbours[pair.a].push_back(pair.b);
-        neighbours[pair.b].push_back(pair.a);
+        neighbors[pair.a].push_back(pair.b);
+        neighbors[pair.b].push_back(pair.a);
     }
     std::vector<KnotLink> links;
     std::vector<std::uint8_t> isReached(knots.size(), 0);
@@ -68,12 +68,12 @@ std::vector<KnotLink> linkForest(const TreeKnots& knots, const std::vector<KnotP
         waiting.assign(1, root);
         for (std::size_t w = 0; w < waiting.size(); ++w) {
             const std::size_t parent = waiting[w];
-            for (const std::size_t child : neighbours[parent]) {
+            for (const std::size_t child : neighbors[parent]) {
                 if (isReached[child] == 0) {
                     isReached[child] = 1;
                     waiting.push_back(child);
                     const double apart = (knots.places[child] - knots.places[parent]).norm();
-                    links.push_back({parent, child, std::max(leastLinkMm, apart)});
+                    links.push_back({parent, child, std::max(minLinkMm, apart)});
                 }
             }
         }
@@ -112,7 +112,7 @@ std::vector<KnotLink> cutLinks(const TreeKnots& knots, const std::vector<KnotPai
     for (const KnotPair& pair : pairs) {
         if (pair.a != pair.b && parents[pair.a] != pair.b && parents[pair.b] != pair.a) {
             const double apart = (knots.places[pair.a] - knots.places[pair.b]).norm();
-            cuts.push_back({pair.a, pair.b, std::max(leastLinkMm, apart)});
+            cuts.push_back({pair.a, pair.b, std::max(minLinkMm, apart)});
         }
     }
     return cuts;
@@ -149,7 +149,7 @@ TreeKnots treeKnots(const VesselTree& tree, const std::vector<int>& excludedBran
     for (const VesselBranch& branch : tree.branches) {
         addBranch(branch, std::ranges::count(excludedBranchIds, branch.id) == 0, spacingMm, knots);
     }
-    const std::vector<KnotPair> pairs = neighbourPairs(tree, knots);
+    const std::vector<KnotPair> pairs = neighborPairs(tree, knots);
     knots.links = linkForest(knots, pairs);
     knots.cuts = cutLinks(knots, pairs);
     return knots;

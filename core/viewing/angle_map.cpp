@@ -14,8 +14,8 @@ namespace {
 
 constexpr double finestStepDeg = 0.5;
 constexpr double foundToDeg = 0.1;
-constexpr double leastApartDeg = 20.0;
-constexpr std::size_t mostSuggestions = 3;
+constexpr double minApartDeg = 20.0;
+constexpr std::size_t maxSuggestions = 3;
 constexpr double worthFollowing = 0.1;   // cost above the best of the grid from which no better place is expected
 
 std::optional<Message> findProblem(const AngleMapOptions& options)
@@ -131,15 +131,15 @@ std::vector<AngleSuggestion> suggestions(const AngleMap& map, const AngleSearch&
     std::vector<AngleSuggestion> apart;
     for (const AngleSuggestion& low : lows) {
         const bool isNew = std::ranges::none_of(
-            apart, [&](const AngleSuggestion& better) { return apartDeg(better.angles, low.angles) < leastApartDeg; });
-        if (isNew && apart.size() < mostSuggestions) {
+            apart, [&](const AngleSuggestion& better) { return apartDeg(better.angles, low.angles) < minApartDeg; });
+        if (isNew && apart.size() < maxSuggestions) {
             apart.push_back(low);
         }
     }
     return apart;
 }
 
-const Eigen::Vector3d anyIsocentre = Eigen::Vector3d::Zero();   // before and after the turn the same: it cancels
+const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // before and after the turn the same: it cancels
 
 }   // namespace
 
@@ -156,8 +156,8 @@ Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, c
     const auto lookAt = [&](std::size_t i) {
         map.qualities[i] = search.at({map.primaryDeg[i % columns], map.secondaryDeg[i / columns]}).quality;
     };
-    const auto goesOn = [&](double done) { return !observe || observe(done) == Verdict::Continue; };
-    if (!parallelFor(map.qualities.size(), threadCount(options.threads), lookAt, goesOn)) {
+    const auto shouldContinue = [&](double done) { return !observe || observe(done) == Verdict::Continue; };
+    if (!parallelFor(map.qualities.size(), threadCount(options.threads), lookAt, shouldContinue)) {
         return Stopped{says::anglesStopped()};
     }
     map.best = suggestions(map, search);
@@ -176,7 +176,7 @@ std::optional<GantryAngles> gantryAnglesOf(const View& view)
 Result<PoseAtAngles> turningGantry(const View& view)
 {
     const CArm now = cArmOfFrame(view);
-    const auto gantry = cameraFromPatient(now, anyIsocentre);
+    const auto gantry = cameraFromPatient(now, anyIsocenter);
     if (!gantry) {
         return gantry.error();
     }
@@ -185,7 +185,7 @@ Result<PoseAtAngles> turningGantry(const View& view)
         CArm turned = now;
         turned.primaryAngleDeg.value = angles.primaryDeg;
         turned.secondaryAngleDeg.value = angles.secondaryDeg;
-        return cameraFromPatient(turned, anyIsocentre).value() * gantryFromVessels;
+        return cameraFromPatient(turned, anyIsocenter).value() * gantryFromVessels;
     });
 }
 

@@ -27,12 +27,12 @@ void addPieces(const VesselBranch& branch, std::vector<VesselPiece>& pieces)
 const VesselNode* takeOffOf(const VesselBranch& branch, const std::vector<VesselNode>& nodes)
 {
     const VesselNode* nearest = nullptr;
-    double leastMm = std::numeric_limits<double>::infinity();
+    double minMm = std::numeric_limits<double>::infinity();
     for (const VesselNode& node : nodes) {
         const double distanceMm = (node.pointInPatient - branch.pointsInPatient.front()).norm();
-        if (node.isBifurcation() && std::ranges::count(node.branchIds, branch.id) > 0 && distanceMm < leastMm) {
+        if (node.isBifurcation() && std::ranges::count(node.branchIds, branch.id) > 0 && distanceMm < minMm) {
             nearest = &node;
-            leastMm = distanceMm;
+            minMm = distanceMm;
         }
     }
     return nearest;
@@ -107,7 +107,7 @@ double coveredWidth(double radius, double other, double apart)
 /// The places of a part in square cells, so that what cannot touch one is passed by at once.
 class PlaceCells {
 public:
-    PlaceCells(const std::vector<Eigen::Vector2d>& places, double leastCellSize)
+    PlaceCells(const std::vector<Eigen::Vector2d>& places, double minCellSize)
     {
         Eigen::Vector2d high = places.front();
         low_ = places.front();
@@ -115,7 +115,7 @@ public:
             low_ = low_.cwiseMin(place);
             high = high.cwiseMax(place);
         }
-        cellSize_ = std::max(leastCellSize, (high - low_).maxCoeff() / mostCellsAlong);
+        cellSize_ = std::max(minCellSize, (high - low_).maxCoeff() / maxCellsAlong);
         columns_ = indexOf(high.x() - low_.x()) + 1;
         rows_ = indexOf(high.y() - low_.y()) + 1;
         cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
@@ -143,7 +143,7 @@ public:
     }
 
 private:
-    static constexpr double mostCellsAlong = 64.0;
+    static constexpr double maxCellsAlong = 64.0;
 
     int indexOf(double offset) const { return static_cast<int>(std::floor(offset / cellSize_)); }
     std::size_t cellAt(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }

@@ -1,8 +1,8 @@
 #include "core/workflow/follow_frames.h"
 
-#include "core/case/known_bend.h"
+#include "core/case/known_deformation.h"
 #include "core/messages/says.h"
-#include "core/registration/deformable/smooth_bends.h"
+#include "core/registration/deformable/smooth_deformations.h"
 #include "core/registration/follow_run.h"
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace angiopose::core {
 namespace {
 
-Status checkCase(const Case& theCase)
+Status checkCase(const Case& session)
 {
-    if (!theCase.shown().angiogram || theCase.shown().angiogram->frameCount() < 2) {
+    if (!session.shown().angiogram || session.shown().angiogram->frameCount() < 2) {
         return Error(says::followOneFrame());
     }
-    if (theCase.shown().target.centerline && !theCase.shown().target.editedFrame) {
+    if (session.shown().target.centerline && !session.shown().target.editedFrame) {
         return Error(says::followGivenTarget());
     }
-    if (!theCase.shown().angiogram->gantry.angleIncrementsDeg.empty()) {
+    if (!session.shown().angiogram->gantry.angleIncrementsDeg.empty()) {
         return Error(says::followGantryTurns());
     }
     return Done{};
@@ -29,8 +29,8 @@ Status checkCase(const Case& theCase)
 /// Walks away from the first frame in one direction.
 class Walk {
 public:
-    Walk(const Case& theCase, RunFollower follower)
-        : case_(theCase), follower_(std::move(follower)), last_(theCase.shown().cameraFromPatient)
+    Walk(const Case& session, RunFollower follower)
+        : case_(session), follower_(std::move(follower)), last_(session.shown().cameraFromPatient)
     {
         const auto start = traceHere();
         startsStill_ = !start || start.value().standsStill;
@@ -46,7 +46,7 @@ public:
         const auto found = target ? follower_.next(target.value(), observe) : Result<TrackedVessels>(target.error());
         if (found) {
             followed.tracked = found.value().tracked;
-            followed.bent = found.value().bent;
+            followed.deformed = found.value().deformed;
             last_ = followed.tracked.cameraFromPatient;
         } else {
             followed.problem = found.error().message;
@@ -83,83 +83,83 @@ private:
 };
 
 /// Of one view: of several it is known in space, and one run does not tell how that goes on.
-std::shared_ptr<const DeformableResult> bendToFollow(const Case& theCase)
+std::shared_ptr<const DeformableResult> deformationToFollow(const Case& session)
 {
-    const auto bent = knownBend(theCase.shown(), theCase.vessels, theCase.shown().cameraFromPatient);
-    return bent && bent->viewPoses.size() == 1 ? bent : nullptr;
+    const auto deformed = knownDeformation(session.shown(), session.vessels, session.shown().cameraFromPatient);
+    return deformed && deformed->viewPoses.size() == 1 ? deformed : nullptr;
 }
 
-FollowedFrame givenFrame(const Case& theCase)
+FollowedFrame givenFrame(const Case& session)
 {
     FollowedFrame given;
-    given.frame = theCase.shown().frame;
-    given.tracked.cameraFromPatient = theCase.shown().cameraFromPatient;
+    given.frame = session.shown().frame;
+    given.tracked.cameraFromPatient = session.shown().cameraFromPatient;
     given.tracked.isTrustworthy = true;
     given.tracked.score = 1.0;
-    given.bent = bendToFollow(theCase);
+    given.deformed = deformationToFollow(session);
     return given;
 }
 
 /// Each frame was bent by itself; in time they belong together.
 void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
 {
-    std::vector<BendInTime> bends;
+    std::vector<DeformationInTime> deformations;
     for (const FollowedFrame& each : frames) {
-        if (each.bent) {
-            bends.push_back({each.frame, each.tracked.cameraFromPatient, each.bent});
+        if (each.deformed) {
+            deformations.push_back({each.frame, each.tracked.cameraFromPatient, each.deformed});
         }
     }
-    for (const BendInTime& smooth : smoothInTime(tree, bends)) {
-        std::ranges::find(frames, smooth.frame, &FollowedFrame::frame)->bent = smooth.bent;
+    for (const DeformationInTime& smooth : smoothInTime(tree, deformations)) {
+        std::ranges::find(frames, smooth.frame, &FollowedFrame::frame)->deformed = smooth.deformed;
     }
 }
 
 /// Poses were found for bent vessels: frames that do not show them have them bent as in the nearest that does.
-void carryBends(std::vector<FollowedFrame>& frames)
+void carryDeformation(std::vector<FollowedFrame>& frames)
 {
     const std::vector<FollowedFrame> found = frames;
     for (FollowedFrame& each : frames) {
         const FollowedFrame* nearest = nullptr;
         for (const FollowedFrame& other : found) {
-            if (other.bent &&
+            if (other.deformed &&
                 (!nearest || std::abs(other.frame - each.frame) < std::abs(nearest->frame - each.frame))) {
                 nearest = &other;
             }
         }
-        if (each.bent || !nearest || each.tracked.isTrustworthy) {
+        if (each.deformed || !nearest || each.tracked.isTrustworthy) {
             continue;
         }
-        each.bent = carriedBend(*nearest, each.tracked.cameraFromPatient);
-        each.bentAsInFrame = nearest->frame;
+        each.deformed = carriedDeformation(*nearest, each.tracked.cameraFromPatient);
+        each.deformedAsInFrame = nearest->frame;
     }
 }
 
 }   // namespace
 
-Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkObserver& observe)
+Result<std::vector<FollowedFrame>> followFrames(const Case& session, const WorkObserver& observe)
 {
-    if (const Status status = checkCase(theCase); !status) {
+    if (const Status status = checkCase(session); !status) {
         return status.error();
     }
-    auto target = targetOf(theCase.shown());
+    auto target = targetOf(session.shown());
     if (!target) {
         return target.error();
     }
-    const auto input = registrationInputOf(theCase.shown(), theCase.vessels, std::move(target).value());
+    const auto input = registrationInputOf(session.shown(), session.vessels, std::move(target).value());
     if (!input) {
         return input.error();
     }
-    const auto follower = RunFollower::from(input.value(), bendToFollow(theCase), theCase.options);
+    const auto follower = RunFollower::from(input.value(), deformationToFollow(session), session.options);
     if (!follower) {
         return follower.error();
     }
-    const int count = theCase.shown().angiogram->frameCount();
-    std::vector<FollowedFrame> frames{givenFrame(theCase)};
+    const int count = session.shown().angiogram->frameCount();
+    std::vector<FollowedFrame> frames{givenFrame(session)};
     Course course(observe);
-    course.enter(0.0, 1.0, theCase.shownView);
+    course.enter(0.0, 1.0, session.shownView);
     for (const int direction : {1, -1}) {
-        Walk walk(theCase, follower.value());
-        for (int frame = theCase.shown().frame + direction; frame >= 0 && frame < count && !course.isStopped();
+        Walk walk(session, follower.value());
+        for (int frame = session.shown().frame + direction; frame >= 0 && frame < count && !course.isStopped();
              frame += direction) {
             const double done = static_cast<double>(frames.size()) / count;
             FollowedFrame followed = walk.step(frame, [&](double) { return course.tell("following", done); });
@@ -171,17 +171,17 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& theCase, const WorkO
         }
     }
     std::ranges::sort(frames, {}, &FollowedFrame::frame);
-    if (theCase.vessels.tree) {
-        smoothBends(*theCase.vessels.tree, frames);
-        carryBends(frames);
+    if (session.vessels.tree) {
+        smoothBends(*session.vessels.tree, frames);
+        carryDeformation(frames);
     }
     return frames;
 }
 
-RunPeriods periodsOf(const Case& theCase, const std::vector<FollowedFrame>& frames)
+RunPeriods periodsOf(const Case& session, const std::vector<FollowedFrame>& frames)
 {
-    const auto& run = theCase.shown().angiogram;
-    if (!run || !theCase.vessels.tree || !(run->frameTimeMs > 1.0)) {   // 1 ms and less: not told
+    const auto& run = session.shown().angiogram;
+    if (!run || !session.vessels.tree || !(run->frameTimeMs > 1.0)) {   // 1 ms and less: not told
         return {};
     }
     std::vector<TimedPose> poses;
@@ -190,7 +190,7 @@ RunPeriods periodsOf(const Case& theCase, const std::vector<FollowedFrame>& fram
             poses.push_back({1e-3 * run->frameTimeMs * each.frame, each.tracked.cameraFromPatient});
         }
     }
-    return findPeriods(poses, centroidInPatient(*theCase.vessels.tree));
+    return findPeriods(poses, centroidInPatient(*session.vessels.tree));
 }
 
 }   // namespace angiopose::core

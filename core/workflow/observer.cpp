@@ -13,9 +13,9 @@ void Course::enter(double first, double last, std::size_t view)
 
 Verdict Course::tell(std::string_view stage, double fraction, const IterationReport* iteration)
 {
-    told_ = std::max(told_, std::clamp(first_ + fraction * (last_ - first_), 0.0, 1.0));
+    reported_ = std::max(reported_, std::clamp(first_ + fraction * (last_ - first_), 0.0, 1.0));
     if (!isStopped_ && observe_) {
-        isStopped_ = observe_({stage, told_, view_, iteration}) == Verdict::Stop;
+        isStopped_ = observe_({stage, reported_, view_, iteration}) == Verdict::Stop;
     }
     return isStopped_ ? Verdict::Stop : Verdict::Continue;
 }

@@ -40,7 +40,7 @@ private:
     const WorkObserver& observe_;
     double first_ = 0.0;
     double last_ = 1.0;
-    double told_ = 0.0;
+    double reported_ = 0.0;
     std::size_t view_ = 0;
     bool isStopped_ = false;
 };

@@ -26,17 +26,17 @@ double medianOf(const std::map<int, std::vector<double>>& residualPx)
     return all.empty() ? 0.0 : quantile(all, 0.5);
 }
 
-std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result,
+std::optional<FitBasis> fitBasis(const Case& session, const RegistrationResult& result,
                                  const std::map<int, std::vector<double>>& residualPx)
 {
-    const View& view = theCase.shown();
+    const View& view = session.shown();
     const auto camera = cameraOf(view);
     std::vector<double> all = together(residualPx);
-    if (!camera || all.empty() || !theCase.vessels.tree) {
+    if (!camera || all.empty() || !session.vessels.tree) {
         return std::nullopt;
     }
-    const double depthMm = (view.cameraFromPatient * centroidInPatient(*theCase.vessels.tree)).z();
-    const double mmPerPx = millimetresPerPixel(camera.value(), std::max(depthMm, minProjectableDepthMm));
+    const double depthMm = (view.cameraFromPatient * centroidInPatient(*session.vessels.tree)).z();
+    const double mmPerPx = millimetersPerPixel(camera.value(), std::max(depthMm, minProjectableDepthMm));
     FitBasis basis{judgedShare(result), mmPerPx * quantile(all, 0.5), mmPerPx * quantile(all, 0.95), {}, {}};
     const auto mediansOf = [&](const std::vector<int>& branchIds) {
         std::vector<std::pair<int, double>> mediansMm;
@@ -48,17 +48,17 @@ std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& 
         }
         return mediansMm;
     };
-    basis.excludedMm = mediansOf(theCase.vessels.excludedBranchIds);
-    basis.auxiliaryMm = mediansOf(theCase.vessels.auxiliaryBranchIds);
+    basis.excludedMm = mediansOf(session.vessels.excludedBranchIds);
+    basis.auxiliaryMm = mediansOf(session.vessels.auxiliaryBranchIds);
     return basis;
 }
 
-std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result, const Centerline2d& target)
+std::optional<FitBasis> fitBasis(const Case& session, const RegistrationResult& result, const Centerline2d& target)
 {
-    const auto camera = cameraOf(theCase.shown());
-    return camera && theCase.vessels.tree ? fitBasis(theCase, result,
-                                                     branchDistances(*theCase.vessels.tree, target, camera.value(),
-                                                                     theCase.shown().cameraFromPatient))
+    const auto camera = cameraOf(session.shown());
+    return camera && session.vessels.tree ? fitBasis(session, result,
+                                                     branchDistances(*session.vessels.tree, target, camera.value(),
+                                                                     session.shown().cameraFromPatient))
                                           : std::nullopt;
 }
 

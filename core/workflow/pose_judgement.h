@@ -23,9 +23,9 @@ struct FitBasis {
 };
 
 /// The basis of `result` of the shown view, whose distances `residualPx` are (see branchDistances); none of them: none.
-std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result,
+std::optional<FitBasis> fitBasis(const Case& session, const RegistrationResult& result,
                                  const std::map<int, std::vector<double>>& residualPx);
-std::optional<FitBasis> fitBasis(const Case& theCase, const RegistrationResult& result, const Centerline2d& target);
+std::optional<FitBasis> fitBasis(const Case& session, const RegistrationResult& result, const Centerline2d& target);
 
 /// Over every point of the tree, px; 0 where there is none.
 double medianOf(const std::map<int, std::vector<double>>& residualPx);

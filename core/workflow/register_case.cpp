@@ -5,7 +5,7 @@
 #include "core/case/geometry_of_images.h"
 #include "core/case/registration_input.h"
 #include "core/messages/says.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -17,21 +17,21 @@ namespace angiopose::core {
 namespace {
 
 constexpr double tracingShare = 0.1;   // of the whole, where something has to be traced
-constexpr int mostEstimates = 3;   // of the geometry; most are settled by the second
+constexpr int maxEstimates = 3;   // of the geometry; most are settled by the second
 constexpr double firstShare = 0.7;   // of the rest, for what may be all there is to do
 
-Result<std::vector<std::size_t>> plannedViews(const Case& theCase, RegistrationPlan::Views views)
+Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationPlan::Views views)
 {
     if (views == RegistrationPlan::Views::Shown) {
-        return std::vector{theCase.shownView};
+        return std::vector{session.shownView};
     }
-    for (const View& view : theCase.views) {
+    for (const View& view : session.views) {
         if (views == RegistrationPlan::Views::All && !view.angiogram) {
             const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
             return Error(says::viewImageUnread().about(path));
         }
     }
-    return registeredViews(theCase);
+    return registeredViews(session);
 }
 
 /// What a view lacks is said of its file where there are several.
@@ -46,15 +46,15 @@ struct TracedViews {
     std::vector<double> tookMs;
 };
 
-Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_t>& places,
+Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_t>& places,
                                std::optional<Centerline2d> shownTarget, Course& course)
 {
     TracedViews traced;
     const double share = tracingShare / static_cast<double>(places.size());
     for (std::size_t k = 0; k < places.size(); ++k) {
         course.enter(share * static_cast<double>(k), share * static_cast<double>(k + 1), places[k]);
-        const View& view = theCase.views[places[k]];
-        const bool isWire = theCase.options.method == "wire" && devicesOf(view);
+        const View& view = session.views[places[k]];
+        const bool isWire = session.options.method == "wire" && devicesOf(view);
         if (k == 0 && shownTarget && !isWire) {
             traced.targets.push_back(*std::move(shownTarget));
             traced.tookMs.push_back(StageTimes::notMeasured);
@@ -64,7 +64,7 @@ Result<TracedViews> traceViews(const Case& theCase, const std::vector<std::size_
             return Stopped{says::stoppedBeforeRun()};
         }
         Stopwatch watch;
-        auto target = targetOf(view, theCase.options.method);
+        auto target = targetOf(view, session.options.method);
         if (!target) {
             return about(target.error(), view, places.size());
         }
@@ -126,7 +126,7 @@ struct RunNotes {
 Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
                    const IterationObserver& observe)
 {
-    auto asked = registrationInputOf(run.theCase, run.targets.front());
+    auto asked = registrationInputOf(run.session, run.targets.front());
     if (!asked) {
         return asked.error();
     }
@@ -135,13 +135,13 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const C
         input.cameraSpread = spreads.front();
     }
     auto found =
-        registerVessels(input, optionsFor(run.theCase.shown(), run.theCase.vessels, run.theCase.options), observe);
+        registerVessels(input, optionsFor(run.session.shown(), run.session.vessels, run.session.options), observe);
     if (!found) {
         return found.error();
     }
     RegistrationResult result = std::move(found).value();
-    notes.addTo(result, 0, run.theCase.shown());
-    takeOver(run.theCase.shown(), std::move(result));
+    notes.addTo(result, 0, run.session.shown());
+    takeOver(run.session.shown(), std::move(result));
     return Done{};
 }
 
@@ -153,7 +153,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     for (const std::size_t place : run.places) {
         multiView.numbers.push_back(place + 1);
     }
-    auto asked = jointInputsOf(viewsAt(run.theCase, run.places), run.theCase.vessels, run.targets, multiView);
+    auto asked = jointInputsOf(viewsAt(run.session, run.places), run.session.vessels, run.targets, multiView);
     if (!asked) {
         return asked.error();
     }
@@ -161,7 +161,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     for (std::size_t k = 0; k < spreads.size(); ++k) {
         inputs.views[k].cameraSpread = spreads[k];
     }
-    auto joint = registerViews(inputs.views, optionsFor(run.theCase.shown(), run.theCase.vessels, run.theCase.options),
+    auto joint = registerViews(inputs.views, optionsFor(run.session.shown(), run.session.vessels, run.session.options),
                                inputs.multiView, observe);
     if (!joint) {
         return joint.error();
@@ -172,15 +172,15 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
-        notes.addTo(result, k, run.theCase.views[run.places[k]]);
+        notes.addTo(result, k, run.session.views[run.places[k]]);
         RegistrationResult kept = resultOfAll(*run.joint, k);
         if (!run.joint->cameras.empty()) {
             kept.camera = run.joint->cameras[k];
         }
-        if (run.joint->bent) {
-            kept.bent = std::make_shared<const DeformableResult>(seenFirst(*run.joint->bent, k));
+        if (run.joint->deformed) {
+            kept.deformed = std::make_shared<const DeformableResult>(seenFirst(*run.joint->deformed, k));
         }
-        takeOver(run.theCase.views[run.places[k]], std::move(kept));
+        takeOver(run.session.views[run.places[k]], std::move(kept));
     }
     return Done{};
 }
@@ -198,7 +198,7 @@ public:
     explicit GivenGeometry(const RegisteredCase& run)
     {
         for (const std::size_t place : run.places) {
-            const View& view = run.theCase.views[place];
+            const View& view = run.session.views[place];
             starts_.push_back(view.cameraFromPatient);
             spreads_.push_back(cameraSpreadOf(view));
         }
@@ -212,13 +212,13 @@ public:
     {
         bool isChanged = false;
         for (std::size_t k = 0; k < run.places.size(); ++k) {
-            if (const auto error = takeGeometryOfImages(run.theCase.views[run.places[k]])) {
+            if (const auto error = takeGeometryOfImages(run.session.views[run.places[k]])) {
                 spreads_[k].taken += *error;
                 isChanged = true;
             }
         }
         for (std::size_t k = 0; isChanged && k < run.places.size(); ++k) {
-            run.theCase.views[run.places[k]].cameraFromPatient = starts_[k];
+            run.session.views[run.places[k]].cameraFromPatient = starts_[k];
         }
         return isChanged;
     }
@@ -235,7 +235,7 @@ public:
                 says::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
                                       static_cast<int>(std::lround(taken[1])), static_cast<int>(std::lround(taken[2])))
                     .as(Severity::Note);
-            run.theCase.views[run.places[k]].result->warnings.push_back(said);
+            run.session.views[run.places[k]].result->warnings.push_back(said);
             if (run.joint) {
                 run.joint->warnings.push_back(says::inView(run.places[k] + 1, said).as(Severity::Note));
             }
@@ -251,11 +251,11 @@ private:
 void distrustOtherPatients(RegisteredCase& run)
 {
     Case registered;
-    registered.vessels.scanIdentity = run.theCase.vessels.scanIdentity;
+    registered.vessels.scanIdentity = run.session.vessels.scanIdentity;
     registered.views.clear();
     for (const std::size_t place : run.places) {
-        if (!run.theCase.views[place].isSamePatient) {
-            registered.views.push_back(run.theCase.views[place]);
+        if (!run.session.views[place].isSamePatient) {
+            registered.views.push_back(run.session.views[place]);
         }
     }
     Messages mismatch = findMismatch(registered);
@@ -264,7 +264,7 @@ void distrustOtherPatients(RegisteredCase& run)
         return;
     }
     for (const std::size_t place : run.places) {
-        RegistrationResult& result = *run.theCase.views[place].result;
+        RegistrationResult& result = *run.session.views[place].result;
         result.trustworthy = false;
         result.probabilityWithin2Mm.reset();
         result.warnings.insert(result.warnings.begin(), mismatch.begin(), mismatch.end());
@@ -284,7 +284,7 @@ bool isStopped(const RegisteredCase& run)
 bool isContradicted(const RegisteredCase& run)
 {
     return std::ranges::any_of(run.places, [&run](std::size_t place) {
-        return isGeometryContradicted(run.theCase.views[place], run.places.size());
+        return isGeometryContradicted(run.session.views[place], run.places.size());
     });
 }
 
@@ -299,8 +299,8 @@ Status registerEstimating(RegisteredCase& run, const RunNotes& notes, Course& co
         return first;
     }
     const RegisteredCase asGiven = run;
-    for (int round = 0; round < mostEstimates && !isStopped(run) && geometry.correct(run); ++round) {
-        const double step = (1.0 - firstEnd) / mostEstimates;
+    for (int round = 0; round < maxEstimates && !isStopped(run) && geometry.correct(run); ++round) {
+        const double step = (1.0 - firstEnd) / maxEstimates;
         const Part part{firstEnd + round * step, firstEnd + (round + 1) * step};
         const Status again = registerPlanned(run, notes, geometry.spreads(), solverObserver(course, run.places, part));
         if (!again) {
@@ -331,26 +331,26 @@ void takeOver(View& view, RegistrationResult result)
     view.result = std::move(result);
 }
 
-Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const WorkObserver& observe)
+Result<RegisteredCase> registerCase(Case session, RegistrationPlan plan, const WorkObserver& observe)
 {
     const bool isTraced = !plan.shownTarget;
-    auto places = plannedViews(theCase, plan.views);
+    auto places = plannedViews(session, plan.views);
     if (!places) {
         return places.error();
     }
     Course course(observe);
-    auto traced = traceViews(theCase, places.value(), std::move(plan.shownTarget), course);
+    auto traced = traceViews(session, places.value(), std::move(plan.shownTarget), course);
     if (!traced) {
         return traced.error();
     }
-    auto asked = std::make_shared<const Case>(theCase);
+    auto asked = std::make_shared<const Case>(session);
     RegisteredCase run{
-        std::move(theCase), std::move(places).value(), std::move(traced).value().targets, {}, std::move(asked)};
+        std::move(session), std::move(places).value(), std::move(traced).value().targets, {}, std::move(asked)};
     const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
-    const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.theCase.options},
+    const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.session.options},
                          plan.readMs,
                          traced.value().tookMs};
-    const Status status = run.theCase.options.geometry.estimate
+    const Status status = run.session.options.geometry.estimate
                               ? registerEstimating(run, notes, course, begin)
                               : registerPlanned(run, notes, {}, solverObserver(course, run.places, {begin, 1.0}));
     if (!status) {
@@ -358,7 +358,7 @@ Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan, const W
     }
     distrustOtherPatients(run);
     for (const std::size_t place : run.places) {
-        run.theCase.views[place].result->provenance.start = run.asked->views[place].cameraFromPatient;
+        run.session.views[place].result->provenance.start = run.asked->views[place].cameraFromPatient;
     }
     return run;
 }

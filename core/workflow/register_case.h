@@ -26,13 +26,13 @@ struct RegistrationPlan {
 
 /// A case after its registration.
 struct RegisteredCase {
-    Case theCase;   ///< every registered view with its pose and its result; the shown view's holds for all together
-    std::vector<std::size_t> places;   ///< of the registered views in `theCase.views`, the shown one first
+    Case session;   ///< every registered view with its pose and its result; the shown view's holds for all together
+    std::vector<std::size_t> places;   ///< of the registered views in `session.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< what they were registered to, in the same order
     std::optional<MultiViewResult> joint;   ///< of several views
     std::shared_ptr<const Case> asked{};   ///< the case as it was before
 
-    const RegistrationResult& result() const { return *theCase.shown().result; }
+    const RegistrationResult& result() const { return *session.shown().result; }
 };
 
 /// The view after a run that found this: at its pose, and no longer as its case file has it.
@@ -47,6 +47,6 @@ void takeOver(View& view, const View& registered);
 /// unless somebody made sure (View::isSamePatient).
 /// Fails naming the view and what it lacks. Stopped before there is any
 /// pose it ends as stopped, later it keeps the best pose.
-Result<RegisteredCase> registerCase(Case theCase, RegistrationPlan plan = {}, const WorkObserver& observe = {});
+Result<RegisteredCase> registerCase(Case session, RegistrationPlan plan = {}, const WorkObserver& observe = {});
 
 }   // namespace angiopose::core

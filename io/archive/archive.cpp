@@ -57,24 +57,24 @@ public:
     {
     }
 
-    core::Status run(const RetrieveWish& wish)
+    core::Status run(const RetrieveRequest& request)
     {
-        std::vector<std::string> series = wish.seriesUids;
+        std::vector<std::string> series = request.seriesUids;
         if (series.empty()) {
-            auto found = source_.seriesOf(wish.studyUid);
+            auto found = source_.seriesOf(request.studyUid);
             if (!found) {
                 return found.error();
             }
             series = std::move(found).value();
         }
         if (series.empty()) {
-            return core::Error(says::archiveNothingThere(wish.studyUid).about(node_.name));
+            return core::Error(says::archiveNothingThere(request.studyUid).about(node_.name));
         }
-        if (auto planned = plan(wish.studyUid, series); !planned) {
+        if (auto planned = plan(request.studyUid, series); !planned) {
             return planned;
         }
         for (std::size_t i = 0; i < series.size(); ++i) {
-            if (auto fetched = fetch(wish.studyUid, series[i], objects_[i]); !fetched) {
+            if (auto fetched = fetch(request.studyUid, series[i], objects_[i]); !fetched) {
                 return fetched;
             }
         }
@@ -142,21 +142,21 @@ private:
     std::vector<std::vector<ArchiveObject>> objects_;   ///< by series
 };
 
-std::optional<std::string> wrongUid(const RetrieveWish& wish)
+std::optional<std::string> wrongUid(const RetrieveRequest& request)
 {
-    if (!isUid(wish.studyUid)) {
-        return wish.studyUid;
+    if (!isUid(request.studyUid)) {
+        return request.studyUid;
     }
-    const auto wrong = std::ranges::find_if_not(wish.seriesUids, isUid);
-    return wrong == wish.seriesUids.end() ? std::nullopt : std::optional(*wrong);
+    const auto wrong = std::ranges::find_if_not(request.seriesUids, isUid);
+    return wrong == request.seriesUids.end() ? std::nullopt : std::optional(*wrong);
 }
 
 }   // namespace
 
-ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay wished)
+ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay requested)
 {
-    if (wished != ArchiveWay::Usual) {
-        return wished;
+    if (requested != ArchiveWay::Usual) {
+        return requested;
     }
     return node.host.empty() ? ArchiveWay::Web : ArchiveWay::Dimse;
 }
@@ -177,19 +177,19 @@ core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay w
                                                : dimseFind(node, query, stopQuestion(observe));
 }
 
-TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveWish& wish,
+TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit, const ArchiveObserver& observe)
 {
     TransferReport report;
-    if (const auto wrong = wrongUid(wish)) {
+    if (const auto wrong = wrongUid(request)) {
         report.end = core::Error(says::archiveBadUid(*wrong));
         return report;
     }
-    const auto isStopWished = stopQuestion(observe);
-    const auto source =
-        wayTo(node, way) == ArchiveWay::Web ? makeWebSource(node, isStopWished) : makeDimseSource(node, isStopWished);
+    const auto isStopRequested = stopQuestion(observe);
+    const auto source = wayTo(node, way) == ArchiveWay::Web ? makeWebSource(node, isStopRequested)
+                                                            : makeDimseSource(node, isStopRequested);
     Arrivals arrivals(store, limit, report, observe);
-    if (auto run = Retrieval(*source, node, arrivals, report).run(wish); !run) {
+    if (auto run = Retrieval(*source, node, arrivals, report).run(request); !run) {
         report.end = run.error();
     }
     return report;

@@ -14,7 +14,7 @@ namespace angiopose::io {
 enum class ArchiveWay { Usual, Dimse, Web };
 
 /// The usual one of a node: DIMSE where it has a host, else DICOMweb.
-ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay wished);
+ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay requested);
 
 /// Whether the archive answers and lets us ask. Every failure of these names the archive, the problem and the remedy.
 core::Status echoArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveObserver& observe = {});
@@ -22,13 +22,13 @@ core::Status echoArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveO
 core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveQuery& query,
                                            const ArchiveObserver& observe = {});
 
-struct RetrieveWish {
+struct RetrieveRequest {
     std::string studyUid;
     std::vector<std::string> seriesUids;   ///< empty: all of the study
 };
 
 /// Into a store, of which `limit` says how much it may hold. Series that are there whole are not asked for again.
-TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveWish& wish,
+TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit,
                                    const ArchiveObserver& observe = {});
 

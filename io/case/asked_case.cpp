@@ -23,10 +23,10 @@ fs::path nameAlone(const fs::path& path)
 }
 
 /// Two files of one name stay two: "2/IM1.dcm".
-void forgetFolders(core::Case& theCase)
+void forgetFolders(core::Case& session)
 {
-    std::vector<core::InputFile*> files{&theCase.vessels.file, &theCase.vessels.scanFile};
-    for (core::View& view : theCase.views) {
+    std::vector<core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
+    for (core::View& view : session.views) {
         files.insert(files.end(), {&view.imageFile, &view.target.file});
     }
     std::set<fs::path> taken;
@@ -84,26 +84,26 @@ std::string askedCaseText(const core::RegisteredCase& registered)
     return registered.asked ? askedCaseText(*registered.asked) : std::string();
 }
 
-core::Case viewsOfItsRun(core::Case theCase)
+core::Case viewsOfItsRun(core::Case session)
 {
-    const core::Provenance run = theCase.shown().result->provenance;
+    const core::Provenance run = session.shown().result->provenance;
     const auto isOfRun = [&run](const core::View& view) {
         return view.result && !run.time.empty() && view.result->provenance.time == run.time &&
                view.result->provenance.author == run.author;
     };
     std::vector<core::View> views;
     std::size_t shown = 0;
-    for (std::size_t i = 0; i < theCase.views.size(); ++i) {
-        if (i == theCase.shownView) {
+    for (std::size_t i = 0; i < session.views.size(); ++i) {
+        if (i == session.shownView) {
             shown = views.size();
         }
-        if (i == theCase.shownView || isOfRun(theCase.views[i])) {
-            views.push_back(std::move(theCase.views[i]));
+        if (i == session.shownView || isOfRun(session.views[i])) {
+            views.push_back(std::move(session.views[i]));
         }
     }
-    theCase.views = std::move(views);
-    theCase.shownView = shown;
-    return theCase;
+    session.views = std::move(views);
+    session.shownView = shown;
+    return session;
 }
 
 std::string askedCaseTextOfRun(core::Case ofOneRun)

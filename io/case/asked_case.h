@@ -16,7 +16,7 @@ std::string askedCaseText(const core::Case& asked);
 std::string askedCaseText(const core::RegisteredCase& registered);
 
 /// A case with the views alone that were registered together with the shown one, which has a result.
-core::Case viewsOfItsRun(core::Case theCase);
+core::Case viewsOfItsRun(core::Case session);
 
 /// What the run that found the results of such a case began with, as far as it is still known: empty where no start
 /// pose was noted (by an earlier version), or where the run changed the geometry.

@@ -59,10 +59,10 @@ CaseDocument parseCaseDocument(std::string_view json)
     return document;
 }
 
-std::string caseDocumentText(const core::Case& theCase, const std::filesystem::path& folder)
+std::string caseDocumentText(const core::Case& session, const std::filesystem::path& folder)
 {
-    const Json known = writeFields(theCase, caseFields(), folder);
-    const std::string whole = withExtraKeys(withExtraKeys(known.dump(), theCase.shown().extraKeys), theCase.extraKeys);
+    const Json known = writeFields(session, caseFields(), folder);
+    const std::string whole = withExtraKeys(withExtraKeys(known.dump(), session.shown().extraKeys), session.extraKeys);
     return prettyJson(withSealedResults(whole));
 }
 

@@ -22,6 +22,6 @@ struct CaseDocument {
 CaseDocument parseCaseDocument(std::string_view json);
 
 /// The case as JSON, paths relative to `folder`, unknown keys included.
-std::string caseDocumentText(const core::Case& theCase, const std::filesystem::path& folder);
+std::string caseDocumentText(const core::Case& session, const std::filesystem::path& folder);
 
 }   // namespace angiopose::io

@@ -6,10 +6,10 @@
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
-#include "io/case/followed_bends_file.h"
 #include "io/case/load_case_with.h"
 #include "io/case/saved_files.h"
 #include "io/case/stale_results.h"
+#include "io/case/tracked_deformations_file.h"
 #include "io/case/view_inputs.h"
 #include "io/messages/says.h"
 #include "io/support/atomic_file.h"
@@ -98,14 +98,14 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
 
 /// A view that cannot be had is a warning: the case opens without.
 void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings,
-                    FullestFrame fullest)
+                    PeakFrame peak)
 {
     core::Messages found;
     for (std::size_t k = 1; k < loaded.views.size(); ++k) {
         core::View& view = loaded.views[k];
         const core::Status read = view.caseFile.path.empty() ? core::Done{} : readViewOfCase(view, notes[k]);
         if (read) {
-            loadOtherView(view, notes[k], loaded.vessels, path, found, fullest);
+            loadOtherView(view, notes[k], loaded.vessels, path, found, peak);
         } else {
             found.push_back(says::caseViewLeftOut(read.error().message));
         }
@@ -118,11 +118,12 @@ void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::strin
 }
 
 /// The input that `path` is, if any.
-std::string inputAt(const Case& theCase, const std::string& path)
+std::string inputAt(const Case& session, const std::string& path)
 {
-    std::vector<const core::InputFile*> files{&theCase.vessels.file, &theCase.vessels.scanFile};
-    for (const core::View& view : theCase.views) {
-        files.insert(files.end(), {&view.imageFile, &view.target.file, &view.caseFile, &view.followed.bendsFile});
+    std::vector<const core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
+    for (const core::View& view : session.views) {
+        files.insert(files.end(),
+                     {&view.imageFile, &view.target.file, &view.caseFile, &view.followed.deformationsFile});
     }
     for (const core::InputFile* file : files) {
         std::error_code absent;
@@ -134,11 +135,11 @@ std::string inputAt(const Case& theCase, const std::string& path)
 }
 
 /// The shown view, read as the first, goes where it belongs among the others.
-void putInPlace(Case& theCase, std::size_t place)
+void putInPlace(Case& session, std::size_t place)
 {
-    const auto first = theCase.views.begin();
+    const auto first = session.views.begin();
     std::rotate(first, first + 1, first + static_cast<std::ptrdiff_t>(place) + 1);
-    theCase.shownView = place;
+    session.shownView = place;
 }
 
 }   // namespace
@@ -149,11 +150,11 @@ core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, c
     return loadCaseWith({}, path, warnings, observe, moved);
 }
 
-core::Result<Case> loadCaseWith(const CaseWish& wish, const std::string& path, core::Messages& warnings,
+core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
                                 const ReadObserver& observe, const MovedInputs& moved)
 {
     try {
-        auto read = readDocument(path, wish.text);
+        auto read = readDocument(path, request.text);
         if (!read) {
             return read.error();
         }
@@ -165,16 +166,16 @@ core::Result<Case> loadCaseWith(const CaseWish& wish, const std::string& path, c
         const std::vector<ViewNotes> notes = document.notes;
         const std::size_t shownPlace = document.shownPlace;
         const Case noted = document.values;
-        wish.settings.applyTo(document.values);
-        auto loaded = loadInputs(std::move(document), path, warnings, observe, wish.fullest);
+        request.settings.applyTo(document.values);
+        auto loaded = loadInputs(std::move(document), path, warnings, observe, request.peak);
         if (!loaded) {
             return loaded.error();
         }
         Case values = std::move(loaded).value();
-        loadOtherViews(values, notes, path, warnings, wish.fullest);
-        wish.settings.applyTo(values);   // also to views with case files of their own
+        loadOtherViews(values, notes, path, warnings, request.peak);
+        request.settings.applyTo(values);   // also to views with case files of their own
         dropStaleResults(noted, notes, values, warnings);
-        readBendsOfRuns(values, warnings);
+        readDeformationOfRuns(values, warnings);
         putInPlace(values, shownPlace);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
@@ -235,11 +236,11 @@ std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::st
     return files;
 }
 
-std::vector<core::InputFile> filesOf(const Case& theCase)
+std::vector<core::InputFile> filesOf(const Case& session)
 {
     std::vector<core::InputFile> files;
     CaseDocument document;
-    document.values = theCase;
+    document.values = session;
     for (const core::InputFile* file : inputsOf(document)) {
         files.push_back(*file);
     }
@@ -298,31 +299,31 @@ core::Result<core::Messages> doubtsOfCase(const std::string& path)
     }
 }
 
-std::optional<core::Message> findUnsavable(const Case& theCase)
+std::optional<core::Message> findUnsavable(const Case& session)
 {
-    if (!theCase.vessels.tree && theCase.vessels.scan) {
+    if (!session.vessels.tree && session.vessels.scan) {
         return says::caseScanAlone();
     }
-    const bool hasMask = theCase.vessels.isLumenEdited && theCase.vessels.lumen;   // which is written beside it
-    if ((theCase.vessels.file.path.empty() && !hasMask) || theCase.shown().imageFile.path.empty()) {
+    const bool hasMask = session.vessels.isLumenEdited && session.vessels.lumen;   // which is written beside it
+    if ((session.vessels.file.path.empty() && !hasMask) || session.shown().imageFile.path.empty()) {
         return says::caseIncomplete();
     }
-    const auto& initial = theCase.shown().initialCameraFromPatient;
-    if (!core::isRigid(theCase.shown().cameraFromPatient) || (initial && !core::isRigid(*initial))) {
+    const auto& initial = session.shown().initialCameraFromPatient;
+    if (!core::isRigid(session.shown().cameraFromPatient) || (initial && !core::isRigid(*initial))) {
         return says::casePoseNotRigid();
     }
     return {};
 }
 
-core::Status saveCase(const Case& theCase, const std::string& path)
+core::Status saveCase(const Case& session, const std::string& path)
 {
-    if (const std::string input = inputAt(theCase, path); !input.empty()) {
+    if (const std::string input = inputAt(session, path); !input.empty()) {
         return fileError(path, says::caseIsInput());
     }
-    if (const auto unsavable = findUnsavable(theCase)) {
+    if (const auto unsavable = findUnsavable(session)) {
         return fileError(path, *unsavable);
     }
-    Case hashed = theCase;
+    Case hashed = session;
     if (auto completed = completeFiles(hashed, path); !completed) {
         return completed;
     }

@@ -29,10 +29,10 @@ core::Result<core::Messages> validateCase(const std::string& path);
 core::Result<core::Messages> doubtsOfCase(const std::string& path);
 
 /// What the case lacks to be written as a file that opens again.
-std::optional<core::Message> findUnsavable(const core::Case& theCase);
+std::optional<core::Message> findUnsavable(const core::Case& session);
 
 /// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
 /// keys unknown to this version kept.
-core::Status saveCase(const core::Case& theCase, const std::string& path);
+core::Status saveCase(const core::Case& session, const std::string& path);
 
 }   // namespace angiopose::io

@@ -124,7 +124,7 @@ std::vector<core::InputFile*> inputsOf(CaseDocument& document)
         add(view.imageFile);
         add(view.target.file);
         add(view.caseFile);
-        add(view.followed.bendsFile);
+        add(view.followed.deformationsFile);
     }
     return files;
 }
@@ -138,14 +138,14 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath)
 }
 
 core::Result<Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                              const ReadObserver& observe, FullestFrame fullest)
+                              const ReadObserver& observe, PeakFrame peak)
 {
     Case& values = document.values;
     if (auto read = readVesselInput(values.vessels, warnings, partOf(observe, 0.0, 0.9)); !read) {
         return read.error();
     }
     readScan(values.vessels, warnings);
-    if (const auto read = loadView(values.shown(), document.notes.front(), values.vessels, casePath, warnings, fullest);
+    if (const auto read = loadView(values.shown(), document.notes.front(), values.vessels, casePath, warnings, peak);
         !read) {
         return read.error();
     }

@@ -2,7 +2,7 @@
 
 #include "core/support/result.h"
 #include "io/case/case_document.h"
-#include "io/fullest_frame.h"
+#include "io/peak_frame.h"
 #include "io/support/read_observer.h"
 
 #include <string>
@@ -20,6 +20,6 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 /// hashes, start pose. Other views are not read. Of
 /// a run whose frame it says the fullest one need not be sought.
 core::Result<core::Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                                    const ReadObserver& observe, FullestFrame fullest = FullestFrame::Sought);
+                                    const ReadObserver& observe, PeakFrame peak = PeakFrame::Sought);
 
 }   // namespace angiopose::io

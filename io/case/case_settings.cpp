@@ -110,7 +110,7 @@ core::Result<Apply> optionApplier(const std::string& name, const std::string& te
     if (const auto status = core::setOption(tried, assignment); !status) {
         return status.error();
     }
-    return Apply([assignment](core::Case& theCase) { (void)core::setOption(theCase.options, assignment); });
+    return Apply([assignment](core::Case& session) { (void)core::setOption(session.options, assignment); });
 }
 
 template <class Owner, class PartsOf>
@@ -122,8 +122,8 @@ core::Result<Apply> fieldApplier(const std::string& name, const std::string& tex
     if (const core::Messages problems = problemsOf(name, value); !problems.empty()) {
         return core::Error(says::settingValue(name, text.substr(0, 40), problems.front()));
     }
-    return Apply([read = field->read, value, partsOf](core::Case& theCase) {
-        for (Owner* part : partsOf(theCase)) {
+    return Apply([read = field->read, value, partsOf](core::Case& session) {
+        for (Owner* part : partsOf(session)) {
             Reading reading;
             read(value, *part, reading);
         }
@@ -133,9 +133,9 @@ core::Result<Apply> fieldApplier(const std::string& name, const std::string& tex
 core::Result<Apply> applierOf(const std::string& name, const std::string& text)
 {
     if (name.starts_with(tracePrefix)) {
-        return fieldApplier(name, text, traceOptionFields(), [](core::Case& theCase) {
+        return fieldApplier(name, text, traceOptionFields(), [](core::Case& session) {
             std::vector<core::TraceOptions*> parts;
-            for (core::View& view : theCase.views) {
+            for (core::View& view : session.views) {
                 parts.push_back(&view.traceOptions);
             }
             return parts;
@@ -143,7 +143,7 @@ core::Result<Apply> applierOf(const std::string& name, const std::string& text)
     }
     if (name.starts_with(tracingPrefix)) {
         return fieldApplier(name, text, vesselTracingFields(),
-                            [](core::Case& theCase) { return std::vector{&theCase.vessels.input.tracing}; });
+                            [](core::Case& session) { return std::vector{&session.vessels.input.tracing}; });
     }
     return optionApplier(name, text);
 }
@@ -201,10 +201,10 @@ std::vector<std::string> CaseSettings::assignments() const
     return all;
 }
 
-void CaseSettings::applyTo(core::Case& theCase) const
+void CaseSettings::applyTo(core::Case& session) const
 {
     for (const Setting& setting : settings_) {
-        setting.apply(theCase);
+        setting.apply(session);
     }
 }
 

@@ -24,7 +24,7 @@ public:
     std::vector<std::string> assignments() const;
 
     /// Frames of all views are traced alike.
-    void applyTo(core::Case& theCase) const;
+    void applyTo(core::Case& session) const;
 
 private:
     struct Setting {

@@ -12,16 +12,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int mostEntries = 5000;   // of one folder with all below it
+constexpr int maxEntries = 5000;   // of one folder with all below it
 constexpr int deepest = 5;
-constexpr std::uintmax_t mostHashedBytes = std::uintmax_t{2} << 30U;
+constexpr std::uintmax_t maxHashedBytes = std::uintmax_t{2} << 30U;
 
 std::vector<fs::path> entriesOf(const fs::path& folder)
 {
     std::vector<fs::path> entries;
     std::error_code failed;
     fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, failed);
-    for (; !failed && each != fs::recursive_directory_iterator() && entries.size() < mostEntries;
+    for (; !failed && each != fs::recursive_directory_iterator() && entries.size() < maxEntries;
          each.increment(failed)) {
         if (each.depth() >= deepest) {
             each.disable_recursion_pending();
@@ -68,12 +68,12 @@ private:
     {
         std::error_code failed;
         const auto size = fs::is_directory(entry, failed) ? 0 : fs::file_size(entry, failed);
-        isStopped_ = isStopped_ || isStopWished(observe_, 0.0);
-        if (failed || isStopped_ || hashedBytes_ + size > mostHashedBytes) {
+        isStopped_ = isStopped_ || isStopRequested(observe_, 0.0);
+        if (failed || isStopped_ || hashedBytes_ + size > maxHashedBytes) {
             return false;
         }
         hashedBytes_ += size;
-        return canStandFor(missing, entry.string());
+        return isFeasibleFor(missing, entry.string());
     }
 
     const ReadObserver& observe_;
@@ -83,7 +83,7 @@ private:
 
 }   // namespace
 
-bool canStandFor(const MissingInput& missing, const std::string& path)
+bool isFeasibleFor(const MissingInput& missing, const std::string& path)
 {
     std::error_code failed;
     if (fs::is_directory(path, failed)) {

@@ -31,6 +31,6 @@ MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std:
                             const ReadObserver& observe = {});
 
 /// Whether a file or folder can stand for a missing input: the same content, or where that is not known, anything.
-bool canStandFor(const MissingInput& missing, const std::string& path);
+bool isFeasibleFor(const MissingInput& missing, const std::string& path);
 
 }   // namespace angiopose::io

@@ -76,29 +76,29 @@ void forgetName(core::InputFile& file, const std::string& word)
 
 }   // namespace
 
-std::size_t clearTexts(core::Case& theCase)
+std::size_t clearTexts(core::Case& session)
 {
     Eraser erase;
-    erase(theCase.title);
-    erase(theCase.extraKeys);
-    numberNames(theCase.vessels.marks, erase);
-    numberNames(theCase.vessels.measurements, erase);
-    for (core::View& view : theCase.views) {
+    erase(session.title);
+    erase(session.extraKeys);
+    numberNames(session.vessels.marks, erase);
+    numberNames(session.vessels.measurements, erase);
+    for (core::View& view : session.views) {
         clearView(view, erase);
     }
     return erase.count();
 }
 
-core::Case namelessCase(core::Case theCase)
+core::Case namelessCase(core::Case session)
 {
-    clearTexts(theCase);
-    forgetName(theCase.vessels.file, "vessels");
-    forgetName(theCase.vessels.scanFile, "scan");
-    for (core::View& view : theCase.views) {
+    clearTexts(session);
+    forgetName(session.vessels.file, "vessels");
+    forgetName(session.vessels.scanFile, "scan");
+    for (core::View& view : session.views) {
         forgetName(view.imageFile, "angiogram");
         forgetName(view.target.file, "curves");
     }
-    return theCase;
+    return session;
 }
 
 }   // namespace angiopose::io

@@ -73,24 +73,24 @@ std::string partDigest(const Json& json)
 struct SealedPart {
     const char* key;
     core::Message name;
-    Json (*of)(const Json& theCase, const Json& view);
+    Json (*of)(const Json& session, const Json& view);
 };
 
 const auto& sealedParts()
 {
     static const std::array parts{
         SealedPart{"vessels", says::partVessels(),
-                   [](const Json& theCase, const Json&) {
-                       return withoutMembers(memberAt(theCase, {"vessel"}), {"auxiliaryBranches", "excludedBranches",
+                   [](const Json& session, const Json&) {
+                       return withoutMembers(memberAt(session, {"vessel"}), {"auxiliaryBranches", "excludedBranches",
                                                                              "hiddenBranches", "pivotInPatientMm"});
                    }},
         SealedPart{"auxiliaryBranches", says::partAuxiliaryBranches(),
-                   [](const Json& theCase, const Json&) {
-                       return memberAt(theCase, {"vessel", "auxiliaryBranches"});
+                   [](const Json& session, const Json&) {
+                       return memberAt(session, {"vessel", "auxiliaryBranches"});
                    }},
         SealedPart{"excludedBranches", says::partExcludedBranches(),
-                   [](const Json& theCase, const Json&) {
-                       return memberAt(theCase, {"vessel", "excludedBranches"});
+                   [](const Json& session, const Json&) {
+                       return memberAt(session, {"vessel", "excludedBranches"});
                    }},
         SealedPart{"image", says::partImage(),
                    [](const Json&, const Json& view) {
@@ -116,25 +116,25 @@ const auto& sealedParts()
                    }},
         SealedPart{
             "locks", says::partLocks(),
-            [](const Json& theCase, const Json&) {
-                return Json{memberAt(theCase, {"pose", "locked"}), memberAt(theCase, {"vessel", "pivotInPatientMm"})};
+            [](const Json& session, const Json&) {
+                return Json{memberAt(session, {"pose", "locked"}), memberAt(session, {"vessel", "pivotInPatientMm"})};
             }},
         SealedPart{"method", says::partMethod(),
-                   [](const Json& theCase, const Json&) { return memberAt(theCase, {"method"}); }},
+                   [](const Json& session, const Json&) { return memberAt(session, {"method"}); }},
         SealedPart{"options", says::partOptions(),
-                   [](const Json& theCase, const Json&) { return memberAt(theCase, {"options"}); }},
+                   [](const Json& session, const Json&) { return memberAt(session, {"options"}); }},
     };
     return parts;
 }
 
-void sealFindingsOf(const Json& theCase, Json& view)
+void sealFindingsOf(const Json& session, Json& view)
 {
     if (std::ranges::none_of(sealedKeys, [&view](const char* key) { return view.contains(key); })) {
         return;
     }
     Json digests = Json::object();
     for (const SealedPart& part : sealedParts()) {
-        digests[part.key] = partDigest(part.of(theCase, view));
+        digests[part.key] = partDigest(part.of(session, view));
     }
     for (const char* key : sealedKeys) {
         if (const auto finding = view.find(key); finding != view.end()) {
@@ -143,13 +143,13 @@ void sealFindingsOf(const Json& theCase, Json& view)
     }
 }
 
-core::Messages changedBeside(const char* finding, const Json& theCase, const Json& view)
+core::Messages changedBeside(const char* finding, const Json& session, const Json& view)
 {
     const Json digests = memberAt(view, {finding, sealKey});
     core::Messages changed;
     for (const SealedPart& part : sealedParts()) {
         const auto digest = digests.find(part.key);
-        if (digest != digests.end() && *digest != partDigest(part.of(theCase, view))) {
+        if (digest != digests.end() && *digest != partDigest(part.of(session, view))) {
             changed.push_back(part.name);
         }
     }
@@ -160,12 +160,12 @@ core::Messages changedBeside(const char* finding, const Json& theCase, const Jso
 
 std::string withSealedResults(std::string_view caseJson)
 {
-    const Json theCase = Json::parse(caseJson);
-    Json sealed = theCase;
-    sealFindingsOf(theCase, sealed);
+    const Json session = Json::parse(caseJson);
+    Json sealed = session;
+    sealFindingsOf(session, sealed);
     if (const auto views = sealed.find("views"); views != sealed.end()) {
         for (Json& view : *views) {
-            sealFindingsOf(theCase, view);
+            sealFindingsOf(session, view);
         }
     }
     return sealed.dump();
@@ -173,12 +173,12 @@ std::string withSealedResults(std::string_view caseJson)
 
 std::vector<ChangedParts> changedBesideResults(std::string_view caseJson)
 {
-    const Json theCase = Json::parse(caseJson);
-    const auto besideFindings = [&theCase](const Json& view) {
-        return ChangedParts{changedBeside(resultKey, theCase, view), changedBeside(followedKey, theCase, view)};
+    const Json session = Json::parse(caseJson);
+    const auto besideFindings = [&session](const Json& view) {
+        return ChangedParts{changedBeside(resultKey, session, view), changedBeside(followedKey, session, view)};
     };
-    std::vector<ChangedParts> changed{besideFindings(theCase)};
-    for (const Json& view : memberAt(theCase, {"views"})) {
+    std::vector<ChangedParts> changed{besideFindings(session)};
+    for (const Json& view : memberAt(session, {"views"})) {
         changed.push_back(besideFindings(view));
     }
     return changed;

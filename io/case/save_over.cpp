@@ -20,7 +20,7 @@ std::string contentOfCaseFile(const std::string& path)
     return hash ? hash.value() : std::string();
 }
 
-core::Result<std::string> saveCaseOver(const core::Case& theCase, const std::string& path,
+core::Result<std::string> saveCaseOver(const core::Case& session, const std::string& path,
                                        const std::string& knownSha256)
 {
     const FolderTurn turn(std::filesystem::absolute(path).parent_path().string());
@@ -28,7 +28,7 @@ core::Result<std::string> saveCaseOver(const core::Case& theCase, const std::str
     if (!there.empty() && there != knownSha256) {   // where it was removed it is written again
         return fileError(path, says::caseChangedElsewhere());
     }
-    if (const auto saved = saveCase(theCase, path); !saved) {
+    if (const auto saved = saveCase(session, path); !saved) {
         return saved.error();
     }
     return contentOfCaseFile(path);

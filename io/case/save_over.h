@@ -14,7 +14,7 @@ std::string contentOfCaseFile(const std::string& path);
 /// told then, empty: nothing is known and nothing compared. Fails with `case.changed-elsewhere`, nothing written, where
 /// another program has changed it since; programs that save into one folder take turns. Returns what is known from now
 /// on.
-core::Result<std::string> saveCaseOver(const core::Case& theCase, const std::string& path,
+core::Result<std::string> saveCaseOver(const core::Case& session, const std::string& path,
                                        const std::string& knownSha256);
 
 /// Whether an error is that another program has changed the case.

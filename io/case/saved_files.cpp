@@ -1,6 +1,6 @@
 #include "io/case/saved_files.h"
 
-#include "io/case/followed_bends_file.h"
+#include "io/case/tracked_deformations_file.h"
 #include "io/edited_curves.h"
 #include "io/edited_mask.h"
 #include "io/file_hash.h"
@@ -39,11 +39,11 @@ core::Status completeView(core::View& view, const std::string& path, std::option
         }
         view.target.file = std::move(curves).value();
     }
-    auto bends = keepFollowedBends(view.followed, path, otherView);
-    if (!bends) {
-        return bends.error();
+    auto deformations = keepFollowedDeformation(view.followed, path, otherView);
+    if (!deformations) {
+        return deformations.error();
     }
-    view.followed.bendsFile = std::move(bends).value();
+    view.followed.deformationsFile = std::move(deformations).value();
     noteMissingHash(view.imageFile);
     noteMissingHash(view.target.file);
     return core::Done{};

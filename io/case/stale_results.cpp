@@ -1,6 +1,6 @@
 #include "io/case/stale_results.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "io/messages/says.h"
 
 #include <algorithm>
@@ -33,8 +33,8 @@ bool isAsNoted(const core::View& noted, const core::View& read)
 /// Bent vessels of another tree would be drawn where none are.
 bool isOfTree(const core::View& view, const core::Vessels& vessels)
 {
-    const core::DeformableResult* const bent = view.result ? view.result->bent.get() : nullptr;
-    return !bent || !vessels.tree || core::isOf(*vessels.tree, *bent);
+    const core::DeformableResult* const deformed = view.result ? view.result->deformed.get() : nullptr;
+    return !deformed || !vessels.tree || core::isOf(*vessels.tree, *deformed);
 }
 
 /// Why what was found in a view does not count any more, if it does not.

@@ -68,9 +68,9 @@ core::Status readTarget(View& view, const ViewNotes& notes)
     return core::Done{};
 }
 
-core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings, FullestFrame fullest)
+core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings, PeakFrame peak)
 {
-    auto angiogram = io::readAngiogram(view.imageFile.path, notes.hasFrame ? fullest : FullestFrame::Sought);
+    auto angiogram = io::readAngiogram(view.imageFile.path, notes.hasFrame ? peak : PeakFrame::Sought);
     if (!angiogram) {
         return angiogram.error();
     }
@@ -170,13 +170,13 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header)
     fillFrom(cArm.rollDeg, header.rollDeg);
     fillFrom(cArm.principalPointPx, header.principalPointPx);
     fillFrom(cArm.mirrored, header.mirrored);
-    fillFrom(cArm.isocentreInPatientMm, header.isocentreInPatientMm);
+    fillFrom(cArm.isocenterInPatientMm, header.isocenterInPatientMm);
 }
 
 core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                      core::Messages& warnings, FullestFrame fullest)
+                      core::Messages& warnings, PeakFrame peak)
 {
-    if (const auto read = readImage(view, notes, warnings, fullest); !read) {
+    if (const auto read = readImage(view, notes, warnings, peak); !read) {
         return read.error();
     }
     if (const auto completed = complete(view, notes, vessels, warnings); !completed) {
@@ -189,9 +189,9 @@ core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& v
 }
 
 void loadOtherView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                   core::Messages& warnings, FullestFrame fullest)
+                   core::Messages& warnings, PeakFrame peak)
 {
-    if (const auto loaded = loadView(view, notes, vessels, casePath, warnings, fullest); !loaded) {
+    if (const auto loaded = loadView(view, notes, vessels, casePath, warnings, peak); !loaded) {
         warnings.push_back(says::caseViewLeftOut(loaded.error().message));
         view.angiogram.reset();
     }

@@ -72,7 +72,7 @@ Ending listen(const ChildProcess& helper, Listening& listening, const ReadObserv
     std::array<char, 1 << 16> bytes;
     while (!listening.isAstray()) {
         const ChildProcess::Output output = helper.listen(bytes, observe ? askedEveryMs : -1);
-        if (isStopWished(observe, listening.fraction())) {
+        if (isStopRequested(observe, listening.fraction())) {
             return Ending::Stopped;
         }
         if (output.what == ChildProcess::Heard::Bytes) {

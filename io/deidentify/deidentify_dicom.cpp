@@ -16,7 +16,7 @@ namespace {
 enum class FreedClass { Image, Segmentation, Report, PresentationState, Registration };
 
 constexpr std::string_view storage = "1.2.840.10008.5.1.4.1.1.";
-constexpr std::string_view greyState = "11.1";
+constexpr std::string_view grayState = "11.1";
 constexpr std::string_view spatialClass = "66.1";
 constexpr std::string_view segmentClass = "66.4";
 constexpr std::string_view reports = "88.";
@@ -35,7 +35,7 @@ core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& pa
     if (kind == segmentClass) {
         return FreedClass::Segmentation;
     }
-    if (kind == greyState) {   // others need a colour profile, which holds words
+    if (kind == grayState) {   // others need a colour profile, which holds words
         return FreedClass::PresentationState;
     }
     if (kind == spatialClass) {
@@ -101,15 +101,15 @@ void addMethod(DicomItem& root, const Method& method)
     item.text(0x00080104, "LO", method.meaning);
 }
 
-void sayWhatWasDone(DicomItem& root, const Deidentification& wished)
+void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
 {
-    const bool areShifted = wished.dates == KeptDates::Shifted;
+    const bool areShifted = requested.dates == KeptDates::Shifted;
     root.text(0x00120062, "CS", "YES");
     root.text(0x00120063, "LO", "AngioPose " ANGIOPOSE_VERSION ": what describes the image was copied");
     for (const Method& method : {basicProfile, cleanGraphics, cleanStructure, cleanDescriptors}) {
         addMethod(root, method);
     }
-    if (wished.letters == DrawnLetters::BlackedOut) {
+    if (requested.letters == DrawnLetters::BlackedOut) {
         addMethod(root, cleanPixels);
     }
     if (areShifted) {
@@ -119,9 +119,9 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& wished)
 }
 
 /// One value of at most 64 letters, as names and IDs may have.
-std::string asOneValue(const std::string& wished)
+std::string asOneValue(const std::string& requested)
 {
-    std::string value = shortened(wished, 64);
+    std::string value = shortened(requested, 64);
     std::erase_if(value, [](char c) { return c == '\\' || static_cast<unsigned char>(c) < ' '; });
     return value;
 }
@@ -196,7 +196,7 @@ core::Status copyBulk(FreedClass freed, const DicomFile& file, const std::string
 }   // namespace
 
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
-                                            const Deidentification& wished, const Pseudonyms& pseudonyms)
+                                            const Deidentification& requested, const Pseudonyms& pseudonyms)
 {
     const DicomDataset& data = file.dataset;
     const auto freed = freedClassOf(file, path);
@@ -206,12 +206,12 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
     const bool isImage = freed.value() == FreedClass::Image;
     const IdentityWords words(data);
     KeptContent kept(words);
-    const Replacements replacements{pseudonyms, words, patientOf(data), wished.dates, isImage ? nullptr : &kept};
+    const Replacements replacements{pseudonyms, words, patientOf(data), requested.dates, isImage ? nullptr : &kept};
     NamelessDicom nameless;
     DicomObject object;
     DicomItem root = object.root();
     copyKept(data, root, replacements);
-    if (const auto copied = copyBulk(freed.value(), file, path, wished.letters, nameless, root); !copied) {
+    if (const auto copied = copyBulk(freed.value(), file, path, requested.letters, nameless, root); !copied) {
         return copied.error();
     }
     if (!isImage) {
@@ -221,10 +221,10 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
         nameless.warnings.push_back(says::objectWordsCleared(kept.cleared()));
     }
     const std::string patient =
-        wished.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(wished.patientName);
+        requested.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(requested.patientName);
     addPatient(data, patient, root);
     addPlaces(data, path, replacements, root);
-    sayWhatWasDone(root, wished);
+    sayWhatWasDone(root, requested);
     auto content = object.content();
     if (!content) {
         return content.error().about(path);

@@ -11,7 +11,7 @@ namespace angiopose::io {
 /// What is wished of files that go to others.
 struct Deidentification {
     KeptDates dates = KeptDates::None;
-    DrawnLetters letters = DrawnLetters::Told;
+    DrawnLetters letters = DrawnLetters::Reported;
     std::string patientName{};   ///< and ID; empty: a pseudonym
 };
 
@@ -28,6 +28,6 @@ struct NamelessDicom {
 /// pseudonyms, what was done said in the codes of the standard. Fails naming the file where it holds no image that can
 /// be stored again, or what cannot be cleared for sure.
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
-                                            const Deidentification& wished, const Pseudonyms& pseudonyms);
+                                            const Deidentification& requested, const Pseudonyms& pseudonyms);
 
 }   // namespace angiopose::io

@@ -7,10 +7,10 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t leastLetters = 3;
-constexpr int mostDepth = 8;
+constexpr std::size_t minLetters = 3;
+constexpr int maxDepth = 8;
 
-constexpr std::array<DicomTag, 34> tellingTags{
+constexpr std::array<DicomTag, 34> informativeTags{
     0x00080050, 0x00080080, 0x00080081, 0x00080090, 0x00080092, 0x0008009c, 0x00081010, 0x00081040, 0x00081048,
     0x00081050, 0x00081060, 0x00081070, 0x00100010, 0x00100020, 0x00100021, 0x00100030, 0x00101000, 0x00101001,
     0x00101005, 0x00101040, 0x00101060, 0x00102154, 0x00102180, 0x00104000, 0x00180010, 0x00181000, 0x00200010,
@@ -47,13 +47,13 @@ void IdentityWords::collect(const DicomDataset& data, int depth)
 {
     const auto take = [&](DicomTag tag) {
         eachWord(data.text(tag), [&](const std::string& word) {
-            if (word.size() >= leastLetters) {
+            if (word.size() >= minLetters) {
                 words_.insert(word);
             }
         });
     };
-    std::ranges::for_each(tellingTags, take);
-    if (depth < mostDepth) {
+    std::ranges::for_each(informativeTags, take);
+    if (depth < maxDepth) {
         for (const DicomDataset& item : data.itemsOfAllSequences()) {
             collect(item, depth + 1);
         }

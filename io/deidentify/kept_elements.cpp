@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t keyBytes = 32;
 constexpr std::string_view rootOfDicom = "1.2.840.10008.";
-constexpr int leastWeeks = 52;
+constexpr int minWeeks = 52;
 constexpr int moreWeeks = 468;
 
 unsigned numberOf(std::string_view bytes)
@@ -50,7 +50,7 @@ constexpr DicomTag stackTag = 0x00209056;
 constexpr std::array<DicomTag, 2> keptNames{0x00080070, 0x00081090};
 constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< a word of the standard, though its type lets more through
 constexpr DicomTag lookUpTableTag = 0x00283006;
-constexpr std::size_t mostNameLetters = 64;
+constexpr std::size_t maxNameLetters = 64;
 
 const DcmTagKey codeValueTag(0x0008, 0x0100);
 const DcmTagKey codeSchemeTag(0x0008, 0x0102);
@@ -109,7 +109,7 @@ bool isCode(const std::string& value)
 
 bool isName(const std::string& value)
 {
-    return value.size() <= mostNameLetters && std::ranges::all_of(value, [](char c) {
+    return value.size() <= maxNameLetters && std::ranges::all_of(value, [](char c) {
                return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
                       std::string_view(" -._/()+").find(c) != std::string_view::npos;
            });
@@ -327,7 +327,7 @@ std::string Pseudonyms::date(std::string_view original, std::string_view patient
     if (digits <= 0 || !date.ok()) {
         return {};
     }
-    const weeks earlier(leastWeeks + static_cast<int>(numberOf(digest("date", patient)) % moreWeeks));
+    const weeks earlier(minWeeks + static_cast<int>(numberOf(digest("date", patient)) % moreWeeks));
     const year_month_day shifted(sys_days(date) - earlier);
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%04d%02u%02u", static_cast<int>(shifted.year()),

@@ -29,7 +29,7 @@ core::Mask2d lettersIn(const std::vector<core::ImageF>& frames)
     for (int n = 0; n < std::min(count, framesLookedAt); ++n) {
         const int frame = count <= framesLookedAt ? n : n * (count - 1) / (framesLookedAt - 1);
         const core::Mask2d found =
-            core::burnedInText(frames[static_cast<std::size_t>(frame)], core::tellingLetterShare);
+            core::burnedInText(frames[static_cast<std::size_t>(frame)], core::informativeLetterShare);
         std::ranges::transform(letters.pixels, found.pixels, letters.pixels.begin(),
                                [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
     }
@@ -64,7 +64,7 @@ void treatLetters(std::vector<core::ImageF>& frames, const DicomDataset& data, D
         }
         return;
     }
-    if (treatment == DrawnLetters::Told) {
+    if (treatment == DrawnLetters::Reported) {
         const auto at = first - letters.pixels.begin();
         warnings.push_back(
             says::lettersStay(static_cast<int>(at % letters.width), static_cast<int>(at / letters.width)));
@@ -135,7 +135,7 @@ core::Status copyWide(const DicomPixels& pixels, const PixelLayout& layout, cons
     return core::Done{};
 }
 
-constexpr std::size_t mostVoxels = std::size_t{1} << 34;   // 2 GB of bits
+constexpr std::size_t maxVoxels = std::size_t{1} << 34;   // 2 GB of bits
 
 }   // namespace
 
@@ -168,7 +168,7 @@ core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLet
         warnings.push_back(says::framesDamaged(damaged, run.frames.size()));
     }
     if (layout.samples > 1) {
-        warnings.push_back(says::colourDropped());
+        warnings.push_back(says::colorDropped());
     }
     treatLetters(run.frames, file.dataset, letters, to, warnings);
     to.words(pixelDataTag, wordsOf(run.frames, layout.bitsAllocated));
@@ -177,7 +177,7 @@ core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLet
 
 core::Status copySegments(const DicomFile& file, const std::string& path, DicomItem& to)
 {
-    const auto read = pixelLayoutOf(file, path, mostVoxels);
+    const auto read = pixelLayoutOf(file, path, maxVoxels);
     if (!read) {
         return read.error();
     }

@@ -9,7 +9,7 @@
 namespace angiopose::io {
 
 /// What becomes of letters that are drawn into pictures.
-enum class DrawnLetters { Told, BlackedOut };
+enum class DrawnLetters { Reported, BlackedOut };
 
 /// Stores the pixels of `file` in `to`, decoded, grey, each value as it is shown and no bit besides: compressed streams
 /// and unused bits can hold what nobody sees. Letters are looked for in projections, not in slices. What was changed or

@@ -88,9 +88,9 @@ void copyPage(TIFF* from, const TiffPage& page, TIFF* to)
     if (TIFFGetField(from, TIFFTAG_EXTRASAMPLES, &extraCount, &extras) == 1 && extraCount > 0) {
         TIFFSetField(to, TIFFTAG_EXTRASAMPLES, extraCount, extras);
     }
-    std::array<std::uint16_t*, 3> colours{};
-    if (page.isPalette() && TIFFGetField(from, TIFFTAG_COLORMAP, &colours[0], &colours[1], &colours[2]) == 1) {
-        TIFFSetField(to, TIFFTAG_COLORMAP, colours[0], colours[1], colours[2]);
+    std::array<std::uint16_t*, 3> colors{};
+    if (page.isPalette() && TIFFGetField(from, TIFFTAG_COLORMAP, &colors[0], &colors[1], &colors[2]) == 1) {
+        TIFFSetField(to, TIFFTAG_COLORMAP, colors[0], colors[1], colors[2]);
     }
     float x = 0.0F, y = 0.0F;
     std::uint16_t unit = RESUNIT_NONE;

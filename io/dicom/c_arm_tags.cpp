@@ -32,7 +32,7 @@ constexpr DicomTag fieldOfViewTag = 0x00181149;
 constexpr DicomTag rowsTag = 0x00280010;
 constexpr DicomTag columnsTag = 0x00280011;
 
-core::Quantity millimetres(double value)
+core::Quantity millimeters(double value)
 {
     return {std::round(value * 1e4) / 1e4, core::Quantity::asNeeded, "mm"};
 }
@@ -92,7 +92,7 @@ void readDistances(const DicomDataset& data, CArm& cArm, core::Messages& warning
     }
     const auto& [isocenter, object] = std::tie(cArm.sourceToIsocenterMm, cArm.sourceToObjectMm);
     if (isocenter.value && object.value && std::abs(*isocenter.value - *object.value) > 1.0) {
-        warnings.push_back(says::objectOffIsocenter(millimetres(*object.value), millimetres(*isocenter.value))
+        warnings.push_back(says::objectOffIsocenter(millimeters(*object.value), millimeters(*isocenter.value))
                                .as(core::Severity::Note));
     }
     assumeIsocenter(cArm);
@@ -139,15 +139,15 @@ void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
         const double magnification = *cArm.sourceToDetectorMm.value / *vesselDepthOf(cArm).value;
         setSpacing(cArm, *pixel * magnification, Origin::Derived,
                    "(0028,0030) Pixel Spacing (" + std::string(calibration.substr(0, 16)) + ") times SID/SOD");
-        warnings.push_back(says::spacingFromCalibration(millimetres(*cArm.columnSpacingMm.value)));
+        warnings.push_back(says::spacingFromCalibration(millimeters(*cArm.columnSpacingMm.value)));
     } else if (const auto field = fieldSpacing(data)) {
         setSpacing(cArm, *field, Origin::Derived,
                    "(0018,1149) field of view " + std::string(data.text(fieldOfViewTag, 0)) + " mm / " +
                        std::to_string(data.integer(columnsTag).value_or(0)) + " px");
-        warnings.push_back(says::spacingFromField(millimetres(field->y())));
+        warnings.push_back(says::spacingFromField(millimeters(field->y())));
     } else if (const auto intensifier = data.number(0x00181162); isPositive(intensifier)) {
         warnings.push_back(says::spacingMissingIntensifier(
-            millimetres(*intensifier), millimetres(*intensifier / data.number(columnsTag).value_or(512.0))));
+            millimeters(*intensifier), millimeters(*intensifier / data.number(columnsTag).value_or(512.0))));
     } else {
         warnings.push_back(says::spacingMissing());
     }
@@ -158,7 +158,7 @@ void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
     cArm.primaryAngleDeg = fromHeader(data, primaryAngleTag, "(0018,1510) Positioner Primary Angle");
     cArm.secondaryAngleDeg = fromHeader(data, secondaryAngleTag, "(0018,1511) Positioner Secondary Angle");
     if (!cArm.primaryAngleDeg.value && data.has(0x00189463)) {
-        warnings.push_back(says::anglesOfIsocentre());
+        warnings.push_back(says::anglesOfIsocenter());
     }
     const double detectorTilt =
         std::max(std::abs(data.number(0x00181530).value_or(0.0)), std::abs(data.number(0x00181531).value_or(0.0)));
@@ -223,7 +223,7 @@ Eigen::Vector3d directionOf(std::string_view letters)
 void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     constexpr DicomTag orientationTag = 0x00200020;
-    constexpr double leastLikeness = 0.45;   // letters are coarse, but not as coarse as that
+    constexpr double minLikeness = 0.45;   // letters are coarse, but not as coarse as that
     const Eigen::Vector3d row = directionOf(data.text(orientationTag, 0));
     const Eigen::Vector3d column = directionOf(data.text(orientationTag, 1));
     CArm likeliest = cArm;
@@ -239,7 +239,7 @@ void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warni
             const bool isUpright = rollDeg == 0.0;
             const double alongRow = row.dot(axes.right);
             const double alongColumn = column.isZero() ? (isUpright ? 1.0 : 0.0) : column.dot(axes.down);
-            const double likeness = std::min(alongRow, alongColumn) >= leastLikeness ? alongRow + alongColumn : 0.0;
+            const double likeness = std::min(alongRow, alongColumn) >= minLikeness ? alongRow + alongColumn : 0.0;
             if (likeness > most + 1e-9) {
                 most = likeness;
                 likeliest = std::move(candidate);

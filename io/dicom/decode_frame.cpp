@@ -37,7 +37,7 @@ bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
 std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLayout& layout)
 {
     const auto raster =
-        readJpeg(compressed, layout.photometric == "RGB" ? JpegColours::RgbUnlessMarked : JpegColours::AsMarked);
+        readJpeg(compressed, layout.photometric == "RGB" ? JpegColors::RgbUnlessMarked : JpegColors::AsMarked);
     if (!raster) {
         return std::nullopt;
     }

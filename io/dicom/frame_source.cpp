@@ -206,8 +206,8 @@ core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& la
     }
     DecodedRun run;
     std::optional<core::Error> failure;
-    const auto mostFrames = static_cast<int>(maxRunPixels / layout.pixelsPerFrame());
-    const int count = std::min(reader.value().frameCount(), std::max(mostFrames, layout.frames));
+    const auto maxFrames = static_cast<int>(maxRunPixels / layout.pixelsPerFrame());
+    const int count = std::min(reader.value().frameCount(), std::max(maxFrames, layout.frames));
     for (int k = 0; k < count; ++k) {
         auto frame = reader.value().wholeOrPart(k);
         if (frame) {

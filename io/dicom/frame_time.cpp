@@ -12,7 +12,7 @@ namespace {
 constexpr DicomTag incrementPointerTag = 0x00280009;
 constexpr DicomTag timeTag = 0x00181063;
 constexpr DicomTag vectorTag = 0x00181065;
-constexpr std::size_t mostFrames = 20'000;
+constexpr std::size_t maxFrames = 20'000;
 
 double positiveOrZero(const DicomDataset& data, DicomTag tag)
 {
@@ -23,7 +23,7 @@ double positiveOrZero(const DicomDataset& data, DicomTag tag)
 double medianOfVector(const DicomDataset& data)
 {
     std::vector<double> steps;
-    for (std::size_t k = 1; k < mostFrames; ++k) {
+    for (std::size_t k = 1; k < maxFrames; ++k) {
         const auto step = data.number(vectorTag, k);
         if (!step) {
             break;

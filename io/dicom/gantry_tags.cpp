@@ -18,7 +18,7 @@ using core::GantryHeader;
 constexpr DicomTag positionerPosition = 0x00189405;
 constexpr DicomTag primaryAngle = 0x00181510, secondaryAngle = 0x00181511;
 constexpr DicomTag primaryIncrement = 0x00181520, secondaryIncrement = 0x00181521;
-constexpr std::size_t mostValuesShown = 6;
+constexpr std::size_t maxValuesShown = 6;
 
 struct GeometryTag {
     DicomTag tag;
@@ -88,11 +88,11 @@ std::string valueText(const DicomDataset& data, DicomTag tag)
         if (value.empty()) {
             break;
         }
-        if (count < mostValuesShown) {
+        if (count < maxValuesShown) {
             text += (count > 0 ? ", " : "") + value;
         }
     }
-    return count > mostValuesShown ? text + ", … (" + std::to_string(count) + " values)" : text;
+    return count > maxValuesShown ? text + ", … (" + std::to_string(count) + " values)" : text;
 }
 
 void readTags(const DicomDataset& data, GantryHeader& header)
@@ -271,9 +271,9 @@ std::optional<Eigen::Vector3d> tableNumbers(const DicomDataset& data, const std:
 /// the LPS of somebody head first and supine). Nothing of a table that is turned or tilted.
 void readTable(const DicomDataset& data, GantryHeader& header)
 {
-    constexpr double mostTurnDeg = 0.1;
+    constexpr double maxTurnDeg = 0.1;
     for (const DicomTag turn : {0x00181138U, 0x00189469U, 0x00189470U, 0x00189471U}) {
-        if (std::abs(data.number(turn).value_or(0.0)) > mostTurnDeg) {
+        if (std::abs(data.number(turn).value_or(0.0)) > maxTurnDeg) {
             return;
         }
     }

@@ -10,7 +10,7 @@ namespace {
 constexpr DicomTag frameTimeVector = 0x00181065;
 constexpr DicomTag rWaveTimeVector = 0x00186060;
 constexpr DicomTag rWavePointer = 0x00286040;
-constexpr std::size_t mostBeats = 10000;   // of damaged headers
+constexpr std::size_t maxBeats = 10000;   // of damaged headers
 
 /// When each frame begins, ms after the first; empty when nobody says.
 std::vector<double> frameStartsMs(const DicomDataset& data, int frameCount, double frameTimeMs)
@@ -38,7 +38,7 @@ std::vector<int> framesOfTimes(const DicomDataset& data, int frameCount, double 
     std::vector<int> frames;
     const std::vector<double> startsMs = frameStartsMs(data, frameCount, frameTimeMs);
     const double endMs = startsMs.empty() ? 0.0 : startsMs.back() + frameTimeMs;
-    for (std::size_t beat = 0; beat < mostBeats && !startsMs.empty(); ++beat) {
+    for (std::size_t beat = 0; beat < maxBeats && !startsMs.empty(); ++beat) {
         const auto timeMs = data.number(rWaveTimeVector, beat);
         if (!timeMs) {
             break;
@@ -55,7 +55,7 @@ std::vector<int> framesOfTimes(const DicomDataset& data, int frameCount, double 
 std::vector<int> rWaveFramesOf(const DicomDataset& data, int frameCount, double frameTimeMs)
 {
     std::vector<int> frames;
-    for (std::size_t beat = 0; beat < mostBeats; ++beat) {
+    for (std::size_t beat = 0; beat < maxBeats; ++beat) {
         const auto number = data.integer(rWavePointer, beat);
         if (!number) {
             break;

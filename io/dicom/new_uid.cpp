@@ -58,9 +58,9 @@ bool isUid(std::string_view text)
     return !text.empty() && text.size() <= 64 && !isStart;
 }
 
-std::string usableUid(const std::string& told)
+std::string usableUid(const std::string& reported)
 {
-    return isUid(told) ? told : uidOfContent("instead of " + told);
+    return isUid(reported) ? reported : uidOfContent("instead of " + reported);
 }
 
 std::string newUid()

@@ -15,6 +15,6 @@ std::string uidOfContent(std::string_view content);
 bool isUid(std::string_view text);
 
 /// The UID that a file gives, or where that is none, one that follows from it: what it keeps together stays together.
-std::string usableUid(const std::string& told);
+std::string usableUid(const std::string& reported);
 
 }   // namespace angiopose::io

@@ -22,17 +22,17 @@ core::Message missingImage(const DicomFile& file)
 
 std::optional<core::Message> findUnsupported(const PixelLayout& layout)
 {
-    constexpr std::array<std::string_view, 7> colours = {"RGB",     "YBR_FULL",        "YBR_FULL_422",   "YBR_RCT",
-                                                         "YBR_ICT", "YBR_PARTIAL_422", "YBR_PARTIAL_420"};
-    const bool isGrey =
+    constexpr std::array<std::string_view, 7> colors = {"RGB",     "YBR_FULL",        "YBR_FULL_422",   "YBR_RCT",
+                                                        "YBR_ICT", "YBR_PARTIAL_422", "YBR_PARTIAL_420"};
+    const bool isGray =
         layout.samples == 1 && (layout.photometric == "MONOCHROME1" || layout.photometric == "MONOCHROME2");
-    const bool isColour =
-        layout.samples == 3 && std::find(colours.begin(), colours.end(), layout.photometric) != colours.end();
+    const bool isColor =
+        layout.samples == 3 && std::find(colors.begin(), colors.end(), layout.photometric) != colors.end();
     if (layout.photometric == "PALETTE COLOR") {
-        return says::dicomPaletteColours();
+        return says::dicomPaletteColors();
     }
-    if (!isGrey && !isColour) {
-        return says::dicomNotGrey(layout.photometric.substr(0, 16), layout.samples);
+    if (!isGray && !isColor) {
+        return says::dicomNotGray(layout.photometric.substr(0, 16), layout.samples);
     }
     const int bits = layout.bitsAllocated;
     if ((bits != 1 && bits != 8 && bits != 16 && bits != 32) || (bits == 1 && layout.samples != 1)) {
@@ -69,8 +69,8 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
         layout.bitsAllocated = 32;
     }
     layout.photometric = data.text(0x00280004);
-    const bool isOnlyColoured = layout.photometric == "PALETTE COLOR" && data.text(0x00080060) == "SEG";
-    if (layout.photometric.empty() || isOnlyColoured) {   // the values of a label map are its labels
+    const bool isOnlyColored = layout.photometric == "PALETTE COLOR" && data.text(0x00080060) == "SEG";
+    if (layout.photometric.empty() || isOnlyColored) {   // the values of a label map are its labels
         layout.photometric = layout.samples == 3 ? "RGB" : "MONOCHROME2";
     }
     if (layout.rows <= 0 || layout.columns <= 0 || layout.frames <= 0) {

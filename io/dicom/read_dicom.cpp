@@ -92,7 +92,7 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
 {
     angiogram.identity = identityOf(file.dataset);
     if (layout.samples == 3) {
-        angiogram.warnings.push_back(says::colourToGrey());
+        angiogram.warnings.push_back(says::colorToGray());
     }
     if (angiogram.frameCount() != layout.frames) {
         angiogram.warnings.push_back(says::dicomFramesOther(layout.frames, angiogram.frameCount()));

@@ -20,8 +20,8 @@ using core::Mask2d;
 constexpr DicomTag shapeTag = 0x00181600;
 constexpr DicomTag frameShutterTag = 0x00189472;
 constexpr DicomTag verticesTag = 0x00181620;
-constexpr std::size_t mostCoordinates = 8192;
-constexpr double leastOpenShare = 0.01;   // less is no field of view but a mistake
+constexpr std::size_t maxCoordinates = 8192;
+constexpr double minOpenShare = 0.01;   // less is no field of view but a mistake
 
 /// `isOpen` gets column and row as DICOM counts them, from 1.
 template <class IsOpen>
@@ -61,7 +61,7 @@ std::vector<double> coordinatesOf(const DicomDataset& data)
 {
     std::vector<double> coordinates;
     std::string_view rest = data.text(verticesTag);
-    while (!rest.empty() && coordinates.size() < mostCoordinates) {
+    while (!rest.empty() && coordinates.size() < maxCoordinates) {
         const std::size_t end = std::min(rest.find('\\'), rest.size());
         const auto number = parseNumber(rest.substr(0, end));
         if (!number) {
@@ -145,7 +145,7 @@ void close(Mask2d& field, const DicomDataset& shutter, core::Messages& warnings)
         }
         Mask2d both = shape->openField(shutter, columns, rows);
         std::ranges::transform(both.pixels, field.pixels, both.pixels.begin(), std::bit_and<>());
-        if (static_cast<double>(std::ranges::count(both.pixels, 255)) < leastOpenShare * columns * rows) {
+        if (static_cast<double>(std::ranges::count(both.pixels, 255)) < minOpenShare * columns * rows) {
             warnings.push_back(says::shutterUnusable(std::string(shape->name), shutterValues(shutter, shape->tags)));
         } else {
             field = std::move(both);

@@ -112,12 +112,12 @@ void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const Stor
 /// The anatomical directions that a direction in LPS has, the first the most: "LA".
 std::string lettersOf(const Eigen::Vector3d& direction)
 {
-    constexpr double leastShare = 0.2;
+    constexpr double minShare = 0.2;
     std::array<Eigen::Index, 3> axes{0, 1, 2};
     std::ranges::stable_sort(axes, std::greater(), [&](Eigen::Index axis) { return std::abs(direction[axis]); });
     std::string letters;
     for (const Eigen::Index axis : axes) {
-        if (std::abs(direction[axis]) > leastShare) {
+        if (std::abs(direction[axis]) > minShare) {
             letters += (direction[axis] > 0.0 ? "LPH" : "RAF")[axis];
         }
     }

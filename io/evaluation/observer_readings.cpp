@@ -60,13 +60,13 @@ core::Result<core::ObserverReading> parseReading(const ReadingRow& row)
     }
     const auto observer = row.text("observer");
     const auto found = row.pose("final");
-    const auto centre = row.pose("centre");
-    if (!observer || !found || !centre) {
-        return !observer ? observer.error() : !found ? found.error() : centre.error();
+    const auto center = row.pose("centre");
+    if (!observer || !found || !center) {
+        return !observer ? observer.error() : !found ? found.error() : center.error();
     }
     reading.observer = observer.value();
     reading.cameraFromPatient = found.value();
-    reading.centreCameraFromPatient = centre.value();
+    reading.centerCameraFromPatient = center.value();
     for (int axis = 0; axis < 3; ++axis) {
         const auto value = row.number(std::string("pivot_") + "xyz"[axis]);
         if (!value) {

@@ -115,8 +115,8 @@ core::Result<OwnEntry> parseOwnEntry(const CsvTable& table, const OwnRow& row)
     if (entry.referencePath.empty() && entry.pairsPath.empty()) {
         return fileError(table.path, says::ownNoTruth(entry.line));
     }
-    if (!entry.bentPath.empty() && (entry.referencePath.empty() || !entry.landmarksPath.empty())) {
-        return fileError(table.path, says::ownBentAlone(entry.line));
+    if (!entry.deformedPath.empty() && (entry.referencePath.empty() || !entry.landmarksPath.empty())) {
+        return fileError(table.path, says::ownDeformedAlone(entry.line));
     }
     if (const std::string condition = row.text("condition"); !condition.empty()) {
         if (!isFileWord(condition)) {

@@ -22,7 +22,7 @@ struct OwnEntry {
     int line = 0;   ///< in the manifest
     std::string casePath;
     std::string referencePath;   ///< a pose file
-    std::string bentPath;   ///< a vessel file: where bent vessels truly lay
+    std::string deformedPath;   ///< a vessel file: where bent vessels truly lay
     std::string landmarksPath;   ///< targets of mTRE and mRPD
     std::string pairsPath;
     std::string startPath;   ///< a pose file; empty: the case's pose

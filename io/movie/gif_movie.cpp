@@ -15,8 +15,8 @@ namespace angiopose::io {
 namespace {
 
 constexpr double ticksPerSecond = 100.0;
-constexpr std::int64_t leastDelay = 2;   // below it viewers take a tenth of a second
-constexpr std::int64_t mostDelay = 65535;
+constexpr std::int64_t minDelay = 2;   // below it viewers take a tenth of a second
+constexpr std::int64_t maxDelay = 65535;
 constexpr int paletteSize = 256;
 
 /// What of a picture is not as before, px.
@@ -147,7 +147,7 @@ core::Status GifMovie::add(const core::ColorImage& picture, double ms)
         late_ = {};
         return core::Done{};   // stays longer
     }
-    if (from - waitingFrom_ < leastDelay) {
+    if (from - waitingFrom_ < minDelay) {
         late_ = picture;   // shown if none comes after it
         return core::Done{};
     }
@@ -166,7 +166,7 @@ bool GifMovie::putWaiting(std::int64_t until)
     const auto map = mapOf(palette);
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_DO_NOT;
-    control.DelayTime = static_cast<int>(std::clamp(until - waitingFrom_, leastDelay, mostDelay));
+    control.DelayTime = static_cast<int>(std::clamp(until - waitingFrom_, minDelay, maxDelay));
     control.TransparentColor = isFirst ? NO_TRANSPARENT_COLOR : GifPalette::asBefore;
     GifByteType extension[4];
     const auto length = static_cast<int>(EGifGCBToExtension(&control, extension));
@@ -200,7 +200,7 @@ core::Status GifMovie::finish()
         return fileError(path_, says::movieNotMade());
     }
     if (!late_.rgb.empty()) {   // the last picture is the one that matters
-        const std::int64_t from = waitingFrom_ + leastDelay;
+        const std::int64_t from = waitingFrom_ + minDelay;
         if (!putWaiting(from)) {
             return statusOf(false);
         }

@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-inline constexpr int mostGifSidePx = 8192;   ///< the format has 65,535; nobody shows that
-inline constexpr int leastMovieSidePx = 16;
+inline constexpr int maxGifSidePx = 8192;   ///< the format has 65,535; nobody shows that
+inline constexpr int minMovieSidePx = 16;
 
 /// GIF by giflib: starts again for ever, delays of whole 1/100 s, each picture with colours of its own and only where
 /// it differs from the one before.

@@ -11,17 +11,17 @@ namespace {
 
 using Color = GifPalette::Color;
 
-constexpr std::size_t mostColors = 255;
-constexpr std::size_t leastGreys = 127;   // 2 apart over the whole range: no bands
-constexpr int greyTolerance = 8;   // between channels: what the eye takes for grey
+constexpr std::size_t maxColors = 255;
+constexpr std::size_t minGrays = 127;   // 2 apart over the whole range: no bands
+constexpr int grayTolerance = 8;   // between channels: what the eye takes for grey
 constexpr std::uint16_t unknown = 0xFFFF;
 constexpr int cellBits = 5;   // of a channel, in which colours are counted
 constexpr int keyBits = 6;   // in which the nearest is remembered
 
-bool isGrey(const Color& color)
+bool isGray(const Color& color)
 {
     const auto [least, most] = std::ranges::minmax(color);
-    return most - least <= greyTolerance;
+    return most - least <= grayTolerance;
 }
 
 std::size_t keyOf(const Color& color, int bits)
@@ -122,24 +122,24 @@ std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
 }
 
 /// All that there are, or evenly spread ones.
-std::vector<int> chosenGreys(const std::array<std::size_t, 256>& counts, std::size_t most)
+std::vector<int> chosenGrays(const std::array<std::size_t, 256>& counts, std::size_t most)
 {
-    std::vector<int> greys;
-    for (int grey = 0; grey < 256; ++grey) {
-        if (counts[static_cast<std::size_t>(grey)] > 0) {
-            greys.push_back(grey);
+    std::vector<int> grays;
+    for (int gray = 0; gray < 256; ++gray) {
+        if (counts[static_cast<std::size_t>(gray)] > 0) {
+            grays.push_back(gray);
         }
     }
-    if (greys.size() <= most) {
-        return greys;
+    if (grays.size() <= most) {
+        return grays;
     }
-    const int first = greys.front(), last = greys.back();
-    greys.clear();
+    const int first = grays.front(), last = grays.back();
+    grays.clear();
     for (std::size_t i = 0; i < most; ++i) {
         const double part = static_cast<double>(i) / static_cast<double>(most - 1);
-        greys.push_back(first + static_cast<int>(std::lround(part * (last - first))));
+        grays.push_back(first + static_cast<int>(std::lround(part * (last - first))));
     }
-    return greys;
+    return grays;
 }
 
 int luma(const Color& color)
@@ -155,7 +155,7 @@ int distance(const Color& a, const Color& b)
 
 /// How often each grey is there, and the cells of the cube with all other colours.
 struct Counted {
-    std::array<std::size_t, 256> greys{};
+    std::array<std::size_t, 256> grays{};
     std::vector<Cell> others;
 };
 
@@ -165,8 +165,8 @@ Counted countColors(const core::ColorImage& picture)
     counted.others.resize(std::size_t{1} << (3 * cellBits));
     for (std::size_t at = 0; at + 2 < picture.rgb.size(); at += 3) {
         const Color color{picture.rgb[at], picture.rgb[at + 1], picture.rgb[at + 2]};
-        if (isGrey(color)) {
-            ++counted.greys[static_cast<std::size_t>(luma(color))];
+        if (isGray(color)) {
+            ++counted.grays[static_cast<std::size_t>(luma(color))];
             continue;
         }
         Cell& cell = counted.others[keyOf(color, cellBits)];
@@ -184,28 +184,28 @@ Counted countColors(const core::ColorImage& picture)
 GifPalette::GifPalette(const core::ColorImage& picture) : nearest_(std::size_t{1} << (3 * keyBits), unknown)
 {
     Counted counted = countColors(picture);
-    const auto greysThere =
-        static_cast<std::size_t>(std::ranges::count_if(counted.greys, [](auto n) { return n > 0; }));
-    const std::size_t left = mostColors - std::min(mostColors, counted.others.size());
-    const std::vector<int> greys = chosenGreys(counted.greys, std::max(std::min(greysThere, leastGreys), left));
-    for (const int grey : greys) {
-        const auto value = static_cast<std::uint8_t>(grey);
+    const auto graysThere =
+        static_cast<std::size_t>(std::ranges::count_if(counted.grays, [](auto n) { return n > 0; }));
+    const std::size_t left = maxColors - std::min(maxColors, counted.others.size());
+    const std::vector<int> grays = chosenGrays(counted.grays, std::max(std::min(graysThere, minGrays), left));
+    for (const int gray : grays) {
+        const auto value = static_cast<std::uint8_t>(gray);
         colors_.push_back({value, value, value});
     }
-    hasGreys_ = !greys.empty();
-    for (std::size_t grey = 0; hasGreys_ && grey < nearestGrey_.size(); ++grey) {
+    hasGrays_ = !grays.empty();
+    for (std::size_t gray = 0; hasGrays_ && gray < nearestGray_.size(); ++gray) {
         const auto nearest =
-            std::ranges::min_element(greys, {}, [grey](int each) { return std::abs(each - static_cast<int>(grey)); });
-        nearestGrey_[grey] = static_cast<std::uint8_t>(nearest - greys.begin());
+            std::ranges::min_element(grays, {}, [gray](int each) { return std::abs(each - static_cast<int>(gray)); });
+        nearestGray_[gray] = static_cast<std::uint8_t>(nearest - grays.begin());
     }
-    const std::vector<Color> others = chosenColors(std::move(counted.others), mostColors - colors_.size());
+    const std::vector<Color> others = chosenColors(std::move(counted.others), maxColors - colors_.size());
     colors_.insert(colors_.end(), others.begin(), others.end());
 }
 
 std::uint8_t GifPalette::indexOf(const Color& color)
 {
-    if (hasGreys_ && isGrey(color)) {
-        return nearestGrey_[static_cast<std::size_t>(luma(color))];
+    if (hasGrays_ && isGray(color)) {
+        return nearestGray_[static_cast<std::size_t>(luma(color))];
     }
     std::uint16_t& known = nearest_[keyOf(color, keyBits)];
     if (known == unknown) {

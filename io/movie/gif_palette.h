@@ -24,8 +24,8 @@ public:
 private:
     std::vector<Color> colors_;
     std::vector<std::uint16_t> nearest_;   ///< by coarse colour, as far as it was asked for
-    std::array<std::uint8_t, 256> nearestGrey_{};
-    bool hasGreys_ = false;
+    std::array<std::uint8_t, 256> nearestGray_{};
+    bool hasGrays_ = false;
 };
 
 }   // namespace angiopose::io

@@ -22,16 +22,16 @@ std::optional<MovieKind> movieKindOf(const std::string& path)
 
 std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size)
 {
-    if (size.width < leastMovieSidePx || size.height < leastMovieSidePx) {
-        return says::movieTooSmall(leastMovieSidePx);
+    if (size.width < minMovieSidePx || size.height < minMovieSidePx) {
+        return says::movieTooSmall(minMovieSidePx);
     }
     if (kind == MovieKind::Mp4) {
         return canEncode(size) ? std::nullopt
                                : std::optional<core::Message>(says::movieTooLarge(size.width, size.height));
     }
-    return std::max(size.width, size.height) <= mostGifSidePx
+    return std::max(size.width, size.height) <= maxGifSidePx
                ? std::nullopt
-               : std::optional<core::Message>(says::gifTooLarge(size.width, size.height, mostGifSidePx));
+               : std::optional<core::Message>(says::gifTooLarge(size.width, size.height, maxGifSidePx));
 }
 
 core::Result<std::unique_ptr<MovieWriter>> MovieWriter::create(const std::string& path, const MovieSize& size,

@@ -231,7 +231,7 @@ std::string mp4Head(const Mp4Track& track)
     return type + movieBox(track, offset) + u32(mdatHead + bytes) + "mdat";
 }
 
-constexpr std::size_t mostMovieBytes = std::size_t{1} << 30;
+constexpr std::size_t maxMovieBytes = std::size_t{1} << 30;
 constexpr unsigned unitMask = 0x1F;
 constexpr unsigned sequenceUnit = 7, pictureUnit = 8;
 
@@ -285,7 +285,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     clock_.advance(ms);
     atMs_ += ms;
     take(encoded.value(), from);
-    return samples_.size() <= mostMovieBytes ? core::Status(core::Done{}) : fileError(path_, says::movieTooLong());
+    return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, says::movieTooLong());
 }
 
 /// Parameters go into the head of the file, all else is the sample.

@@ -52,8 +52,8 @@ Rgb aroundPair(const core::ColorImage& picture, int x, int y)
 }
 
 constexpr int blockPx = 16;
-constexpr int mostBlocks = 36864;   // MAX_MBS_PER_FRAME of openh264
-constexpr int mostSideBlocks = 543;   // of H.264 level 5.2: √(8 · 36,864)
+constexpr int maxBlocks = 36864;   // MAX_MBS_PER_FRAME of openh264
+constexpr int maxSideBlocks = 543;   // of H.264 level 5.2: √(8 · 36,864)
 constexpr int quality = 16;   // quantiser, 0 (best) … 51: no difference is seen
 constexpr unsigned wholeEvery = 30;   // pictures: players may start there
 constexpr float nominalRate = 30.0F;   // the file has the true times
@@ -170,7 +170,7 @@ H264Encoder::~H264Encoder() = default;
 bool canEncode(const MovieSize& size)
 {
     const int columns = blocksOf(size.width), rows = blocksOf(size.height);
-    return columns <= mostSideBlocks && rows <= mostSideBlocks && columns * rows <= mostBlocks;
+    return columns <= maxSideBlocks && rows <= maxSideBlocks && columns * rows <= maxBlocks;
 }
 
 core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)

@@ -91,7 +91,7 @@ core::Result<InputKind> kindByName(const std::string& path, std::string_view hea
 {
     static constexpr std::array<std::string_view, 8> images{".png",  ".tif", ".tiff",  ".jpg",
                                                             ".jpeg", ".dcm", ".dicom", ".ima"};
-    static constexpr std::array<std::string_view, 4> centrelines{".vtp", ".vtk", ".vtu", ".swc"};
+    static constexpr std::array<std::string_view, 4> centerlines{".vtp", ".vtk", ".vtu", ".swc"};
     static constexpr std::array<std::string_view, 6> poses{".tfm", ".mat", ".h5", ".yml", ".yaml", ".xml"};
     static constexpr std::array<std::string_view, 3> surfaces{".stl", ".ply", ".obj"};
     const std::string extension = extensionOf(path);
@@ -107,7 +107,7 @@ core::Result<InputKind> kindByName(const std::string& path, std::string_view hea
     if (extension == ".fcsv") {
         return InputKind::Points;
     }
-    if (isOneOf(centrelines, extension)) {
+    if (isOneOf(centerlines, extension)) {
         return InputKind::Centerline;
     }
     if (isOneOf(surfaces, extension)) {

@@ -5,7 +5,7 @@
 namespace angiopose::io {
 
 /// openCase as wished.
-core::Result<core::Case> openCaseWith(const CaseWish& wish, const std::string& path, core::Messages& warnings,
+core::Result<core::Case> openCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
                                       const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

@@ -1,7 +1,7 @@
 #include "io/opening/open_result.h"
 
 #include "core/case/case_views.h"
-#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/load_case_with.h"
@@ -78,15 +78,15 @@ core::Status checkContents(const std::vector<core::InputFile>& wanted, const Mov
 core::Result<core::Case> loadAsked(const Json& root, const ResultPlace& place, core::Messages& warnings,
                                    const ReadObserver& observe)
 {
-    CaseWish wish;
-    wish.text = root.at("case").dump();
-    wish.fullest = FullestFrame::NotNeeded;
-    const std::vector<core::InputFile> wanted = filesNamedBy(*wish.text, place.path);
+    CaseRequest request;
+    request.text = root.at("case").dump();
+    request.peak = PeakFrame::NotNeeded;
+    const std::vector<core::InputFile> wanted = filesNamedBy(*request.text, place.path);
     const auto places = placesOf(wanted, place, observe);
     if (!places) {
         return places.error();
     }
-    auto loaded = loadCaseWith(wish, place.path, warnings, observe, places.value());
+    auto loaded = loadCaseWith(request, place.path, warnings, observe, places.value());
     if (!loaded) {
         return loaded;
     }
@@ -103,7 +103,7 @@ core::Messages takeOverFound(core::View& view, const Json& json)
     core::RegistrationResult result;
     readFields(json, result, resultFields(), reading);
     if (json.contains("bent")) {
-        bentField().read(json.at("bent"), result, reading);
+        deformedField().read(json.at("bent"), result, reading);
     }
     result.provenance.frame = json.at("inputs").value("frame", view.frame);
     core::ViewGeometry geometry;
@@ -132,17 +132,17 @@ core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& war
     if (!loaded) {
         return loaded;
     }
-    core::Case theCase = std::move(loaded).value();
+    core::Case session = std::move(loaded).value();
     try {
         const Json results = root.value().contains("views") ? root.value()["views"] : Json::array({root.value()});
         const std::size_t first = results.at(0).at("view").get<std::size_t>() - 1;
         for (const Json& each : results) {
-            core::Messages problems = takeOverFound(theCase.views.at(each.at("view").get<std::size_t>() - 1), each);
+            core::Messages problems = takeOverFound(session.views.at(each.at("view").get<std::size_t>() - 1), each);
             if (!problems.empty()) {
                 return fileError(place.path, problems.front());
             }
         }
-        return core::showingView(std::move(theCase), first);
+        return core::showingView(std::move(session), first);
     } catch (const std::exception&) {   // a value of another kind
         return fileError(place.path, says::resultNotOne());
     }

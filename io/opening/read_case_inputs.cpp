@@ -45,8 +45,8 @@ core::Status findInputs(LoadedInputs& inputs, const std::string& path, const Ope
 
 namespace {
 
-core::Result<LoadedInputs> readCaseInputsWith(const CaseWish& wish, const std::string& path, const OpenHints& hints,
-                                              const ReadObserver& observe)
+core::Result<LoadedInputs> readCaseInputsWith(const CaseRequest& request, const std::string& path,
+                                              const OpenHints& hints, const ReadObserver& observe)
 {
     LoadedInputs inputs;
     if (const auto found = findInputs(inputs, path, hints, observe); !found) {
@@ -55,7 +55,7 @@ core::Result<LoadedInputs> readCaseInputsWith(const CaseWish& wish, const std::s
     if (!inputs.missing.empty()) {
         return inputs;
     }
-    auto loaded = loadCaseWith(wish, path, inputs.warnings, observe, inputs.moved);
+    auto loaded = loadCaseWith(request, path, inputs.warnings, observe, inputs.moved);
     if (!loaded) {
         return loaded.error();
     }
@@ -78,16 +78,16 @@ core::Result<core::Case> openCase(const std::string& path, core::Messages& warni
     return openCaseWith({}, path, warnings, observe);
 }
 
-core::Result<core::Case> openCaseWith(const CaseWish& wish, const std::string& path, core::Messages& warnings,
+core::Result<core::Case> openCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
                                       const ReadObserver& observe)
 {
-    auto read = readCaseInputsWith(wish, path, {}, observe);
+    auto read = readCaseInputsWith(request, path, {}, observe);
     if (!read) {
         return read.error();
     }
     LoadedInputs inputs = std::move(read).value();
     if (!inputs.wholeCase) {
-        return loadCaseWith(wish, path, warnings, observe,
+        return loadCaseWith(request, path, warnings, observe,
                             inputs.moved);   // says what is missing, or does without it
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());

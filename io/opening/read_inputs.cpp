@@ -61,7 +61,7 @@ core::Status addImage(LoadedInputs& inputs, const std::string& path)
 core::Status addTarget(LoadedInputs& inputs, const std::string& path)
 {
     if (inputs.target) {
-        return twice(path, says::openSecondCentreline);
+        return twice(path, says::openSecondCenterline);
     }
     auto target = readCenterline2d(path);
     if (!target) {

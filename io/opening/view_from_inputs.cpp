@@ -8,9 +8,9 @@ namespace angiopose::io {
 namespace {
 
 /// The image that was opened as a view of the case's vessels, at its start pose.
-core::View viewWithImage(const core::Case& theCase, const LoadedInputs& inputs)
+core::View viewWithImage(const core::Case& session, const LoadedInputs& inputs)
 {
-    core::Case blank = theCase;
+    core::Case blank = session;
     blank.shown() = {};
     LoadedInputs imageOnly;
     imageOnly.angiogram = inputs.angiogram;
@@ -24,7 +24,7 @@ core::View viewWithImage(const core::Case& theCase, const LoadedInputs& inputs)
 
 }   // namespace
 
-core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs& inputs, const std::string& path)
+core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs& inputs, const std::string& path)
 {
     if (inputs.wholeCase && inputs.wholeCase->shown().angiogram) {
         core::View view = inputs.wholeCase->shown();
@@ -35,9 +35,9 @@ core::Result<core::View> viewFrom(const core::Case& theCase, const LoadedInputs&
     if (!inputs.angiogram) {
         return core::Error(says::openNoAngiogram().about(path));
     }
-    const core::View& shown = theCase.shown();
-    core::View view = viewWithImage(theCase, inputs);
-    if (const auto fromShown = core::stepToView(shown, view, theCase.vessels)) {
+    const core::View& shown = session.shown();
+    core::View view = viewWithImage(session, inputs);
+    if (const auto fromShown = core::stepToView(shown, view, session.vessels)) {
         view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
         if (shown.initialCameraFromPatient) {   // vessels may have axes of their own, which angles know nothing about
             view.initialCameraFromPatient = fromShown.value().viewFromFirst * *shown.initialCameraFromPatient;

@@ -9,7 +9,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr double mostTicks = 8.0;
+constexpr double maxTicks = 8.0;
 
 /// "1e-4", but "0.01" … "1000" as they are.
 std::string powerOfTen(int exponent)
@@ -21,9 +21,9 @@ std::string powerOfTen(int exponent)
 /// 1, 2 or 5 times a power of ten, so that not too many fit into `range`.
 double roundStep(double range)
 {
-    const double power = std::pow(10.0, std::floor(std::log10(range / mostTicks)));
+    const double power = std::pow(10.0, std::floor(std::log10(range / maxTicks)));
     for (const double factor : {1.0, 2.0, 5.0}) {
-        if (range / (factor * power) <= mostTicks) {
+        if (range / (factor * power) <= maxTicks) {
             return factor * power;
         }
     }
@@ -45,7 +45,7 @@ std::vector<PlotTick> logarithmicTicks(const core::PlotAxis& axis)
 {
     const int first = static_cast<int>(std::ceil(std::log10(axis.min) - 1e-9));
     const int last = static_cast<int>(std::floor(std::log10(axis.max) + 1e-9));
-    const int stride = std::max(1, static_cast<int>(std::ceil((last - first + 1) / mostTicks)));
+    const int stride = std::max(1, static_cast<int>(std::ceil((last - first + 1) / maxTicks)));
     std::vector<PlotTick> ticks;
     for (int exponent = first; exponent <= last; exponent += stride) {
         ticks.push_back({std::pow(10.0, exponent), powerOfTen(exponent)});
@@ -64,7 +64,7 @@ constexpr double legendSample = 26.0;
 constexpr double characterWidth = 6.6;   // of the legend's font, about
 
 /// Distinct for colour-blind readers (Okabe and Ito 2008), the first for the method in question.
-constexpr std::array colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
+constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
 constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // the next one after all colours
 
 std::string number(double value)
@@ -94,8 +94,8 @@ std::string lineFrom(double x1, double y1, double x2, double y2, const std::stri
 
 std::string strokeOf(std::size_t index)
 {
-    const std::string dash = dashes[index / colours.size() % dashes.size()];
-    return "fill=\"none\" stroke=\"" + std::string(colours[index % colours.size()]) +
+    const std::string dash = dashes[index / colors.size() % dashes.size()];
+    return "fill=\"none\" stroke=\"" + std::string(colors[index % colors.size()]) +
            "\" stroke-width=\"2\" stroke-linejoin=\"round\"" +
            (dash.empty() ? "" : " stroke-dasharray=\"" + dash + "\"");
 }
@@ -185,7 +185,7 @@ private:
     static std::string dot(double x, double y, std::size_t index)
     {
         return "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"3.5\" fill=\"" +
-               std::string(colours[index % colours.size()]) + "\" fill-opacity=\"0.75\"/>\n";
+               std::string(colors[index % colors.size()]) + "\" fill-opacity=\"0.75\"/>\n";
     }
 
     std::string band(const core::PlotSeries& line, std::size_t index) const
@@ -200,7 +200,7 @@ private:
         for (std::size_t k = line.bands.size(); k-- > 0;) {
             points += point(line.points[k].x(), line.bands[k].low) + " ";
         }
-        return "<polygon points=\"" + points + "\" fill=\"" + std::string(colours[index % colours.size()]) +
+        return "<polygon points=\"" + points + "\" fill=\"" + std::string(colors[index % colors.size()]) +
                "\" fill-opacity=\"0.08\"/>\n";
     }
 

@@ -131,7 +131,7 @@ core::Result<DiffDrrParts> diffDrrOfJson(std::string_view text, const std::strin
             parts.detector = detectorOf(drr);
         }
         if (root.contains("volume_centre_lps")) {
-            parts.volumeCentreInPatient = vectorOf(root.at("volume_centre_lps"), "volume_centre_lps");
+            parts.volumeCenterInPatient = vectorOf(root.at("volume_centre_lps"), "volume_centre_lps");
         }
         return parts;
     } catch (const WrongKey& wrong) {
@@ -169,7 +169,7 @@ std::string diffDrrText(const core::DiffDrrView& view)
 {
     const core::DiffDrrDetector& detector = view.detector;
     const core::Vector6d parameters = core::diffDrrParameters(view.pose);
-    const Eigen::Vector3d& centre = view.volumeCentreInPatient;
+    const Eigen::Vector3d& center = view.volumeCenterInPatient;
     DrrJson root;
     root["format"] = "diffdrr-view";
     root["drr"] = {{"orientation", nameOf(detector.orientation)},
@@ -181,7 +181,7 @@ std::string diffDrrText(const core::DiffDrrView& view)
                    {"x0", detector.x0Mm},
                    {"y0", detector.y0Mm},
                    {"reverse_x_axis", detector.isXReversed}};
-    root["volume_centre_lps"] = {centre.x(), centre.y(), centre.z()};
+    root["volume_centre_lps"] = {center.x(), center.y(), center.z()};
     root["pose"] = rowsOf(view.pose);
     root["parameterization"] = "euler_angles";
     root["convention"] = "ZXY";

@@ -13,7 +13,7 @@ namespace angiopose::io {
 struct DiffDrrParts {
     std::optional<core::DiffDrrDetector> detector;
     std::optional<core::RigidTransform> pose;
-    std::optional<Eigen::Vector3d> volumeCentreInPatient;   ///< LPS mm
+    std::optional<Eigen::Vector3d> volumeCenterInPatient;   ///< LPS mm
 };
 
 /// JSON with the keys of DiffDRR, at the top or in `drr` (FORMATS §3.4). Fails naming the key that is wrong.

@@ -22,7 +22,7 @@ struct ItkTransform {
     std::vector<double> fixed;   ///< the centre; of Euler angles also whether their order is Z Y X
 };
 
-constexpr std::size_t mostParameters = 100;
+constexpr std::size_t maxParameters = 100;
 
 std::optional<std::vector<double>> numbersIn(std::string_view text)
 {
@@ -30,7 +30,7 @@ std::optional<std::vector<double>> numbersIn(std::string_view text)
     for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
         const std::string_view word = text.substr(0, text.find_first_of(" \t"));
         const auto value = parseNumber(word);
-        if (!value || values.size() > mostParameters) {
+        if (!value || values.size() > maxParameters) {
             return std::nullopt;
         }
         values.push_back(*value);
@@ -113,12 +113,12 @@ core::Result<core::RigidTransform> poseOf(const std::optional<ItkTransform>& tra
         return pose;
     }
     core::RigidTransform shifted = std::move(pose).value();
-    const Eigen::Vector3d centre = vectorAt(transform->fixed, 0);
-    if (!centre.isZero(0.0)) {
-        shifted.translation += centre - shifted.rotation * centre;
+    const Eigen::Vector3d center = vectorAt(transform->fixed, 0);
+    if (!center.isZero(0.0)) {
+        shifted.translation += center - shifted.rotation * center;
     }
     return shifted.translation.allFinite() ? core::Result<core::RigidTransform>(shifted)
-                                           : core::Error(says::poseCentreNotFinite());
+                                           : core::Error(says::poseCenterNotFinite());
 }
 
 /// A matrix of a MATLAB file, level 4.
@@ -146,7 +146,7 @@ std::optional<MatlabMatrix> takeMatrix(std::string_view& rest)
     const auto field = [&](std::size_t i) { return readUint32(rest.substr(4 * i), ByteOrder::Little); };
     const std::uint32_t type = field(0), rows = field(1), columns = field(2), nameSize = field(4);
     const bool isKnown = (type == 0 || type == singlePrecision) && field(3) == 0;
-    if (!isKnown || rows > mostParameters || columns != 1 || nameSize == 0 || nameSize > longestName) {
+    if (!isKnown || rows > maxParameters || columns != 1 || nameSize == 0 || nameSize > longestName) {
         return std::nullopt;
     }
     const std::size_t valuesSize = std::size_t{rows} * (type == 0 ? sizeof(double) : sizeof(float));

@@ -14,7 +14,7 @@ namespace {
 using MatrixJson = nlohmann::json;
 using Names = std::initializer_list<std::string_view>;
 
-constexpr std::size_t mostValues = 4096;
+constexpr std::size_t maxValues = 4096;
 
 const Names projectionNames{"P", "projection", "projection_matrix", "projectionMatrix"};
 const Names intrinsicNames{"K", "camera_matrix", "cameraMatrix", "intrinsic", "intrinsic_matrix", "intrinsics", "M"};
@@ -25,7 +25,7 @@ const Names distortionNames{"distortion_coefficients", "dist_coeffs", "distCoeff
 /// Numbers of nested arrays in their order; false where something else is among them.
 bool appendNumbers(const MatrixJson& json, std::vector<double>& values)
 {
-    if (json.is_number() && values.size() < mostValues) {
+    if (json.is_number() && values.size() < maxValues) {
         values.push_back(json.get<double>());
         return true;
     }
@@ -80,7 +80,7 @@ NamedMatrices matricesOfJson(std::string_view json)
     return matrices;
 }
 
-bool tellSight(const NamedMatrices& matrices)
+bool reportSight(const NamedMatrices& matrices)
 {
     const bool hasParts = find(matrices, intrinsicNames, {9}) && find(matrices, rotationNames, {3, 9}) &&
                           find(matrices, translationNames, {3});
@@ -89,7 +89,7 @@ bool tellSight(const NamedMatrices& matrices)
 
 core::Result<core::Sight> sightOf(const NamedMatrices& matrices)
 {
-    if (!tellSight(matrices)) {
+    if (!reportSight(matrices)) {
         return core::Error(says::exchangeNoPose());
     }
     for (const std::string_view name : distortionNames) {

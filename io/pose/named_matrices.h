@@ -18,7 +18,7 @@ using NamedMatrices = std::map<std::string, std::vector<double>, std::less<>>;
 NamedMatrices matricesOfJson(std::string_view json);
 
 /// Whether they tell a camera with its pose, by any of the usual names.
-bool tellSight(const NamedMatrices& matrices);
+bool reportSight(const NamedMatrices& matrices);
 
 /// P alone, or K with R (or rvec) and t; the image size where it is said, else 0. The message of a failure names no
 /// file.

@@ -12,7 +12,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostNumbers = 4096;
+constexpr std::size_t maxNumbers = 4096;
 constexpr std::string_view betweenNumbers = " \t\r\n,;[]";
 
 /// Appends the numbers of a part; false at the first word that is none. The dashes of a YAML list are passed over.
@@ -29,7 +29,7 @@ bool appendTo(std::vector<double>& numbers, std::string_view part)
             continue;
         }
         const auto number = parseNumber(word);
-        if (!number || numbers.size() >= mostNumbers) {
+        if (!number || numbers.size() >= maxNumbers) {
             return false;
         }
         numbers.push_back(*number);
@@ -108,7 +108,7 @@ NamedMatrices matricesOfYaml(std::string_view text)
             name = key;
         }
         const bool isList = rest.starts_with('[');
-        if ((!isTop && key != "data") || (!isList && !parseNumber(rest)) || matrices.size() > mostNumbers) {
+        if ((!isTop && key != "data") || (!isList && !parseNumber(rest)) || matrices.size() > maxNumbers) {
             continue;
         }
         std::vector<double>& values = matrices[name];

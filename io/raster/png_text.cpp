@@ -8,7 +8,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxKeyword = 79;   // PNG §11.3.4
-constexpr double metresPerInch = 0.0254;
+constexpr double metersPerInch = 0.0254;
 constexpr int quickLevel = 2;   // of zlib
 
 [[noreturn]] void refuse(png_struct*, const char* reason)
@@ -63,8 +63,8 @@ std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std:
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     }
     if (pixels.dotsPerInch > 0.0) {
-        const auto perMetre = static_cast<png_uint_32>(std::lround(pixels.dotsPerInch / metresPerInch));
-        png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);
+        const auto perMeter = static_cast<png_uint_32>(std::lround(pixels.dotsPerInch / metersPerInch));
+        png_set_pHYs(png, info, perMeter, perMeter, PNG_RESOLUTION_METER);
     }
     addTexts(png, info, texts);
     // Measured on overlays (D90): as small as with the usual level, in a fifth of its time.

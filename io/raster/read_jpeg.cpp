@@ -37,7 +37,7 @@ void countDamage(j_common_ptr decoder, int level)
 }
 
 /// Reads the header and starts decoding to grey or RGB.
-bool start(JpegState* state, std::string_view content, JpegColours colours)
+bool start(JpegState* state, std::string_view content, JpegColors colors)
 {
     state->decoder.err = jpeg_std_error(&state->errors);
     state->errors.error_exit = leave;
@@ -56,7 +56,7 @@ bool start(JpegState* state, std::string_view content, JpegColours colours)
         head.image_height < minSide || std::size_t{head.image_width} * head.image_height > maxPixels) {
         return false;
     }
-    if (colours == JpegColours::RgbUnlessMarked && head.num_components == 3 && !head.saw_Adobe_marker &&
+    if (colors == JpegColors::RgbUnlessMarked && head.num_components == 3 && !head.saw_Adobe_marker &&
         !head.saw_JFIF_marker) {
         state->decoder.jpeg_color_space = JCS_RGB;
     }
@@ -77,9 +77,9 @@ void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raste
 {
     core::ImageF& frame = raster.frames.front();
     const auto width = static_cast<std::size_t>(frame.width);
-    const bool isGrey = row.size() == width;
+    const bool isGray = row.size() == width;
     for (std::size_t x = 0; x < width; ++x) {
-        frame.pixels[y * width + x] = isGrey ? row[x] : raster.luminance(row[3 * x], row[3 * x + 1], row[3 * x + 2]);
+        frame.pixels[y * width + x] = isGray ? row[x] : raster.luminance(row[3 * x], row[3 * x + 1], row[3 * x + 2]);
     }
 }
 
@@ -95,11 +95,11 @@ void fillFrom(std::size_t firstMissingRow, core::ImageF& frame)
 
 }   // namespace
 
-std::optional<Raster> readJpeg(std::string_view content, JpegColours colours)
+std::optional<Raster> readJpeg(std::string_view content, JpegColors colors)
 {
     JpegState state{};
     std::optional<Raster> result;
-    if (start(&state, content, colours)) {
+    if (start(&state, content, colors)) {
         const auto& head = state.decoder;
         Raster raster;
         raster.frames.emplace_back(static_cast<int>(head.output_width), static_cast<int>(head.output_height));

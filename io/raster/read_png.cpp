@@ -77,7 +77,7 @@ bool readRows(png_struct* png, png_byte** rows)
 }
 
 template <class Sample>
-Raster greyFrom(const std::vector<png_byte>& bytes, int width, int height, std::size_t channels)
+Raster grayFrom(const std::vector<png_byte>& bytes, int width, int height, std::size_t channels)
 {
     const auto* samples = reinterpret_cast<const Sample*>(bytes.data());
     Raster raster;
@@ -115,8 +115,8 @@ core::Result<Raster> readPng(std::string_view content, const std::string& path)
         }
         const std::size_t channels = png_get_channels(reader.png, reader.info);
         const bool isWide = png_get_bit_depth(reader.png, reader.info) == 16;
-        const auto grey = isWide ? greyFrom<std::uint16_t> : greyFrom<std::uint8_t>;
-        return grey(bytes, static_cast<int>(width), static_cast<int>(height), channels);
+        const auto gray = isWide ? grayFrom<std::uint16_t> : grayFrom<std::uint8_t>;
+        return gray(bytes, static_cast<int>(width), static_cast<int>(height), channels);
     } catch (const std::bad_alloc&) {
         return fileError(path, says::fileLargerThanMemory());
     }

@@ -54,7 +54,7 @@ float Raster::luminance(float red, float green, float blue)
     if (red == green && green == blue) {
         return red;
     }
-    wasColour = true;
+    wasColor = true;
     return 0.299F * red + 0.587F * green + 0.114F * blue;
 }
 

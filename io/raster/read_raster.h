@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// Frames of a PNG, JPEG or (multi-page) TIFF as grey values.
 struct Raster {
     std::vector<core::ImageF> frames;
-    bool wasColour = false;   ///< channels differed; their luminance was taken
+    bool wasColor = false;   ///< channels differed; their luminance was taken
     bool hadAlpha = false;   ///< transparency was ignored
     bool isFlawed = false;   ///< damaged in part: what could be decoded is there
     int orientation = 1;   ///< tag of a frame that was turned or mirrored for it; 1: stored as shown

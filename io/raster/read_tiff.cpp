@@ -17,7 +17,7 @@ constexpr std::uint32_t smallestPageSide = 8;
 /// Whether a page is an angiogram's: grey values or colours, of no odd size.
 bool isPicture(const TiffPage& page)
 {
-    return (page.isGrey() || page.isColour()) && page.width >= smallestPageSide && page.height >= smallestPageSide &&
+    return (page.isGray() || page.isColor()) && page.width >= smallestPageSide && page.height >= smallestPageSide &&
            std::size_t{page.width} * page.height <= maxTiffPixels;
 }
 
@@ -36,7 +36,7 @@ float sampleAt(const std::vector<unsigned char>& row, std::size_t index, const T
     return value;
 }
 
-float greyAt(const std::vector<unsigned char>& row, std::size_t x, const TiffPage& page, Raster& raster)
+float grayAt(const std::vector<unsigned char>& row, std::size_t x, const TiffPage& page, Raster& raster)
 {
     const std::size_t first = x * page.channels;
     const float value = sampleAt(row, first, page);
@@ -58,7 +58,7 @@ bool appendPage(TIFF* file, const TiffPage& page, Raster& raster)
             return false;
         }
         for (std::uint32_t x = 0; x < page.width; ++x) {
-            frame.at(static_cast<int>(x), static_cast<int>(y)) = greyAt(row, x, page, raster);
+            frame.at(static_cast<int>(x), static_cast<int>(y)) = grayAt(row, x, page, raster);
         }
     }
     raster.hadAlpha |= page.channels == 2 || page.channels == 4;

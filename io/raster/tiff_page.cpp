@@ -21,12 +21,12 @@ bool isSizePlausible(const TiffPage& page)
 
 }   // namespace
 
-bool TiffPage::isGrey() const
+bool TiffPage::isGray() const
 {
     return channels <= 2 && (photometric == PHOTOMETRIC_MINISBLACK || photometric == PHOTOMETRIC_MINISWHITE);
 }
 
-bool TiffPage::isColour() const
+bool TiffPage::isColor() const
 {
     return (channels == 3 || channels == 4) && photometric == PHOTOMETRIC_RGB;
 }
@@ -48,7 +48,7 @@ std::optional<TiffPage> pageOf(TIFF* file)
     TIFFGetFieldDefaulted(file, TIFFTAG_COMPRESSION, &page.compression);
     TIFFGetFieldDefaulted(file, TIFFTAG_ORIENTATION, &page.orientation);
     TIFFGetField(file, TIFFTAG_PHOTOMETRIC, &page.photometric);
-    const bool isReadable = (page.isGrey() || page.isColour() || page.isPalette()) && isSampleKnown(page) &&
+    const bool isReadable = (page.isGray() || page.isColor() || page.isPalette()) && isSampleKnown(page) &&
                             isSizePlausible(page) && page.planes == PLANARCONFIG_CONTIG && !TIFFIsTiled(file) &&
                             TIFFScanlineSize64(file) == page.rowBytes();
     return isReadable ? std::optional(page) : std::nullopt;

@@ -19,8 +19,8 @@ struct TiffPage {
     std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
     std::uint16_t planes = PLANARCONFIG_CONTIG, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
 
-    bool isGrey() const;   ///< perhaps with an opacity
-    bool isColour() const;   ///< red, green, blue, perhaps an opacity
+    bool isGray() const;   ///< perhaps with an opacity
+    bool isColor() const;   ///< red, green, blue, perhaps an opacity
     bool isPalette() const;   ///< of 256 colours
     std::size_t rowBytes() const { return std::size_t{width} * channels * bits / 8; }
 };

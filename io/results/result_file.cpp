@@ -4,7 +4,7 @@
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
 #include "io/case/asked_case.h"
-#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/nameless_case.h"
@@ -26,11 +26,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What the tree calls its branches stands beside their ids.
-void nameBranches(Json& branches, const core::Case& theCase)
+void nameBranches(Json& branches, const core::Case& session)
 {
     for (Json& branch : branches) {
         const core::VesselBranch* known =
-            theCase.vessels.tree ? theCase.vessels.tree->find(branch.at("branch").get<int>()) : nullptr;
+            session.vessels.tree ? session.vessels.tree->find(branch.at("branch").get<int>()) : nullptr;
         if (known && !known->name.empty()) {
             branch["name"] = known->name;
         }
@@ -52,7 +52,7 @@ Json uidsOf(const core::StudyIdentity& identity)
 }
 
 /// File names only: results are passed around, and folders may name patients.
-Json inputsJson(const core::Case& theCase, const core::RegistrationResult& result)
+Json inputsJson(const core::Case& session, const core::RegistrationResult& result)
 {
     Json inputs = Json::object();
     const auto add = [&](const char* key, const core::InputFile& file, const core::StudyIdentity* identity) {
@@ -66,11 +66,11 @@ Json inputsJson(const core::Case& theCase, const core::RegistrationResult& resul
             inputs[key]["dicom"] = uids;
         }
     };
-    const auto& angiogram = theCase.shown().angiogram;
-    add("vessel", theCase.vessels.file, &theCase.vessels.scanIdentity);
-    add("angiogram", theCase.shown().imageFile, angiogram ? &angiogram->identity : nullptr);
-    add("centerline", exportedFileOf(theCase.shown().target), nullptr);
-    inputs["frame"] = result.provenance.frame.value_or(theCase.shown().frame);
+    const auto& angiogram = session.shown().angiogram;
+    add("vessel", session.vessels.file, &session.vessels.scanIdentity);
+    add("angiogram", session.shown().imageFile, angiogram ? &angiogram->identity : nullptr);
+    add("centerline", exportedFileOf(session.shown().target), nullptr);
+    inputs["frame"] = result.provenance.frame.value_or(session.shown().frame);
     return inputs;
 }
 
@@ -106,13 +106,13 @@ std::string withoutUids(const std::string& result)
 
 }   // namespace
 
-std::string resultJson(const core::Case& theCase, const core::RegistrationResult& result, const std::string& askedCase)
+std::string resultJson(const core::Case& session, const core::RegistrationResult& result, const std::string& askedCase)
 {
     Json root;
     root["format"] = "angiopose-result";
     root["version"] = 2;
-    root["view"] = theCase.shownView + 1;
-    root["title"] = theCase.title;
+    root["view"] = session.shownView + 1;
+    root["title"] = session.title;
     root.update(writeFields(result, resultFields(), {}));
     for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // there even where they are empty
         if (!root.contains(list)) {
@@ -122,25 +122,25 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
     if (!root.contains("programVersion")) {
         root["programVersion"] = ANGIOPOSE_VERSION;
     }
-    nameBranches(root["perBranch"], theCase);
-    nameBranches(root["unfilled"], theCase);
+    nameBranches(root["perBranch"], session);
+    nameBranches(root["unfilled"], session);
     root["warnings"] = sentencesOf(result.warnings);
-    root["inputs"] = inputsJson(theCase, result);
-    if (const core::Messages mismatch = core::findMismatch(theCase); !mismatch.empty()) {
+    root["inputs"] = inputsJson(session, result);
+    if (const core::Messages mismatch = core::findMismatch(session); !mismatch.empty()) {
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
-    if (result.bent) {
-        root["deformable"] = bentSummary(*result.bent);
-        if (result.bent->verdict != core::BendVerdict::Rigid) {
-            root["bent"] = bentField().write(result, {});
+    if (result.deformed) {
+        root["deformable"] = deformedSummary(*result.deformed);
+        if (result.deformed->verdict != core::DeformationVerdict::Rigid) {
+            root["bent"] = deformedField().write(result, {});
         }
     }
-    addGeometry(root, theCase.shown());
+    addGeometry(root, session.shown());
     if (!askedCase.empty()) {
         root["case"] = Json::parse(askedCase);
     }
-    if (!theCase.vessels.marks.empty()) {
-        root["checkPoints"] = Json::parse(checkPointJson(theCase));
+    if (!session.vessels.marks.empty()) {
+        root["checkPoints"] = Json::parse(checkPointJson(session));
     }
     // File names and titles need not be UTF-8; the result must be written all the same.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -148,7 +148,7 @@ std::string resultJson(const core::Case& theCase, const core::RegistrationResult
 
 std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names)
 {
-    const core::Case showing = core::showingView(registered.theCase, place);
+    const core::Case showing = core::showingView(registered.session, place);
     if (names == ResultNames::Kept) {
         return resultJson(showing, *showing.shown().result, askedCaseText(registered));
     }
@@ -157,9 +157,9 @@ std::string resultJson(const core::RegisteredCase& registered, std::size_t place
     return withoutUids(resultJson(nameless, *nameless.shown().result, asked));
 }
 
-std::string keptResultJson(const core::Case& theCase, ResultNames names)
+std::string keptResultJson(const core::Case& session, ResultNames names)
 {
-    core::Case ofRun = viewsOfItsRun(theCase);
+    core::Case ofRun = viewsOfItsRun(session);
     if (names == ResultNames::Kept) {
         return resultJson(ofRun, *ofRun.shown().result, askedCaseTextOfRun(ofRun));
     }
@@ -167,9 +167,9 @@ std::string keptResultJson(const core::Case& theCase, ResultNames names)
     return withoutUids(resultJson(ofRun, *ofRun.shown().result, askedCaseTextOfRun(ofRun)));
 }
 
-core::Status writeResult(const core::Case& theCase, const std::string& path)
+core::Status writeResult(const core::Case& session, const std::string& path)
 {
-    return writeAtomically(path, keptResultJson(theCase, ResultNames::Kept));
+    return writeAtomically(path, keptResultJson(session, ResultNames::Kept));
 }
 
 namespace {
@@ -196,7 +196,7 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
                            {"depthSigmaMm", joint.uncertainty.depthMm},
                            {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        const core::Case showing = core::showingView(registered.theCase, registered.places[k]);
+        const core::Case showing = core::showingView(registered.session, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result, askedCase));
         view.erase("deformable");   // of all views together: below
         view.erase("case");
@@ -210,8 +210,8 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
     if (!askedCase.empty()) {
         json["case"] = Json::parse(askedCase);
     }
-    if (const auto& bent = registered.result().bent) {
-        json["deformable"] = bentSummary(*bent);
+    if (const auto& deformed = registered.result().deformed) {
+        json["deformable"] = deformedSummary(*deformed);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
@@ -221,7 +221,7 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
 std::string registeredJson(const core::RegisteredCase& registered, const std::string& askedCase)
 {
     return registered.joint ? jointJson(registered, askedCase)
-                            : resultJson(registered.theCase, registered.result(), askedCase);
+                            : resultJson(registered.session, registered.result(), askedCase);
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,

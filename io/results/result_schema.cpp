@@ -1,6 +1,6 @@
 #include "io/results/result_schema.h"
 
-#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 
@@ -49,7 +49,7 @@ Json ownProperties()
             {"projection", projectionSchema()},
             {"geometry", objectSchema(propertiesOf(geometryFields()))},
             {"deformable", about(anything, "How far the vessels are bent (FORMATS, section 3.5).")},
-            {"bent", about(bentField().schema, "The same with the motion of every point.")},
+            {"bent", about(deformedField().schema, "The same with the motion of every point.")},
             {"checkPoints", listSchema(anything)},
             {"case", about(anything,
                            "What the registration began with: a case file (angiopose-case.schema.json) whose "

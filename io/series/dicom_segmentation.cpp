@@ -100,7 +100,7 @@ core::Result<core::LabelVolume> bitLabels(const Segmentation& segmentation, cons
     }
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
-        if (isStopWished(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
+        if (isStopRequested(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
             return stoppedReading(path);
         }
         const std::size_t start = firstVoxel(segmentation, k);
@@ -129,7 +129,7 @@ core::Result<core::LabelVolume> byteLabels(const Segmentation& segmentation, con
     const auto least = static_cast<float>(0.5 * largest);
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
-        if (isStopWished(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
+        if (isStopRequested(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
             return stoppedReading(path);
         }
         const auto frame = reader.value().frame(static_cast<int>(k));

@@ -45,7 +45,7 @@ core::Result<std::unique_ptr<OpenFile>> openFile(const std::string& path)
         return layout.error();
     }
     if (layout.value().samples != 1) {
-        return fileError(path, says::seriesColour());
+        return fileError(path, says::seriesColor());
     }
     auto reader = FrameReader::open(file, layout.value(), path);
     if (!reader) {
@@ -126,7 +126,7 @@ core::Result<ValueRange> rescaledRange(const DicomSeries& series, const ReadObse
     ValueRange range;
     SliceReader reader(series.slices);
     for (std::size_t i = 0; i < series.slices.size(); ++i) {
-        if (isStopWished(observe, static_cast<double>(i) / static_cast<double>(series.slices.size()))) {
+        if (isStopRequested(observe, static_cast<double>(i) / static_cast<double>(series.slices.size()))) {
             return stoppedReading(series.slices[i].path);
         }
         const auto image = reader.slice(i);
@@ -256,7 +256,7 @@ core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObser
     const ReadObserver observeLayers = partOf(observe, isTwoPass ? 0.5 : 0.0, 1.0);
     const std::size_t count = series.stack.layers.size();
     for (std::size_t k = 0; k < count; ++k) {
-        if (isStopWished(observeLayers, static_cast<double>(k) / static_cast<double>(count))) {
+        if (isStopRequested(observeLayers, static_cast<double>(k) / static_cast<double>(count))) {
             return stoppedReading(path);
         }
         if (const auto written = writeLayer(series, scale.value(), k, reader, volume); !written) {

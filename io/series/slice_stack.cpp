@@ -12,7 +12,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostGapsNamed = 3;
+constexpr std::size_t maxGapsNamed = 3;
 constexpr double slantToleranceMm = 0.05;   // less than this is rounding in the header
 constexpr double gridTolerance = 0.1;   // of a step: less is rounding in the header
 constexpr double wholeStepTolerance = 0.2;   // of a step: gaps this close to whole multiples are missing slices
@@ -94,10 +94,10 @@ core::Message gaps(const std::vector<double>& places, double step)
             before.push_back(std::to_string(i));
         }
     }
-    if (before.size() <= mostGapsNamed) {
+    if (before.size() <= maxGapsNamed) {
         return says::afterSlices(before);
     }
-    before.resize(mostGapsNamed);
+    before.resize(maxGapsNamed);
     return says::afterSlicesAndElsewhere(before);
 }
 

@@ -68,10 +68,10 @@ std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 /// slices of one between those of another. Where a few slices are missing they are one.
 std::vector<Slices> splitAcquisitions(const Slices& sorted)
 {
-    constexpr std::size_t leastSlices = 3, missingOf = 8;
+    constexpr std::size_t minSlices = 3, missingOf = 8;
     std::vector<Slices> parts = splitByKey(sorted, 0);
     if (parts.size() < 2 || !std::ranges::all_of(parts, [](const Slices& part) {
-            return part.size() >= leastSlices && missingOnGrid(part) == std::size_t{0};
+            return part.size() >= minSlices && missingOnGrid(part) == std::size_t{0};
         })) {
         return {};
     }

@@ -52,7 +52,7 @@ std::string timeNow()
     return SignalTime(std::chrono::duration_cast<std::chrono::seconds>(now).count()).text.data();
 }
 
-constexpr std::size_t mostWaiting = 200;
+constexpr std::size_t maxWaiting = 200;
 constexpr std::chrono::seconds longestWait{2};   // what a killed program may leave out
 
 }   // namespace
@@ -125,7 +125,7 @@ void AuditBatch::add(const std::string& path)
 void AuditBatch::noteWhenDue()
 {
     const bool hasWaited = std::chrono::steady_clock::now() - waitsSince_ >= longestWait;
-    if (record_.paths.size() >= mostWaiting || (!record_.paths.empty() && hasWaited)) {
+    if (record_.paths.size() >= maxWaiting || (!record_.paths.empty() && hasWaited)) {
         noteAll();
     }
 }

@@ -61,9 +61,9 @@ void addView(const core::View& view, Redaction& redaction)
 }
 
 /// How an element tells: by a name or number, by words, or not at all.
-enum class Telling { Nothing, Name, Words };
+enum class Informative { Nothing, Name, Words };
 
-Telling tellingOf(DcmEVR vr)
+Informative informativeOf(DcmEVR vr)
 {
     switch (vr) {
         case EVR_PN:
@@ -71,16 +71,16 @@ Telling tellingOf(DcmEVR vr)
         case EVR_DA:
         case EVR_DT:
         case EVR_SH:
-            return Telling::Name;
+            return Informative::Name;
         case EVR_LO:
         case EVR_ST:
         case EVR_LT:
         case EVR_UT:
         case EVR_UC:
         case EVR_AE:
-            return Telling::Words;
+            return Informative::Words;
         default:
-            return Telling::Nothing;
+            return Informative::Nothing;
     }
 }
 
@@ -90,10 +90,10 @@ void addElements(const DicomDataset& data, int depth, Redaction& redaction)
         for (unsigned long i = 0; i < layer->card(); ++i) {
             const DcmElement* element = layer->getElement(i);
             const DicomTag tag = (static_cast<DicomTag>(element->getGTag()) << 16) | element->getETag();
-            const Telling telling = tellingOf(element->getVR());
-            if (telling == Telling::Name) {
+            const Informative informative = informativeOf(element->getVR());
+            if (informative == Informative::Name) {
                 redaction.addName(utf8Text(data, tag));
-            } else if (telling == Telling::Words) {
+            } else if (informative == Informative::Words) {
                 redaction.addText(utf8Text(data, tag));
             }
         }
@@ -185,7 +185,7 @@ void writeResult(std::ostream& out, const core::RegistrationResult& result)
     out << "  result: method " << result.method << ", " << core::toText(result.stopReason) << ", " << result.iterations
         << " iterations, median " << result.metrics.medianPx << " px, "
         << (result.trustworthy ? "trustworthy" : "not trustworthy") << ", " << result.alternatives.size()
-        << " alternatives, bent " << (result.bent != nullptr) << "\n";
+        << " alternatives, bent " << (result.deformed != nullptr) << "\n";
     writeMessages(out, "verdict", result.warnings);
 }
 
@@ -240,17 +240,17 @@ void writeOptions(std::ostream& out, const core::RegistrationOptions& options)
 
 }   // namespace
 
-void addIdentifiers(const core::Case& theCase, Redaction& redaction)
+void addIdentifiers(const core::Case& session, Redaction& redaction)
 {
-    redaction.addText(theCase.title);
-    for (const core::InputFile* file : {&theCase.vessels.file, &theCase.vessels.scanFile}) {
+    redaction.addText(session.title);
+    for (const core::InputFile* file : {&session.vessels.file, &session.vessels.scanFile}) {
         redaction.addPath(file->path);
     }
-    redaction.addName(theCase.vessels.scanSeriesId);
-    addIdentity(theCase.vessels.scanIdentity, redaction);
-    addNames(theCase.vessels.marks, redaction);
-    addNames(theCase.vessels.measurements, redaction);
-    for (const core::View& view : theCase.views) {
+    redaction.addName(session.vessels.scanSeriesId);
+    addIdentity(session.vessels.scanIdentity, redaction);
+    addNames(session.vessels.marks, redaction);
+    addNames(session.vessels.measurements, redaction);
+    for (const core::View& view : session.views) {
         addView(view, redaction);
     }
 }
@@ -277,16 +277,16 @@ void addIdentifiersOfFile(const std::string& path, Redaction& redaction)
     }
 }
 
-std::string caseSummary(const core::Case& theCase)
+std::string caseSummary(const core::Case& session)
 {
     std::ostringstream out;
     out.imbue(std::locale::classic());
     out << std::setprecision(6) << std::boolalpha;
-    writeVessels(out, theCase.vessels);
-    writeOptions(out, theCase.options);
-    out << "views: " << theCase.views.size() << ", shown " << theCase.shownView + 1 << "\n";
-    for (std::size_t i = 0; i < theCase.views.size(); ++i) {
-        writeView(out, theCase.views[i], i + 1);
+    writeVessels(out, session.vessels);
+    writeOptions(out, session.options);
+    out << "views: " << session.views.size() << ", shown " << session.shownView + 1 << "\n";
+    for (std::size_t i = 0; i < session.views.size(); ++i) {
+        writeView(out, session.views[i], i + 1);
     }
     return out.str();
 }

@@ -50,8 +50,8 @@ std::vector<std::string> filesOf(const std::vector<DicomSeries>& all, const Dico
 
 class InputCopier {
 public:
-    InputCopier(const fs::path& folder, const CopyWish& wish, const ReadObserver& observe)
-        : folder_(folder), wish_(wish), observe_(observe)
+    InputCopier(const fs::path& folder, const CopyRequest& request, const ReadObserver& observe)
+        : folder_(folder), request_(request), observe_(observe)
     {
     }
 
@@ -88,15 +88,15 @@ public:
             return image.error();
         }
         view.imageFile = {image.value(), {}};
-        if (wish_.deidentified) {
-            nameAnew(view);
+        if (request_.deidentified) {
+            assignNewUids(view);
         }
         const bool isGiven = !view.target.file.path.empty() && !view.target.editedFrame;
         if (isGiven) {
             return copyTarget(view.target, name + "-curves");
         }
         view.target.file = {};   // edited curves are written by saving
-        view.followed.bendsFile = {};
+        view.followed.deformationsFile = {};
         return core::Done{};
     }
 
@@ -130,7 +130,7 @@ private:
     /// Without identity the curves alone, written anew: tables can hold what nobody reads.
     core::Status copyTarget(core::GivenTarget& target, const std::string& name)
     {
-        if (wish_.deidentified && target.centerline) {
+        if (request_.deidentified && target.centerline) {
             const std::string place = placeFor(name + ".csv");
             const auto written = writeCenterline2d(*target.centerline, place);
             return written ? named(target.file, place) : written;
@@ -149,12 +149,12 @@ private:
 
     core::Status copyImageFile(const std::string& path, const fs::path& place)
     {
-        if (!wish_.deidentified) {
+        if (!request_.deidentified) {
             return copied(path, place);
         }
         std::error_code ignored;
         fs::create_directories(place.parent_path(), ignored);   // writing tells where that failed
-        const auto done = deidentifyFile(path, place.string(), *wish_.deidentified, wish_.pseudonyms);
+        const auto done = deidentifyFile(path, place.string(), *request_.deidentified, request_.pseudonyms);
         if (!done) {
             return done.error();
         }
@@ -163,7 +163,7 @@ private:
     }
 
     /// What the case keeps of its image's header follows the pseudonyms.
-    void nameAnew(core::View& view) const
+    void assignNewUids(core::View& view) const
     {
         if (!view.angiogram) {
             return;
@@ -185,8 +185,8 @@ private:
     {
         auto place = vessels.input.kind == VesselInputKind::Volume
                          ? copyVolume(vessels.file.path, "vessels", vessels.input.seriesId)
-                     : wish_.deidentified ? rewritten(vessels)
-                                          : copyPlain(vessels.file.path, "vessels" + extensionOf(vessels.file.path));
+                     : request_.deidentified ? rewritten(vessels)
+                                             : copyPlain(vessels.file.path, "vessels" + extensionOf(vessels.file.path));
         return place ? named(vessels.file, place.value()) : core::Status(place.error());
     }
 
@@ -228,7 +228,7 @@ private:
         if (isFolder(path) || isDicomFile(path)) {
             return copySeries(path, name, seriesId);
         }
-        if (!wish_.deidentified) {
+        if (!request_.deidentified) {
             return copyPlain(path, name + extensionOf(path));
         }
         const auto volume = readVolume(path, {}, observe_);
@@ -261,8 +261,8 @@ private:
             }
         }
         const std::string uid = wanted->id.substr(0, wanted->id.find('#'));
-        if (wish_.deidentified) {
-            seriesId = uid.empty() ? std::string() : wish_.pseudonyms.uid(uid) + wanted->id.substr(uid.size());
+        if (request_.deidentified) {
+            seriesId = uid.empty() ? std::string() : request_.pseudonyms.uid(uid) + wanted->id.substr(uid.size());
         } else {
             seriesId = wanted->id;
         }
@@ -270,26 +270,26 @@ private:
     }
 
     const fs::path& folder_;
-    const CopyWish& wish_;
+    const CopyRequest& request_;
     const ReadObserver& observe_;
     core::Messages warnings_;
 };
 
 }   // namespace
 
-core::Result<core::Messages> copyInputs(core::Case& theCase, const fs::path& folder, const CopyWish& wish,
+core::Result<core::Messages> copyInputs(core::Case& session, const fs::path& folder, const CopyRequest& request,
                                         const ReadObserver& observe)
 {
-    InputCopier copier(folder, wish, observe);
-    if (const auto done = copier.copyVessels(theCase.vessels); !done) {
+    InputCopier copier(folder, request, observe);
+    if (const auto done = copier.copyVessels(session.vessels); !done) {
         return done.error();
     }
-    for (std::size_t k = 0; k < theCase.views.size(); ++k) {
-        if (const auto done = copier.copyView(theCase.views[k], k + 1); !done) {
+    for (std::size_t k = 0; k < session.views.size(); ++k) {
+        if (const auto done = copier.copyView(session.views[k], k + 1); !done) {
             return done.error();
         }
-        if (isStopWished(observe, static_cast<double>(k + 1) / static_cast<double>(theCase.views.size()))) {
-            return stoppedReading(theCase.views[k].imageFile.path);
+        if (isStopRequested(observe, static_cast<double>(k + 1) / static_cast<double>(session.views.size()))) {
+            return stoppedReading(session.views[k].imageFile.path);
         }
     }
     return std::move(copier).warnings();

@@ -10,7 +10,7 @@
 namespace angiopose::io {
 
 /// How inputs go into a pack: as they are, or without identity.
-struct CopyWish {
+struct CopyRequest {
     std::optional<Deidentification> deidentified;
     const Pseudonyms& pseudonyms;
 };
@@ -19,7 +19,7 @@ struct CopyWish {
 /// ("vessels.vtp", "view-1.dcm", "scan/00001.dcm"), and has the case name the copies; views that stand in cases of
 /// their own become views of this one. Hashes are left to saving. Fails where an input that the case opens with cannot
 /// be copied; what it opens without is left out with a warning.
-core::Result<core::Messages> copyInputs(core::Case& theCase, const std::filesystem::path& folder, const CopyWish& wish,
-                                        const ReadObserver& observe);
+core::Result<core::Messages> copyInputs(core::Case& session, const std::filesystem::path& folder,
+                                        const CopyRequest& request, const ReadObserver& observe);
 
 }   // namespace angiopose::io

@@ -5,7 +5,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t tellingDigits = 5;
+constexpr std::size_t significantDigits = 5;
 
 /// Bytes of a sign that is a word by itself, as in Chinese.
 std::size_t signAt(std::string_view text)
@@ -28,7 +28,7 @@ bool isNumber(std::string_view word)
     return std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-constexpr std::ptrdiff_t leastUidDots = 4;
+constexpr std::ptrdiff_t minUidDots = 4;
 
 bool isDigit(char c)
 {
@@ -59,7 +59,7 @@ std::size_t uidAt(std::string_view text)
     while (run.ends_with('.')) {
         run.remove_suffix(1);
     }
-    return std::ranges::count(run, '.') >= leastUidDots ? run.size() : 0;
+    return std::ranges::count(run, '.') >= minUidDots ? run.size() : 0;
 }
 
 /// "19620314", also with a time behind it.
@@ -113,13 +113,13 @@ std::string KnownWords::only(std::string_view text) const
         const std::string_view word = rest.substr(0, std::max<std::size_t>(size, 1));
         rest.remove_prefix(word.size());
         const bool isLetThrough = size == 0 || word.size() == 1 || words_.contains(foldedText(word)) ||
-                                  (isNumber(word) && word.size() < tellingDigits);
+                                  (isNumber(word) && word.size() < significantDigits);
         kept += isLetThrough ? word : std::string_view("[…]");
     }
     return kept;
 }
 
-std::string withoutTellingNumbers(std::string_view text)
+std::string withoutInformativeNumbers(std::string_view text)
 {
     std::string clean;
     for (std::size_t at = 0; at < text.size();) {

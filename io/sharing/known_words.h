@@ -59,6 +59,6 @@ private:
 };
 
 /// `text` with "[uid]" and "[date]" in place of UIDs and of dates in any usual form.
-std::string withoutTellingNumbers(std::string_view text);
+std::string withoutInformativeNumbers(std::string_view text);
 
 }   // namespace angiopose::io

@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr double sameLength = 0.002;   ///< of trees traced from voxels that were stored again
 
-double lengthMm(const core::Case& theCase)
+double lengthMm(const core::Case& session)
 {
     double sum = 0.0;
-    if (theCase.vessels.tree) {
-        for (const core::VesselBranch& branch : theCase.vessels.tree->branches) {
+    if (session.vessels.tree) {
+        for (const core::VesselBranch& branch : session.vessels.tree->branches) {
             for (std::size_t n = 1; n < branch.pointsInPatient.size(); ++n) {
                 sum += (branch.pointsInPatient[n] - branch.pointsInPatient[n - 1]).norm();
             }
@@ -64,8 +64,8 @@ std::optional<core::Message> difference(const core::Case& from, const core::Case
 
 }   // namespace
 
-core::Result<core::Messages> packCase(const core::Case& theCase, const std::string& archivePath, const CopyWish& wish,
-                                      const ReadObserver& observe)
+core::Result<core::Messages> packCase(const core::Case& session, const std::string& archivePath,
+                                      const CopyRequest& request, const ReadObserver& observe)
 {
     if (extensionOf(archivePath) != ".zip") {
         return fileError(archivePath, says::packedFormat());
@@ -74,13 +74,13 @@ core::Result<core::Messages> packCase(const core::Case& theCase, const std::stri
     if (const auto made = scratch.make(); !made) {
         return made.error();
     }
-    core::Case packed = theCase;
-    auto copied = copyInputs(packed, scratch.path(), wish, partOf(observe, 0.0, 0.4));
+    core::Case packed = session;
+    auto copied = copyInputs(packed, scratch.path(), request, partOf(observe, 0.0, 0.4));
     if (!copied) {
         return copied.error();
     }
     core::Messages warnings = std::move(copied).value();
-    if (wish.deidentified) {
+    if (request.deidentified) {
         if (const std::size_t count = clearTexts(packed); count > 0) {
             warnings.push_back(says::textsCleared(count));
         }
@@ -95,8 +95,8 @@ core::Result<core::Messages> packCase(const core::Case& theCase, const std::stri
         return reopened.isStopped() ? reopened.error()
                                     : fileError(archivePath, says::packedDiffers(reopened.error().message));
     }
-    const bool mayPixelsDiffer = wish.deidentified && wish.deidentified->letters == DrawnLetters::BlackedOut;
-    if (const auto differs = difference(theCase, reopened.value(), mayPixelsDiffer)) {
+    const bool mayPixelsDiffer = request.deidentified && request.deidentified->letters == DrawnLetters::BlackedOut;
+    if (const auto differs = difference(session, reopened.value(), mayPixelsDiffer)) {
         return fileError(archivePath, says::packedDiffers(*differs));
     }
     const auto written = writeZip(scratch.path().string(), archivePath);
@@ -104,14 +104,14 @@ core::Result<core::Messages> packCase(const core::Case& theCase, const std::stri
 }
 
 core::Result<core::Messages> packCaseFile(const std::string& casePath, const std::string& archivePath,
-                                          const CopyWish& wish, const ReadObserver& observe)
+                                          const CopyRequest& request, const ReadObserver& observe)
 {
     core::Messages warnings;
     const auto loaded = loadCase(casePath, warnings, partOf(observe, 0.0, 0.4));
     if (!loaded) {
         return loaded.error();
     }
-    auto packed = packCase(loaded.value(), archivePath, wish, partOf(observe, 0.4, 1.0));
+    auto packed = packCase(loaded.value(), archivePath, request, partOf(observe, 0.4, 1.0));
     if (!packed) {
         return packed.error();
     }

@@ -11,11 +11,11 @@ namespace angiopose::io {
 /// as `clearTexts`, results sealed anew. Before the archive is written the packed case is opened and compared: views,
 /// pixels, vessels and results must be there. Warnings name what to look at. Nothing is left behind when it fails or is
 /// stopped.
-core::Result<core::Messages> packCase(const core::Case& theCase, const std::string& archivePath, const CopyWish& wish,
-                                      const ReadObserver& observe = {});
+core::Result<core::Messages> packCase(const core::Case& session, const std::string& archivePath,
+                                      const CopyRequest& request, const ReadObserver& observe = {});
 
 /// The same of a case file, with the warnings of opening it.
 core::Result<core::Messages> packCaseFile(const std::string& casePath, const std::string& archivePath,
-                                          const CopyWish& wish, const ReadObserver& observe = {});
+                                          const CopyRequest& request, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

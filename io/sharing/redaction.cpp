@@ -10,7 +10,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t leastWordBytes = 3;
+constexpr std::size_t minWordBytes = 3;
 constexpr std::size_t boundlessBytes = 6;   // as long an identifier goes wherever it stands, in the middle of words too
 constexpr char hidden = '\x01';   // in place of an identifier until all are found
 
@@ -125,7 +125,7 @@ void Redaction::addName(std::string_view name)
 {
     add(name);
     eachWordOf(name, [this](std::string_view word) {
-        if (word.size() >= leastWordBytes) {
+        if (word.size() >= minWordBytes) {
             add(word);
         }
     });
@@ -134,12 +134,12 @@ void Redaction::addName(std::string_view name)
 void Redaction::addText(std::string_view text)
 {
     const bool isOfTrade = isTradeWord(foldedText(text));
-    if (!isOfTrade && text.size() >= leastWordBytes) {
+    if (!isOfTrade && text.size() >= minWordBytes) {
         add(text);
     }
     eachWordOf(text, [this](std::string_view word) {
         const bool isNumber = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
-        if (word.size() >= (isNumber ? 5 : leastWordBytes) && !isTradeWord(foldedText(word))) {
+        if (word.size() >= (isNumber ? 5 : minWordBytes) && !isTradeWord(foldedText(word))) {
             add(word);
         }
     });
@@ -167,7 +167,7 @@ std::string Redaction::cleaned(std::string_view text) const
     for (const std::string& identifier : identifiers_) {
         hide(identifier, clean, folded);
     }
-    clean = withoutTellingNumbers(withoutPlaces(clean));
+    clean = withoutInformativeNumbers(withoutPlaces(clean));
     std::string readable;
     for (const char c : clean) {
         readable += c == hidden ? std::string("[name]") : std::string(1, c);

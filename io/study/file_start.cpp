@@ -30,7 +30,7 @@ core::Result<FileStart> readStart(const std::string& path, std::size_t size, con
     const std::size_t wanted = std::min(size, start.fileSize);
     start.bytes.resize(wanted);
     for (std::size_t at = 0; at < wanted;) {
-        if (isStopWished(observe, static_cast<double>(at) / static_cast<double>(wanted))) {
+        if (isStopRequested(observe, static_cast<double>(at) / static_cast<double>(wanted))) {
             return stoppedReading(path);
         }
         const std::size_t got = file.read(start.bytes.data() + at, std::min(blockSize, wanted - at));

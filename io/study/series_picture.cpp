@@ -17,7 +17,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t headBytes = std::size_t{1} << 20;
-constexpr std::size_t mostPictureBytes = std::size_t{512} << 20;
+constexpr std::size_t maxPictureBytes = std::size_t{512} << 20;
 constexpr double lowestHu = -250.0, highestHu = 650.0;   // soft tissue to contrast medium
 constexpr std::size_t wholeFile = std::numeric_limits<std::size_t>::max();
 
@@ -66,7 +66,7 @@ core::Result<ReadFrame> readFrame(const std::string& path, std::optional<int> wa
         }
         const FileStart& start = read.value();
         const auto parsed = parseDicom(start.bytes, path);
-        const bool isEnough = start.isWhole() || size >= mostPictureBytes;
+        const bool isEnough = start.isWhole() || size >= maxPictureBytes;
         if (!isEnough && (!parsed || parsed.value().pixels.empty())) {
             size *= 4;
             continue;
@@ -82,7 +82,7 @@ core::Result<ReadFrame> readFrame(const std::string& path, std::optional<int> wa
         const int frame = std::clamp(wanted.value_or(layout.frames / 2), 0, std::max(layout.frames - 1, 0));
         const std::size_t needed = bytesUpTo(parsed.value(), layout, start.bytes, frame);
         if (!isEnough && needed > start.bytes.size()) {
-            size = std::min(needed, mostPictureBytes);
+            size = std::min(needed, maxPictureBytes);
             continue;
         }
         if (needed != wholeFile) {

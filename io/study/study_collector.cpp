@@ -136,7 +136,7 @@ void StudyCollector::judge(StudySeries& each, const Facts& facts) const
     } else if (!each.series.isAngiogram && !hasVessels(modality)) {
         each.reason = says::studyModality(modality);
     } else if (!each.series.isAngiogram && facts.samples != 1) {
-        each.reason = says::seriesColour();
+        each.reason = says::seriesColor();
     } else if (each.series.problem) {
         each.reason = each.series.problem;
     } else {

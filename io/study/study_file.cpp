@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t firstBytes = std::size_t{64} << 10;   // holds the header of nearly every slice and run
 constexpr std::size_t growth = 4;
-constexpr std::size_t mostHeaderBytes = std::size_t{64} << 20;
+constexpr std::size_t maxHeaderBytes = std::size_t{64} << 20;
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 
 /// Whether the file holds all the plain pixels that its header declares.
@@ -93,7 +93,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
             return std::optional<StudyFile>();
         }
         const auto parsed = parseDicom(start.bytes, path);
-        const bool isLast = start.isWhole() || size >= mostHeaderBytes;
+        const bool isLast = start.isWhole() || size >= maxHeaderBytes;
         if (parsed && (isLast || !parsed.value().pixels.empty())) {
             return std::optional(studyFileOf(parsed.value(), start, path));
         }

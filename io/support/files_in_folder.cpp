@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t mostFilesInFolder = 50'000;
+constexpr std::size_t maxFilesInFolder = 50'000;
 constexpr int deepestFolder = 8;
 
 }   // namespace
@@ -25,7 +25,7 @@ core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, 
         return fileError(folder, says::folderNotRead(failed.message()));
     }
     for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
-        if (failed || files.size() > mostFilesInFolder) {
+        if (failed || files.size() > maxFilesInFolder) {
             return fileError(folder, failed ? says::folderNotReadToEnd() : says::folderTooFull());
         }
         if (reach == Reach::FolderOnly || at.depth() >= deepestFolder) {

@@ -1,7 +1,7 @@
 #include "io/support/message_json.h"
 
-#include "core/messages/catalogue.h"
-#include "io/messages/catalogue.h"
+#include "core/messages/catalog.h"
+#include "io/messages/catalog.h"
 
 #include <cmath>
 #include <mutex>
@@ -78,8 +78,8 @@ core::MessageArgument argumentOf(const MessageJson& json)
 
 const core::MessageEntry* findEntry(const std::string& id)
 {
-    for (const auto catalogue : {core::messageCatalogue(), io::messageCatalogue()}) {
-        for (const core::MessageEntry* entry : catalogue) {
+    for (const auto catalog : {core::messageCatalog(), io::messageCatalog()}) {
+        for (const core::MessageEntry* entry : catalog) {
             if (id == entry->id) {
                 return entry;
             }

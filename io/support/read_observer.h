@@ -13,7 +13,7 @@ namespace angiopose::io {
 /// Its Stop ends the reading; what was read is dropped.
 using ReadObserver = std::function<core::Verdict(double fraction)>;
 
-inline bool isStopWished(const ReadObserver& observe, double fraction)
+inline bool isStopRequested(const ReadObserver& observe, double fraction)
 {
     return observe && observe(fraction) == core::Verdict::Stop;
 }

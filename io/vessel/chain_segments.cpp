@@ -17,15 +17,15 @@ public:
         : unused_(segments), meetings_(meetings)
     {
         for (const auto& [from, to] : segments) {
-            neighbours_[from].push_back(to);
-            neighbours_[to].push_back(from);
+            neighbors_[from].push_back(to);
+            neighbors_[to].push_back(from);
         }
     }
 
     std::vector<std::vector<std::size_t>> chains()
     {
         std::vector<std::vector<std::size_t>> result;
-        for (const auto& [point, next] : neighbours_) {
+        for (const auto& [point, next] : neighbors_) {
             if (isEnd(point)) {
                 for (const std::size_t second : next) {
                     follow(point, second, result);
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    bool isEnd(std::size_t point) const { return neighbours_.at(point).size() != 2 || meetings_.contains(point); }
+    bool isEnd(std::size_t point) const { return neighbors_.at(point).size() != 2 || meetings_.contains(point); }
 
     void follow(std::size_t start, std::size_t second, std::vector<std::vector<std::size_t>>& result)
     {
@@ -50,7 +50,7 @@ private:
             if (isEnd(next) || next == start) {
                 break;
             }
-            const std::vector<std::size_t>& around = neighbours_[next];
+            const std::vector<std::size_t>& around = neighbors_[next];
             next = around[0] == chain[chain.size() - 2] ? around[1] : around[0];
         }
         if (chain.size() > 1) {
@@ -58,7 +58,7 @@ private:
         }
     }
 
-    std::map<std::size_t, std::vector<std::size_t>> neighbours_;
+    std::map<std::size_t, std::vector<std::size_t>> neighbors_;
     std::set<Segment> unused_;
     const std::set<std::size_t>& meetings_;
 };

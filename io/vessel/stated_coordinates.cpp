@@ -125,8 +125,8 @@ std::optional<double> lengthUnitMm(std::string_view word)
         {"micrometer", 1e-3}, {"nanometer", 1e-6}};
     std::string name = lowered(trimmed(word));
     std::erase_if(name, [](char c) { return c == ' ' || c == '-'; });
-    if (const std::size_t metre = name.find("metre"); metre != std::string::npos) {
-        name.replace(metre, 5, "meter");
+    if (const std::size_t meter = name.find("metre"); meter != std::string::npos) {
+        name.replace(meter, 5, "meter");
     }
     if (name.ends_with("meters") || name.ends_with("microns")) {
         name.pop_back();

@@ -89,10 +89,10 @@ std::string textOf(const std::vector<WrittenRow>& rows)
 /// Whether the way from the last point to `place` goes on as the curve ends, by 60° at most.
 bool pointsTo(const std::vector<Eigen::Vector3d>& curve, const Eigen::Vector3d& place)
 {
-    constexpr double leastAgreement = 0.5;
+    constexpr double minAgreement = 0.5;
     const Eigen::Vector3d onward = place - curve.back();
     const Eigen::Vector3d direction = curve.back() - curve[curve.size() - std::min<std::size_t>(curve.size(), 4)];
-    return onward.dot(direction) >= leastAgreement * onward.norm() * direction.norm();
+    return onward.dot(direction) >= minAgreement * onward.norm() * direction.norm();
 }
 
 class SwcWriter {

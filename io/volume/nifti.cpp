@@ -150,7 +150,7 @@ std::optional<core::Message> findUnsupported(const NiftiHeader& header)
         return says::volumeSeveralNifti(volumes);
     }
     if (header.datatype == 128 || header.datatype == 2304) {
-        return says::volumeColours();
+        return says::volumeColors();
     }
     if (!typeOf(header.datatype)) {
         return says::volumeNiftiType(header.datatype);
@@ -162,13 +162,13 @@ std::optional<core::Message> findUnsupported(const NiftiHeader& header)
 }
 
 /// Where voxels can begin at the earliest: behind the header, and in a single file behind its four bytes of extension.
-std::uint64_t leastOffset(const NiftiHeader& header)
+std::uint64_t minOffset(const NiftiHeader& header)
 {
     const bool isSecond = header.version == "NIfTI-2";
     return header.isPair ? 0 : (isSecond ? sizeof(nifti_2_header) : sizeof(nifti_1_header)) + 4;
 }
 
-double millimetresPerUnit(int units, core::Messages& warnings)
+double millimetersPerUnit(int units, core::Messages& warnings)
 {
     switch (units & 7) {
         case 1:
@@ -316,7 +316,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
                                header.dim[0] > 2 ? clamped(header.dim[3]) : 1);
     const NiftiMap ownMap = mapOf(header, stored.warnings);
     findContradictions(header, ownMap, stored.warnings);
-    const NiftiMap map = ownMap * millimetresPerUnit(header.units, stored.warnings);
+    const NiftiMap map = ownMap * millimetersPerUnit(header.units, stored.warnings);
     const AxesResult axes = geometryFromSteps(size, lpsFromRas(Eigen::Matrix3d(map.leftCols<3>())),
                                               lpsFromRas(Eigen::Vector3d(map.col(3))));
     if (axes.problem) {
@@ -329,7 +329,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     stored.intercept = isScaled ? header.intercept : 0.0;
     stored.isDeclaredLabels = header.intent == NIFTI_INTENT_LABEL;
     auto skip = static_cast<std::uint64_t>(header.dataOffset);
-    if (const std::uint64_t least = leastOffset(header); skip < least) {
+    if (const std::uint64_t least = minOffset(header); skip < least) {
         stored.warnings.push_back(says::niftiStartWithinHeader(skip, least));
         skip = least;
     }

@@ -133,7 +133,7 @@ std::optional<VoxelType> voxelTypeOf(int type)
     return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool isColour(const NrrdAxisInfo& axis)
+bool isColor(const NrrdAxisInfo& axis)
 {
     const int kind = axis.kind;
     return kind == nrrdKind3Color || kind == nrrdKind4Color || kind == nrrdKindRGBColor || kind == nrrdKindRGBAColor ||
@@ -165,9 +165,9 @@ std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
     }
     for (const NrrdAxisInfo* axis : axes.all) {
         const bool isList = axes.haveDirections && !hasDirection(*axis);
-        const bool isOther = isList || isColour(*axis) || (nrrd.dim > 3 && axis->size == 1);
+        const bool isOther = isList || isColor(*axis) || (nrrd.dim > 3 && axis->size == 1);
         if (isOther && axis->size > 1) {
-            return isColour(*axis) ? says::volumeColours() : says::volumeSeveralNrrd(axis->size);
+            return isColor(*axis) ? says::volumeColors() : says::volumeSeveralNrrd(axis->size);
         }
         if (!isOther || nrrd.dim == 3) {
             axes.ofSpace.push_back(axis);
@@ -177,9 +177,9 @@ std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
         return says::volumeDimensions(nrrd.dim);
     }
     const std::size_t first = nrrd.axis[0].size;
-    const bool looksLikeColour = nrrd.dim == 3 && first > 1 && first <= 4 && nrrd.axis[0].kind == nrrdKindUnknown &&
-                                 nrrd.axis[1].size > 16 && nrrd.axis[2].size > 16;
-    return looksLikeColour ? std::optional(says::volumeColourAxis(first)) : std::nullopt;
+    const bool looksLikeColor = nrrd.dim == 3 && first > 1 && first <= 4 && nrrd.axis[0].kind == nrrdKindUnknown &&
+                                nrrd.axis[1].size > 16 && nrrd.axis[2].size > 16;
+    return looksLikeColor ? std::optional(says::volumeColorAxis(first)) : std::nullopt;
 }
 
 /// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
@@ -210,7 +210,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
     Eigen::Vector3i size;
     Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // of the space, for directions and origin
     for (int k = 0; k < 3 && nrrd.spaceDim == 3; ++k) {
-        unitMm[k] = millimetresPer(unitText(nrrd.spaceUnits[k]), warnings);
+        unitMm[k] = millimetersPer(unitText(nrrd.spaceUnits[k]), warnings);
     }
     for (int k = 0; k < 3; ++k) {
         const NrrdAxisInfo& axis = *axes.ofSpace[static_cast<std::size_t>(k)];
@@ -218,7 +218,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
         if (axes.haveDirections) {
             steps.col(k) = unitMm.cwiseProduct(Eigen::Map<const Eigen::Vector3d>(axis.spaceDirection));
         } else if (AIR_EXISTS(axis.spacing)) {
-            steps(k, k) = axis.spacing * millimetresPer(unitText(axis.units), warnings);
+            steps(k, k) = axis.spacing * millimetersPer(unitText(axis.units), warnings);
         } else {
             isSizeAssumed = true;
         }

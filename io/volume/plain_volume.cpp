@@ -180,7 +180,7 @@ PlainHeader metaHeader(std::string_view content, const std::string& path)
     if (!type) {
         return unread(says::volumeVoxelType(typeName.substr(0, 24)));
     }
-    const double unitMm = millimetresPer(metaValue(content, "DistanceUnits"), header.warnings);
+    const double unitMm = millimetersPer(metaValue(content, "DistanceUnits"), header.warnings);
     header.size = sizeOf(size);
     header.steps *= unitMm * spacing.asDiagonal();
     header.origin *= unitMm;
@@ -216,14 +216,14 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
         {"char", Int8},     {"unsigned_char", Uint8}, {"short", Int16},     {"unsigned_short", Uint16},
         {"int", Int32},     {"unsigned_int", Uint32}, {"long", Int64},      {"unsigned_long", Uint64},
         {"float", Float32}, {"double", Float64},      {"long_long", Int64}, {"unsigned_long_long", Uint64}};
-    constexpr int mostLines = 64;
+    constexpr int maxLines = 64;
     const core::Message notRead = says::volumeFormatHeaderNotRead(nameOf(PlainFormat::VtkImage));
     PlainHeader header;
     TextCursor text(content);
     text.line();
     text.line();
     header.isText = lowered(text.line()) == "ascii";
-    for (int line = 0; line < mostLines && !text.isAtEnd(); ++line) {
+    for (int line = 0; line < maxLines && !text.isAtEnd(); ++line) {
         TextCursor words(text.line());
         const std::string key = lowered(words.word());
         if (!readVtkLine(key, words, header) || key == "cell_data") {
@@ -319,7 +319,7 @@ private:
     core::Status readAs(TextCursor& text, char* voxels, const ReadObserver& observe) const
     {
         for (std::size_t i = 0; i < count_; ++i) {
-            if (i % 65536 == 0 && isStopWished(observe, static_cast<double>(i) / static_cast<double>(count_))) {
+            if (i % 65536 == 0 && isStopRequested(observe, static_cast<double>(i) / static_cast<double>(count_))) {
                 return stoppedReading(path_);
             }
             const auto number = parseNumber(text.word());

@@ -14,7 +14,7 @@ template <class ValueAt>
 ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
 {
     constexpr std::size_t sampleSize = 200'000;
-    constexpr std::size_t leastSample = 100;
+    constexpr std::size_t minSample = 100;
     constexpr double farBeyond = 1000.0;   // nearly all would share 65 levels
     constexpr double margin = 10.0;   // of what nearly all span, on both sides: metal and bright vessels stay
     if (range.high - range.low <= storedLevels) {
@@ -32,7 +32,7 @@ ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt
     std::ranges::sort(sample);
     const double usual = sample[sample.size() / 2];   // the background of a mask or map is no spread
     std::erase(sample, usual);
-    if (sample.size() < leastSample) {
+    if (sample.size() < minSample) {
         return range;
     }
     const double low = std::min(usual, sample[sample.size() / 200]);

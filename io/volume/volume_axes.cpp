@@ -43,7 +43,7 @@ Eigen::Matrix3d nearestOrthonormal(const Eigen::Matrix3d& axes)
 
 }   // namespace
 
-double millimetresPer(std::string_view unit, core::Messages& warnings)
+double millimetersPer(std::string_view unit, core::Messages& warnings)
 {
     using Length = std::pair<std::string_view, double>;
     static constexpr Length prefixes[] = {{"", 1e3},      {"deci", 100.0}, {"centi", 10.0},

@@ -24,7 +24,7 @@ AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d&
                              const Eigen::Vector3d& originInPatient);
 
 /// Of the length that a header names. Says so where it is not known, and takes millimetres.
-double millimetresPer(std::string_view unit, core::Messages& warnings);
+double millimetersPer(std::string_view unit, core::Messages& warnings);
 
 /// Steps and origin of a RAS file in LPS.
 inline Eigen::Matrix3d lpsFromRas(Eigen::Matrix3d steps)

@@ -89,8 +89,8 @@ private:
 /// sure of several archives in a row, as parallel packers write them, nor above 4 GiB, which the number does not reach.
 bool saysLessThan(std::string_view packed, std::uint64_t bytes)
 {
-    constexpr std::size_t leastArchive = 18;   // head and end of an empty one
-    if (!packed.starts_with("\x1f\x8b\x08") || packed.size() < leastArchive ||
+    constexpr std::size_t minArchive = 18;   // head and end of an empty one
+    if (!packed.starts_with("\x1f\x8b\x08") || packed.size() < minArchive ||
         bytes > std::numeric_limits<std::uint32_t>::max()) {
         return false;
     }
@@ -193,7 +193,7 @@ core::Status VoxelStream::read(char* voxels, const ReadObserver& observe) const
         return cutShort();
     }
     for (std::uint64_t done = 0; done < needed_;) {
-        if (isStopWished(observe, static_cast<double>(done) / static_cast<double>(needed_))) {
+        if (isStopRequested(observe, static_cast<double>(done) / static_cast<double>(needed_))) {
             return stoppedReading(path_);
         }
         const std::size_t got = file->read(voxels + done, needed_ - done);

@@ -1,8 +1,8 @@
-#include "app/messages/catalogue.h"
-#include "core/messages/catalogue.h"
+#include "app/messages/catalog.h"
+#include "core/messages/catalog.h"
 #include "core/registration/options/option_fields.h"
 #include "core/registration/registration.h"
-#include "io/messages/catalogue.h"
+#include "io/messages/catalog.h"
 
 #include <algorithm>
 #include <fstream>

@@ -101,15 +101,15 @@ TEST(CaseDocument, DoesNotTakeTheNameOfACaseThatIsNoLongerOpen)
 /// A tree of two branches in two views, each with a result.
 core::Case withTwoResults()
 {
-    core::Case theCase;
+    core::Case session;
     core::VesselTree tree;
     tree.branches = {{1, {}, {{0, 0, 0}, {0, 0, 9}}, {}}, {2, {}, {{0, 0, 9}, {0, 5, 20}}, {}}};
-    theCase.vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree));
-    theCase.views.resize(2);
-    for (core::View& view : theCase.views) {
+    session.vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree));
+    session.views.resize(2);
+    for (core::View& view : session.views) {
         view.result.emplace();
     }
-    return theCase;
+    return session;
 }
 
 bool hasResults(const CaseDocument& document)

@@ -121,35 +121,35 @@ std::vector<BadFit> badFits()
     return fits;
 }
 
-void expectDoubtInTheWindow(const core::Case& theCase)
+void expectDoubtInTheWindow(const core::Case& session)
 {
-    const core::RegistrationResult& result = *theCase.shown().result;
-    const auto states = stepStates(theCase, {});
+    const core::RegistrationResult& result = *session.shown().result;
+    const auto states = stepStates(session, {});
     EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Register)].mark, ui::StepMark::Look);
     EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Review)].mark, ui::StepMark::Look);
     const ui::FitVerdict verdict = ui::verdictOf({result, ui::PoseSource::Run, {}, 0.0, 0.3, 1.0, 0.0, {}});
     EXPECT_EQ(verdict.tone, ui::VerdictTone::Bad);
     EXPECT_TRUE(verdict.words.startsWith(QStringLiteral("NOT RELIABLE")));
-    const ui::ResultSentences said = ui::sentencesOf(result, *theCase.vessels.tree, 0.3);
+    const ui::ResultSentences said = ui::sentencesOf(result, *session.vessels.tree, 0.3);
     EXPECT_TRUE(said.certain.isEmpty());
     ASSERT_FALSE(said.doubtful.isEmpty());
     EXPECT_FALSE(said.doubtful.join(u' ').contains(QStringLiteral("probability of 9")));
 }
 
-void expectDoubtInThePicture(const core::Case& theCase, const core::Centerline2d& target)
+void expectDoubtInThePicture(const core::Case& session, const core::Centerline2d& target)
 {
-    const auto picture = drawOverlayVectors(theCase, target);
+    const auto picture = drawOverlayVectors(session, target);
     ASSERT_TRUE(picture) << picture.error().message;
     const auto& texts = picture.value().texts;
     const auto verdict = std::ranges::find(texts, "NOT RELIABLE", &ui::VectorText::text);
     ASSERT_NE(verdict, texts.end());
     EXPECT_EQ(verdict->tone.hex(), ui::palette(ui::ThemeMode::Dark).attention.hex());
-    EXPECT_EQ(provenanceTexts(theCase).at("Trustworthy"), "no");
+    EXPECT_EQ(provenanceTexts(session).at("Trustworthy"), "no");
 }
 
-void expectDoubtInTheReport(const core::Case& theCase, const core::Centerline2d& target)
+void expectDoubtInTheReport(const core::Case& session, const core::Centerline2d& target)
 {
-    const auto views = judgedViews(theCase, target, {});
+    const auto views = judgedViews(session, target, {});
     ASSERT_TRUE(views) << views.error().message;
     const auto page = reportBytes({views.value(), {}, {}, {}}, ReportKind::Html);
     ASSERT_TRUE(page) << page.error().message;
@@ -171,7 +171,7 @@ void expectDoubtInWords(const core::RegisteredCase& found)
 
 std::string wordsIn(const core::RegisteredCase& found)
 {
-    const auto picture = drawOverlayVectors(found.theCase, found.targets.front());
+    const auto picture = drawOverlayVectors(found.session, found.targets.front());
     std::string words;
     for (const ui::VectorText& text : picture.value().texts) {
         words += text.text + "\n";
@@ -183,15 +183,15 @@ TEST(LowConfidence, LooksSoWhereverAResultIsShown)
 {
     for (const BadFit& fit : badFits()) {
         SCOPED_TRACE(fit.name);
-        const core::Case& theCase = fit.found.theCase;
+        const core::Case& session = fit.found.session;
         const core::RegistrationResult& result = fit.found.result();
         ASSERT_FALSE(result.trustworthy);
         ASSERT_FALSE(result.warnings.empty());
         EXPECT_LT(result.probabilityWithin2Mm.value_or(0.0), 0.8);
-        expectDoubtInTheWindow(theCase);
+        expectDoubtInTheWindow(session);
         expectDoubtInWords(fit.found);
-        expectDoubtInThePicture(theCase, fit.found.targets.front());
-        expectDoubtInTheReport(theCase, fit.found.targets.front());
+        expectDoubtInThePicture(session, fit.found.targets.front());
+        expectDoubtInTheReport(session, fit.found.targets.front());
         const auto json =
             nlohmann::json::parse(io::resultJson(fit.found, fit.found.places.front(), io::ResultNames::Kept));
         EXPECT_FALSE(json["trustworthy"].get<bool>());
@@ -206,11 +206,11 @@ TEST(LowConfidence, NamesWhatItsDistancesAreAbout)
     part.curves.resize(std::max<std::size_t>(2, part.curves.size() / 3));   // the rest is not opacified
     const core::RegisteredCase found = core::registerCase(withTarget(values, part)).value();
     const core::RegistrationResult& result = found.result();
-    ASSERT_FALSE(result.unfilled.empty());
+    ASSERT_FALSE(result.unopacified.empty());
     const double share = core::judgedShare(result);
     EXPECT_GT(share, 0.0);
     EXPECT_LT(share, 1.0);
-    const auto basis = core::fitBasis(found.theCase, result, found.targets.front());
+    const auto basis = core::fitBasis(found.session, result, found.targets.front());
     ASSERT_TRUE(basis);
     EXPECT_EQ(basis->judgedShare, share);
     EXPECT_GT(basis->wholeMedianMm, 3.0 * result.metrics.medianMm) << "most of the tree lies on no vessel";
@@ -219,8 +219,8 @@ TEST(LowConfidence, NamesWhatItsDistancesAreAbout)
         ui::verdictOf({result, ui::PoseSource::Run, {}, 0.0, 0.3, share, basis->wholeMedianMm, {}}).words;
     EXPECT_TRUE(words.contains(QStringLiteral("over %1 %").arg(qRound(100.0 * share)))) << words.toStdString();
     EXPECT_TRUE(words.contains(QStringLiteral("whole tree"))) << words.toStdString();
-    const std::string told = wordsIn(found);
-    EXPECT_NE(told.find("judged opacified. Whole tree: median"), std::string::npos) << told;
+    const std::string reported = wordsIn(found);
+    EXPECT_NE(reported.find("judged opacified. Whole tree: median"), std::string::npos) << reported;
 }
 
 TEST(LowConfidence, NamesExcludedBranchesAndTheValueWithThem)
@@ -230,12 +230,12 @@ TEST(LowConfidence, NamesExcludedBranchesAndTheValueWithThem)
     values.vessels.excludedBranchIds = {excluded};
     values.vessels.auxiliaryBranchIds = {values.vessels.tree->branches.front().id};
     const core::RegisteredCase found = core::registerCase(values).value();
-    const std::string told = wordsIn(found);
+    const std::string reported = wordsIn(found);
     const core::VesselBranch& branch = values.vessels.tree->branches.back();
     const std::string name = branch.name.empty() ? std::to_string(excluded) : branch.name;
-    EXPECT_NE(told.find("Excluded branches: " + name + ": "), std::string::npos) << told;
-    const std::string auxiliary = told.substr(told.find("Auxiliary branches: "));
-    EXPECT_NE(auxiliary.find(" mm (medians)"), std::string::npos) << told;
+    EXPECT_NE(reported.find("Excluded branches: " + name + ": "), std::string::npos) << reported;
+    const std::string auxiliary = reported.substr(reported.find("Auxiliary branches: "));
+    EXPECT_NE(auxiliary.find(" mm (medians)"), std::string::npos) << reported;
 }
 
 }   // namespace

@@ -1,8 +1,8 @@
 #include "app/messages/says.h"
-#include "app/texts/bent_vessels.h"
 #include "app/texts/case_texts.h"
+#include "app/texts/deformed_vessels.h"
 #include "tests/app/sample_picture.h"
-#include "tests/support/bent_case.h"
+#include "tests/support/deformed_case.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -48,17 +48,17 @@ core::ColorImage columns(const core::ColorImage& whole, int from, int width)
 
 TEST(CornerTexts, SayOfEachDistanceWhereItComesFrom)
 {
-    core::Case theCase;
-    core::CArm& arm = theCase.shown().geometry.cArm;
+    core::Case session;
+    core::CArm& arm = session.shown().geometry.cArm;
     arm.sourceToDetectorMm = {1050.0, core::Origin::Header, ""};
     arm.sourceToObjectMm = {683.0, core::Origin::Header, ""};
     assumeIsocenter(arm);
-    const auto lines = englishTexts(cornerLines(theCase, Identity::Hidden)).bottomRight;
+    const auto lines = englishTexts(cornerLines(session, Identity::Hidden)).bottomRight;
     ASSERT_EQ(lines.size(), 1U);
     EXPECT_NE(lines.front().find("SID 1050 mm (header)"), std::string::npos) << lines.front();
     EXPECT_NE(lines.front().find("SOD 683 mm (assumed)"), std::string::npos) << lines.front();
     arm.sourceToIsocenterMm = {750.0, core::Origin::Header, ""};
-    EXPECT_EQ(englishTexts(cornerLines(theCase, Identity::Hidden)).bottomRight.front(),
+    EXPECT_EQ(englishTexts(cornerLines(session, Identity::Hidden)).bottomRight.front(),
               "SID 1050 · SOD 750 mm (header)");
 }
 
@@ -81,31 +81,31 @@ TEST_F(OverlayPicture, LeavesHiddenBranchesOutAsTheWindowDoes)
     EXPECT_EQ(differing(drawn(options), none, 0, plain.width), 0);
 }
 
-TEST_F(OverlayPicture, ShowsBentVesselsWhereTheyAreKnownOfThePose)
+TEST_F(OverlayPicture, ShowsDeformedVesselsWhereTheyAreKnownOfThePose)
 {
-    sample = test::withBentVessels(sample, 8.0);
-    const core::ColorImage bent = drawn(options);
+    sample = test::withDeformedVessels(sample, 8.0);
+    const core::ColorImage deformed = drawn(options);
     options.shape = VesselShape::Rigid;
     const core::ColorImage rigid = drawn(options);
-    EXPECT_GT(differing(rigid, bent, 0, rigid.width), 200);
+    EXPECT_GT(differing(rigid, deformed, 0, rigid.width), 200);
     options.coloring = OverlayColoring::Motion;
     EXPECT_GT(differing(rigid, drawn(options), 0, rigid.width), 200);
 
     options.coloring = OverlayColoring::Branches;
     sample.shown().cameraFromPatient.translation.x() += 1e-9;   // another pose
     const core::ColorImage rigidElsewhere = drawn(options);
-    options.shape = VesselShape::Bent;
+    options.shape = VesselShape::Deformed;
     EXPECT_EQ(differing(rigidElsewhere, drawn(options), 0, rigid.width), 0);
 }
 
-TEST_F(OverlayPicture, SaysOfWhichFrameTheBendIs)
+TEST_F(OverlayPicture, SaysOfWhichFrameTheDeformationIs)
 {
-    sample = test::withBentVessels(sample, 8.0);
+    sample = test::withDeformedVessels(sample, 8.0);
     const auto words = [this] {
         const core::View& view = sample.shown();
-        return shapeLines(drawnVessels(view, sample.vessels, view.cameraFromPatient, VesselShape::Bent));
+        return shapeLines(drawnVessels(view, sample.vessels, view.cameraFromPatient, VesselShape::Deformed));
     };
-    const core::Message other = says::bentOnFrame(6);   // counted from 1
+    const core::Message other = says::deformedOnFrame(6);   // counted from 1
     sample.shown().result->provenance.frame = sample.shown().frame;
     EXPECT_FALSE(std::ranges::count(words(), other));
     sample.shown().result->provenance.frame = 5;

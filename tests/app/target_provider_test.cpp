@@ -47,11 +47,11 @@ TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)
 }
 
 /// The case with curves of its own.
-core::Case given(core::Case theCase)
+core::Case given(core::Case session)
 {
-    theCase.shown().target.centerline = std::make_shared<const core::Centerline2d>(
+    session.shown().target.centerline = std::make_shared<const core::Centerline2d>(
         core::Centerline2d{{core::Curve2d{1, {{5.0, 5.0}, {90.0, 70.0}}, {}}}});
-    return theCase;
+    return session;
 }
 
 TEST(TargetProvider, KeepsCurvesGivenWhileAFrameIsTraced)
@@ -59,30 +59,30 @@ TEST(TargetProvider, KeepsCurvesGivenWhileAFrameIsTraced)
     TargetProvider provider;
     const auto traced = caseWith(simulatedRun());
     const auto wanted = given(traced);
-    bool isTold = false;
-    QObject::connect(&provider, &TargetProvider::changed, [&] { isTold = !provider.isTracing(); });
+    bool isKnown = false;
+    QObject::connect(&provider, &TargetProvider::changed, [&] { isKnown = !provider.isTracing(); });
     provider.want(traced);
     EXPECT_TRUE(provider.isTracing());
     provider.want(wanted);
     ASSERT_TRUE(isReady(provider));
     EXPECT_EQ(provider.current(), wanted.shown().target.centerline);
-    EXPECT_TRUE(isTold) << "that nothing is traced any more";
+    EXPECT_TRUE(isKnown) << "that nothing is traced any more";
 }
 
 TEST(TargetProvider, TellsWhenATraceEndsThatNobodyWantsAnyMore)
 {
     TargetProvider provider;
-    auto theCase = caseWith(simulatedRun());
-    provider.want(theCase);
+    auto session = caseWith(simulatedRun());
+    provider.want(session);
     ASSERT_TRUE(isReady(provider));
-    bool isTold = false;
-    QObject::connect(&provider, &TargetProvider::changed, [&] { isTold = !provider.isTracing(); });
-    core::Case other = theCase;
-    other.shown().frame = theCase.shown().frame == 0 ? 1 : 0;
+    bool isKnown = false;
+    QObject::connect(&provider, &TargetProvider::changed, [&] { isKnown = !provider.isTracing(); });
+    core::Case other = session;
+    other.shown().frame = session.shown().frame == 0 ? 1 : 0;
     provider.want(other);
-    provider.want(theCase);   // known: at once
+    provider.want(session);   // known: at once
     ASSERT_TRUE(isReady(provider));
-    EXPECT_TRUE(isTold);
+    EXPECT_TRUE(isKnown);
 }
 
 }   // namespace

@@ -19,17 +19,17 @@ using test::OpenWindow;
 constexpr int pictureWidth = 1024;
 
 /// How coloured each pixel is: lines are, the image is grey.
-core::Image2d<float> colourOf(const QImage& picture)
+core::Image2d<float> colorOf(const QImage& picture)
 {
-    core::Image2d<float> colour(picture.width(), picture.height());
+    core::Image2d<float> color(picture.width(), picture.height());
     for (int y = 0; y < picture.height(); ++y) {
         for (int x = 0; x < picture.width(); ++x) {
             const QColor pixel = picture.pixelColor(x, y);
             const auto [least, most] = std::minmax({pixel.red(), pixel.green(), pixel.blue()});
-            colour.at(x, y) = static_cast<float>(most - least);
+            color.at(x, y) = static_cast<float>(most - least);
         }
     }
-    return colour;
+    return color;
 }
 
 /// By how much `b` is shifted against `a` in a tile, px (Lucas and Kanade); along lines nothing is said.
@@ -100,8 +100,8 @@ TEST_F(VectorPictures, LinesLieWithinATenthOfAPixelOfThePixels)
         options.vessels = mode;
         const QImage raster = pixels();
         const QImage vectors = rastered(svg(), raster.width(), raster.height());
-        const auto a = colourOf(raster);
-        const auto b = colourOf(vectors);
+        const auto a = colorOf(raster);
+        const auto b = colorOf(vectors);
         int seen = 0;
         for (int top = 128; top + tile <= raster.height() - 128; top += tile) {
             for (int left = 128; left + tile <= raster.width() - 128; left += tile) {
@@ -119,14 +119,14 @@ TEST_F(VectorPictures, NothingIsDrawnInTheSwipe)
     const double column = 0.5 * sample.shown().angiogram->width();
     options.cutout = {ui::Cutout::Shape::RightOf, {column, 0.0}, 0.0};
     const QImage vectors = rastered(svg(), pictureWidth, pictureWidth);
-    const auto colour = colourOf(vectors);
+    const auto color = colorOf(vectors);
     int leftOf = 0;
     for (int y = 128; y < vectors.height() - 128; ++y) {
         for (int x = 0; x < pictureWidth / 2 - 8; ++x) {
-            leftOf += colour.at(x, y) > 60.0F ? 1 : 0;
+            leftOf += color.at(x, y) > 60.0F ? 1 : 0;
         }
         for (int x = pictureWidth / 2 + 8; x < pictureWidth; ++x) {
-            ASSERT_LT(colour.at(x, y), 60.0F) << x << ", " << y;
+            ASSERT_LT(color.at(x, y), 60.0F) << x << ", " << y;
         }
     }
     EXPECT_GT(leftOf, 200);
@@ -180,13 +180,13 @@ TEST_F(VectorPictures, TheImageAloneHasNoVessels)
 {
     const std::string path = folder.file("frame.png");
     ASSERT_TRUE(writePictureFile(sample, {}, options, {PictureContent::Frame, 0.0}, path));
-    const auto bare = colourOf(QImage(QString::fromStdString(path)));
-    const auto drawn = colourOf(pixels());
+    const auto bare = colorOf(QImage(QString::fromStdString(path)));
+    const auto drawn = colorOf(pixels());
     EXPECT_LT(*std::ranges::max_element(bare.pixels), 30.0F);
     EXPECT_GT(*std::ranges::max_element(drawn.pixels), 60.0F);
 }
 
-TEST_F(VectorPictures, GreyValuesOfSixteenBitAreTheStoredOnes)
+TEST_F(VectorPictures, GrayValuesOfSixteenBitAreTheStoredOnes)
 {
     auto run = std::make_shared<core::Angiogram>();
     core::ImageF frame(16, 16);

@@ -183,10 +183,10 @@ void takeInsteadOfWhatIsOpen(OpenWindow& w)
 {
     for (QDialog* asked : w.dialogs("unitQuestion")) {
         const QList<QPushButton*> buttons = asked->findChildren<QPushButton*>();
-        const auto millimetres = std::ranges::find_if(
+        const auto millimeters = std::ranges::find_if(
             buttons, [](const QPushButton* button) { return button->text().startsWith(QLatin1String("mm: ")); });
-        ASSERT_NE(millimetres, buttons.end());
-        QTest::mouseClick(*millimetres, Qt::LeftButton);
+        ASSERT_NE(millimeters, buttons.end());
+        QTest::mouseClick(*millimeters, Qt::LeftButton);
         EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
     }
     for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},

@@ -29,10 +29,10 @@ TEST(WindowHelp, WhatWasToldCanBeReadAgain)
     }
     w.window.actions()[ui::Command::Messages]->trigger();
     ASSERT_EQ(w.dialogs("messageHistory").size(), 1);
-    const QString told = w.dialogs("messageHistory").front()->findChild<QTextEdit*>()->toPlainText();
-    EXPECT_TRUE(told.contains(QStringLiteral("Kept as"))) << told.toStdString();
-    EXPECT_TRUE(told.contains(QStringLiteral("run.dcm"))) << told.toStdString();
-    EXPECT_LT(told.indexOf(QStringLiteral("Kept as")), told.indexOf(QStringLiteral("run.dcm")));
+    const QString reported = w.dialogs("messageHistory").front()->findChild<QTextEdit*>()->toPlainText();
+    EXPECT_TRUE(reported.contains(QStringLiteral("Kept as"))) << reported.toStdString();
+    EXPECT_TRUE(reported.contains(QStringLiteral("run.dcm"))) << reported.toStdString();
+    EXPECT_LT(reported.indexOf(QStringLiteral("Kept as")), reported.indexOf(QStringLiteral("run.dcm")));
 }
 
 TEST(WindowHelp, EveryPanelHasAPageInEveryLanguage)

@@ -24,13 +24,13 @@ void save(OpenWindow& w, const QString& path)
     ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
 }
 
-bool isTold(OpenWindow& w, const QString& words)
+bool isKnown(OpenWindow& w, const QString& words)
 {
     const auto* strip = w.window.findChild<ui::BottomStrip*>();
     return QTest::qWaitFor(
         [strip, &words] {
-            const auto& told = strip->told().all();
-            return std::ranges::any_of(told, [&words](const auto& each) { return each.text.contains(words); });
+            const auto& reported = strip->reported().all();
+            return std::ranges::any_of(reported, [&words](const auto& each) { return each.text.contains(words); });
         },
         test::patienceMs);
 }
@@ -50,7 +50,7 @@ public:
         path = QString::fromStdString(folder.file("study.angiopose"));
         save(first, path);
         second.drop({path});
-        EXPECT_TRUE(isTold(second, QStringLiteral("open elsewhere")));
+        EXPECT_TRUE(isKnown(second, QStringLiteral("open elsewhere")));
         move(first, Qt::Key_Left);
         save(first, path);
         hash = io::sha256OfFile(path.toStdString()).value();
@@ -158,7 +158,7 @@ TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
     {
         const FullDrive full;
         w.controller.saving().autosaveSoon();
-        EXPECT_TRUE(isTold(w, QStringLiteral("automatic copy cannot be written")));
+        EXPECT_TRUE(isKnown(w, QStringLiteral("automatic copy cannot be written")));
         EXPECT_EQ(state(), QStringLiteral("Not autosaved"));
     }
     w.controller.saving().autosaveSoon();   // as the clock does, without another edit

@@ -137,10 +137,10 @@ TEST_F(WindowLabels, AllAreKeptAsAllThoughNamesSayOtherwise)
     EXPECT_EQ(w.current().vessels.input.labels, (std::vector<int>{artery, organ, sideBranch}));
 }
 
-TEST_F(WindowLabels, SlicesShowThemInTheirColours)
+TEST_F(WindowLabels, SlicesShowThemInTheirColors)
 {
     ui::SliceView& view = w.window.slicesPage().view(BodyPlane::Axial);
-    const auto colourAt = [&](const Eigen::Vector3d& place) {
+    const auto colorAt = [&](const Eigen::Vector3d& place) {
         w.window.slices().setCrosshair({25, -14, place.z()});
         QApplication::processEvents();
         const QPoint at = view.widgetFromPatient(place).toPoint();
@@ -151,12 +151,12 @@ TEST_F(WindowLabels, SlicesShowThemInTheirColours)
         return QColor(color.red, color.green, color.blue).hueF();
     };
     const Eigen::Vector3d inTrunk(2, 1, 20);
-    const QColor ticked = colourAt(inTrunk);
+    const QColor ticked = colorAt(inTrunk);
     EXPECT_NEAR(ticked.hueF(), hueOf(0), 0.05);
-    EXPECT_NEAR(colourAt({0, 19, 2}).hueF(), hueOf(1), 0.08) << "the organ";
-    EXPECT_NEAR(colourAt({-16.5, 0, 73}).hueF(), hueOf(2), 0.08) << "a branch";
+    EXPECT_NEAR(colorAt({0, 19, 2}).hueF(), hueOf(1), 0.08) << "the organ";
+    EXPECT_NEAR(colorAt({-16.5, 0, 73}).hueF(), hueOf(2), 0.08) << "a branch";
     clickBoxOf(0);
-    EXPECT_LT(colourAt(inTrunk).value(), ticked.value() / 2) << "no longer ticked: faint";
+    EXPECT_LT(colorAt(inTrunk).value(), ticked.value() / 2) << "no longer ticked: faint";
 }
 
 TEST_F(WindowLabels, AreGoneWithTheLabelImage)

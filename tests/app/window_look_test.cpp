@@ -86,7 +86,7 @@ TEST(WindowLook, TakesWindowAndLevelAsNumbers)
     EXPECT_NEAR(*fields[0]->value(), 320.0, 1e-9);
 }
 
-TEST(WindowLook, RemembersTheColoursOfVesselsAndResiduals)
+TEST(WindowLook, RemembersTheColorsOfVesselsAndResiduals)
 {
     {
         OpenWindow w;

@@ -93,8 +93,8 @@ TEST_F(WindowPath, AddedVesselIsKeptWithTheCase)
     QImage image(128, 128, QImage::Format_Grayscale8);
     for (int x = 0; x < image.width(); ++x) {
         for (int y = 0; y < image.height(); ++y) {
-            const int grey = std::abs(x - y) < 3 ? 40 : 120 + x / 2;
-            image.setPixelColor(x, y, QColor::fromRgb(qRgb(grey, grey, grey)));
+            const int gray = std::abs(x - y) < 3 ? 40 : 120 + x / 2;
+            image.setPixelColor(x, y, QColor::fromRgb(qRgb(gray, gray, gray)));
         }
     }
     ASSERT_TRUE(image.save(imagePath));

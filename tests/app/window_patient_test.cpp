@@ -103,10 +103,10 @@ private:
 
     void saveCase(const char* name, const core::View& second) const
     {
-        core::Case theCase;
-        theCase.vessels.file.path = file("tree.vtp").toStdString();
-        theCase.vessels.tree = std::make_shared<core::VesselTree>(simulated_.tree);
-        core::View& view = theCase.shown();
+        core::Case session;
+        session.vessels.file.path = file("tree.vtp").toStdString();
+        session.vessels.tree = std::make_shared<core::VesselTree>(simulated_.tree);
+        core::View& view = session.shown();
         view.imageFile.path = file("run.dcm").toStdString();
         view.geometry.cArm = simulated_.angiogram.cArm;
         view.cameraFromPatient = simulated_.initialCameraFromPatient;
@@ -114,9 +114,9 @@ private:
             core::View beside = second;
             beside.geometry = view.geometry;
             beside.cameraFromPatient = view.cameraFromPatient;
-            theCase.views.push_back(std::move(beside));
+            session.views.push_back(std::move(beside));
         }
-        EXPECT_TRUE(io::saveCase(theCase, file(name).toStdString()));
+        EXPECT_TRUE(io::saveCase(session, file(name).toStdString()));
     }
 
     QTemporaryDir folder_;

@@ -112,7 +112,7 @@ TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
     EXPECT_LT((after * place.pointInPatient - before * place.pointInPatient).head<2>().norm(), 1e-6);
 }
 
-TEST(WindowPivot, IsSeenInBothViewsAndNotOnlyByColour)
+TEST(WindowPivot, IsSeenInBothViewsAndNotOnlyByColor)
 {
     OpenWindow w;
     w.openSample();

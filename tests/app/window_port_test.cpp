@@ -1,4 +1,4 @@
-#include "app/archive/archive_habits.h"
+#include "app/archive/archive_settings.h"
 #include "tests/app/archive_window.h"
 #include "ui/archive/port_dialog.h"
 #include "ui/archive/receive_line.h"
@@ -193,8 +193,8 @@ TEST_F(WindowPort, UselessCertificateIsNamed)
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
-    const auto isTold = [&] { return dialog->line().words().contains(QStringLiteral("no.pem")); };
-    EXPECT_TRUE(QTest::qWaitFor(isTold, test::patienceMs)) << dialog->line().words().toStdString();
+    const auto isKnown = [&] { return dialog->line().words().contains(QStringLiteral("no.pem")); };
+    EXPECT_TRUE(QTest::qWaitFor(isKnown, test::patienceMs)) << dialog->line().words().toStdString();
     EXPECT_FALSE(onOff->isChecked());
 }
 

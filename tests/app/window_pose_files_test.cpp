@@ -36,13 +36,13 @@ protected:
         w.window.actions()[ui::Command::Undo]->trigger();   // no key: a dialog that closes has the focus for a while
         EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     }
-    bool isTold(const QString& words)
+    bool isKnown(const QString& words)
     {
         const auto* strip = w.window.findChild<ui::BottomStrip*>();
         return QTest::qWaitFor(
             [strip, &words] {
-                const auto& told = strip->told().all();
-                return std::ranges::any_of(told, [&words](const auto& each) { return each.text.contains(words); });
+                const auto& reported = strip->reported().all();
+                return std::ranges::any_of(reported, [&words](const auto& each) { return each.text.contains(words); });
             },
             test::patienceMs);
     }
@@ -143,7 +143,7 @@ TEST_F(WindowPoseFiles, OfAResultSayWhereItWasFoundWithOtherInputs)
     ASSERT_TRUE(io::writeAtomically(file("result.json"), result(std::string(64, 'a'))));
     w.drop({path("result.json")});
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, moved), 1e-9);
-    EXPECT_TRUE(isTold(QStringLiteral("another angiogram")));
+    EXPECT_TRUE(isKnown(QStringLiteral("another angiogram")));
 }
 
 TEST(WindowPoseFilesAlone, NeedACase)

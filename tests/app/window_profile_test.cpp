@@ -75,13 +75,13 @@ TEST_F(WindowProfile, APlaceOnTheProfileIsMarkedInImageAndSlices)
 
 TEST_F(WindowProfile, ABranchWithoutRadiiSaysSo)
 {
-    core::Case theCase = w.current();
-    core::VesselTree bare = *theCase.vessels.tree;
+    core::Case session = w.current();
+    core::VesselTree bare = *session.vessels.tree;
     for (core::VesselBranch& branch : bare.branches) {
         branch.radiusMm.clear();
     }
-    theCase.vessels.tree = std::make_shared<const core::VesselTree>(bare);
-    w.controller.document().replace(theCase, {});
+    session.vessels.tree = std::make_shared<const core::VesselTree>(bare);
+    w.controller.document().replace(session, {});
     w.controller.branches().select({longest().id});
     EXPECT_TRUE(says(QStringLiteral("no radii")));
     EXPECT_FALSE(w.window.profile().plot().isHidden()) << "its bends are known";

@@ -235,14 +235,16 @@ TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
     RecentController recent(w.controller.document(), {w.window.actions(), w.window.welcome()}, look);
     EXPECT_LT(clock.elapsed(), 1000);
 
-    const auto isTold = [&w](const QString& label) {
+    const auto isKnown = [&w](const QString& label) {
         return std::ranges::any_of(recentButtons(w), [&](QPushButton* button) { return button->text() == label; });
     };
-    EXPECT_TRUE(QTest::qWaitFor([&] { return isTold(QStringLiteral("there.angiopose (missing)")); }, test::patienceMs));
-    EXPECT_TRUE(isTold(QStringLiteral("drive.angiopose"))) << "not known yet: it can be tried";
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return isKnown(QStringLiteral("there.angiopose (missing)")); }, test::patienceMs));
+    EXPECT_TRUE(isKnown(QStringLiteral("drive.angiopose"))) << "not known yet: it can be tried";
 
     answer.set_value();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return isTold(QStringLiteral("drive.angiopose (missing)")); }, test::patienceMs));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return isKnown(QStringLiteral("drive.angiopose (missing)")); }, test::patienceMs));
     forgetRecentCases();
 }
 

@@ -99,12 +99,12 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
                                   .toUtf8()));
     const auto picture = drawOverlayVectors(w.current(), target.value());
     ASSERT_TRUE(picture);
-    std::string told;
+    std::string reported;
     for (const ui::VectorText& text : picture.value().texts) {
-        told += text.text + "\n";
+        reported += text.text + "\n";
     }
-    EXPECT_NE(told.find("pose of frame " + std::to_string(foundIn + 1)), std::string::npos) << told;
-    EXPECT_EQ(told.find("median"), std::string::npos) << told;
+    EXPECT_NE(reported.find("pose of frame " + std::to_string(foundIn + 1)), std::string::npos) << reported;
+    EXPECT_EQ(reported.find("median"), std::string::npos) << reported;
 }
 
 TEST_F(WindowReport, CallsTheStartPoseSo)

@@ -67,10 +67,10 @@ TEST(WindowSideBySide, OneViewSaysWhyNothingStandsBesideIt)
     w.openSample();
     w.press(Qt::Key_6);
     EXPECT_EQ(w.window.sideBySide().paneCount(), 0U);
-    ASSERT_FALSE(w.window.strip().told().all().empty());
-    const QString told = w.window.strip().told().all().back().text;
-    EXPECT_TRUE(told.contains(QStringLiteral("one view"))) << told.toStdString();
-    EXPECT_TRUE(told.contains(QStringLiteral("Ctrl+Shift+V")));
+    ASSERT_FALSE(w.window.strip().reported().all().empty());
+    const QString reported = w.window.strip().reported().all().back().text;
+    EXPECT_TRUE(reported.contains(QStringLiteral("one view"))) << reported.toStdString();
+    EXPECT_TRUE(reported.contains(QStringLiteral("Ctrl+Shift+V")));
     EXPECT_FALSE(w.window.sideBySide().title().isVisible());
 }
 
@@ -153,7 +153,7 @@ TEST(WindowSideBySide, PosesThatAreIndependentStayAndSaySo)
     EXPECT_EQ(title.note(), QStringLiteral("moves along"));
 }
 
-TEST(WindowSideBySide, ColoursTellHowEachPoseAgreesWithItsOwnImage)
+TEST(WindowSideBySide, ColorsTellHowEachPoseAgreesWithItsOwnImage)
 {
     BesideWindow w;
     const auto residuals = [&]() -> const std::map<int, std::vector<double>>& {

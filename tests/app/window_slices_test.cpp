@@ -142,7 +142,7 @@ TEST_F(WindowSlices, SelectTheBranchThatIsClickedOrHovered)
 
 TEST_F(WindowSlices, ChangeWindowZoomAndPlaceByMouse)
 {
-    const ui::GreyWindow before = model().window();
+    const ui::GrayWindow before = model().window();
     drag(BodyPlane::Axial, Qt::RightButton, {40, 20});
     EXPECT_GT(model().window().width, before.width);
     EXPECT_GT(model().window().level, before.level);

@@ -11,7 +11,7 @@ using namespace angiopose;
 namespace {
 
 /// What a test has chosen does not outlive it: neither settings nor the colours, which a program has only once.
-class FreshHabits : public ::testing::EmptyTestEventListener {
+class FreshPreferences : public ::testing::EmptyTestEventListener {
     void OnTestStart(const ::testing::TestInfo&) override
     {
         QSettings().clear();
@@ -36,7 +36,7 @@ int main(int argc, char** argv)
     QApplication::setQuitOnLastWindowClosed(false);
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
     ui::applyTheme(application, ui::ThemeMode::Dark);
-    ::testing::UnitTest::GetInstance()->listeners().Append(new FreshHabits);
+    ::testing::UnitTest::GetInstance()->listeners().Append(new FreshPreferences);
     const int failures = RUN_ALL_TESTS();
     QThreadPool::globalInstance()->waitForDone();
     return failures;

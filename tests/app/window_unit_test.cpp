@@ -43,7 +43,7 @@ QString writeTube(const QTemporaryDir& folder, double length, double radius)
     return path;
 }
 
-TEST(WindowUnit, IsAskedWhereASurfaceIsTooSmallForMillimetres)
+TEST(WindowUnit, IsAskedWhereASurfaceIsTooSmallForMillimeters)
 {
     const QTemporaryDir folder;
     OpenWindow w;
@@ -61,7 +61,7 @@ TEST(WindowUnit, IsAskedWhereASurfaceIsTooSmallForMillimetres)
     EXPECT_EQ(w.current().vessels.input.unitMm, 1000.0) << "the case remembers";
 }
 
-TEST(WindowUnit, IsMillimetresWhereThatIsUsual)
+TEST(WindowUnit, IsMillimetersWhereThatIsUsual)
 {
     const QTemporaryDir folder;
     OpenWindow w;
@@ -97,7 +97,7 @@ QString writeLine(const QTemporaryDir& folder, double length)
     return path;
 }
 
-TEST(WindowUnit, IsAskedForCentrelinesTooAndEnterTakesTheLikeliest)
+TEST(WindowUnit, IsAskedForCenterlinesTooAndEnterTakesTheLikeliest)
 {
     const QTemporaryDir folder;
     OpenWindow w;
@@ -111,7 +111,7 @@ TEST(WindowUnit, IsAskedForCentrelinesTooAndEnterTakesTheLikeliest)
     EXPECT_EQ(w.current().vessels.input.unitMm, 1000.0);
 }
 
-TEST(WindowUnit, BareTablesInMillimetresOpenAtOnce)
+TEST(WindowUnit, BareTablesInMillimetersOpenAtOnce)
 {
     const QTemporaryDir folder;
     OpenWindow w;

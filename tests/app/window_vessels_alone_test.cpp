@@ -53,7 +53,7 @@ protected:
     OpenWindow w;
 };
 
-TEST_F(WindowVesselsAlone, AreOfferedAsCentrelinesWhereACaseCannotBeSaved)
+TEST_F(WindowVesselsAlone, AreOfferedAsCenterlinesWhereACaseCannotBeSaved)
 {
     deleteABranch();
     w.press(Qt::Key_S, Qt::ControlModifier);

@@ -34,7 +34,7 @@ const char* const usage =
     "  --clicks         with a seed in a great artery, as a user answers the question\n"
     "  --save <folder>  writes the scans there, to be looked at\n";
 
-constexpr double mostFalse = 0.10;   // of the traced length
+constexpr double maxFalse = 0.10;   // of the traced length
 constexpr double besideMm = 1.5;   // of the root, outside the artery
 
 enum class Verdict { Right, Asked, Wrong };
@@ -109,7 +109,7 @@ Outcome outcomeOf(const core::AnyScan& scan, const core::Result<core::TracedVess
         }
         outcome.stubs += falseShare > 0.5 && branch.lengthMm() < 15.0 ? 1 : 0;
     }
-    const bool isRight = beginsInGreatArtery(tree, scan) && outcome.falseShare <= mostFalse;
+    const bool isRight = beginsInGreatArtery(tree, scan) && outcome.falseShare <= maxFalse;
     outcome.verdict = isRight ? Verdict::Right : Verdict::Wrong;
     const core::VesselBranch& first = tree.branches.front();
     outcome.words = "from " + fixedText(traced.value().threshold, 0) + ", root of " +

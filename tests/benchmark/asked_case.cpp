@@ -5,16 +5,16 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double mostMm = 1000.0;   // of points that a wrong pose puts behind the source
+constexpr double maxMm = 1000.0;   // of points that a wrong pose puts behind the source
 
 double offMm(const AskedCase& asked, const Eigen::Vector3d& found, const Eigen::Vector3d& there)
 {
     const auto drawn = core::project(asked.input.camera, found);
     const auto shown = core::project(asked.trueCamera, there);
     if (!drawn || !shown) {
-        return mostMm;
+        return maxMm;
     }
-    return std::min(mostMm, (*drawn - *shown).norm() * core::millimetresPerPixel(asked.trueCamera, there.z()));
+    return std::min(maxMm, (*drawn - *shown).norm() * core::millimetersPerPixel(asked.trueCamera, there.z()));
 }
 
 }   // namespace
@@ -30,7 +30,7 @@ double overlayErrorMm(const AskedCase& asked, const core::RigidTransform& camera
             count += 1.0;
         }
     }
-    return count > 0.0 ? sum / count : mostMm;
+    return count > 0.0 ? sum / count : maxMm;
 }
 
 }   // namespace angiopose::benchmarks

@@ -35,40 +35,40 @@ core::ImageF picture(const std::string& name)
 struct Counts {
     int frames = 0;
     int untraced = 0;   ///< nothing was found, and that is said
-    int told = 0;   ///< traced, with the word that there is little contrast
+    int reported = 0;   ///< traced, with the word that there is little contrast
 };
 
-bool isTold(const core::AngiogramTrace& trace)
+bool isKnown(const core::AngiogramTrace& trace)
 {
     return std::ranges::any_of(trace.warnings, [](const core::Message& warning) {
         return warning.id() == core::says::frameWithLittleContrast.id;
     });
 }
 
-void add(Counts& counts, const std::string& name, const core::Result<core::AngiogramTrace>& trace, bool isEachWished)
+void add(Counts& counts, const std::string& name, const core::Result<core::AngiogramTrace>& trace, bool isEachRequested)
 {
     ++counts.frames;
     counts.untraced += trace ? 0 : 1;
-    counts.told += trace && isTold(trace.value()) ? 1 : 0;
-    if (isEachWished && trace) {
+    counts.reported += trace && isKnown(trace.value()) ? 1 : 0;
+    if (isEachRequested && trace) {
         std::printf("%-26s %6.1f%s\n", name.c_str(),
                     core::contrastSeen(trace.value().centerline, trace.value().suspectCurves, trace.value().vesselness,
                                        trace.value().clutter),
-                    isTold(trace.value()) ? "  told" : "");
+                    isKnown(trace.value()) ? "  told" : "");
     }
 }
 
 using core::Polarity;
 
 struct Rows {
-    bool isEachWished;
+    bool isEachRequested;
     std::vector<std::pair<std::string, Counts>> rows = {};
 
     void trace(const std::string& group, const std::string& name, const core::ImageF& frame, Polarity polarity)
     {
         auto row = std::ranges::find(rows, group, &std::pair<std::string, Counts>::first);
         row = row == rows.end() ? rows.insert(row, {group, {}}) : row;
-        add(row->second, group + " " + name, core::traceAngiogram(frame, polarity), isEachWished);
+        add(row->second, group + " " + name, core::traceAngiogram(frame, polarity), isEachRequested);
     }
 };
 
@@ -133,7 +133,7 @@ int main(int count, char** values)
     }
     std::printf("%-34s %8s %14s %8s\n", "", "frames", "nothing traced", "told");
     for (const auto& [group, counts] : rows.rows) {
-        std::printf("%-34s %8d %14d %8d\n", group.c_str(), counts.frames, counts.untraced, counts.told);
+        std::printf("%-34s %8d %14d %8d\n", group.c_str(), counts.frames, counts.untraced, counts.reported);
     }
     return 0;
 }

@@ -2,7 +2,7 @@
 // over all points of the tree (mm at the object) of the best rigid pose that truth allows, of our rigid registration,
 // and of the bent tree; how honest the covariance of every point is; time. Several views: distance in space.
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
 #include "core/support/format_number.h"
@@ -10,7 +10,7 @@
 #include "core/support/stopwatch.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
-#include "tests/benchmark/bent_cases.h"
+#include "tests/benchmark/deformed_cases.h"
 #include "tests/benchmark/graph_trees.h"
 #include "tests/benchmark/known_pose.h"
 
@@ -18,8 +18,8 @@
 #include <numeric>
 
 using namespace angiopose;
-using benchmarks::BentCase;
-using benchmarks::BentView;
+using benchmarks::DeformedCase;
+using benchmarks::DeformedView;
 using benchmarks::TrueMotion;
 
 namespace {
@@ -50,41 +50,41 @@ struct Errors {
 
 /// What is told of one case.
 struct Outcome {
-    Errors best, rigid, bent;
+    Errors best, rigid, deformed;
     double coverage = 0.0;
     double nees = 0.0;   ///< per degree of freedom
     core::DeformableResult result;
     double rigidMs = 0.0;
-    double bentMs = 0.0;
+    double deformedMs = 0.0;
 };
 
 /// Difference of a point from its true place: in the image plane of one view, mm at its depth; in space for several.
-Eigen::Vector3d difference(const BentCase& bentCase, const core::RigidTransform& pose, const Eigen::Vector3d& point,
-                           const Eigen::Vector3d& truePoint)
+Eigen::Vector3d difference(const DeformedCase& deformedCase, const core::RigidTransform& pose,
+                           const Eigen::Vector3d& point, const Eigen::Vector3d& truePoint)
 {
-    const BentView& view = bentCase.views.front();
+    const DeformedView& view = deformedCase.views.front();
     const Eigen::Vector3d found = pose * point;
     const Eigen::Vector3d truth = view.truth * truePoint;
-    if (bentCase.views.size() > 1) {
+    if (deformedCase.views.size() > 1) {
         return found - truth;
     }
     const Eigen::Vector2d apart = truth.z() * (found.head<2>() / found.z() - truth.head<2>() / truth.z());
     return {apart.x(), apart.y(), 0.0};
 }
 
-Errors errorsOf(const BentCase& bentCase, const core::RigidTransform& pose, const core::VesselTree& tree)
+Errors errorsOf(const DeformedCase& deformedCase, const core::RigidTransform& pose, const core::VesselTree& tree)
 {
     Errors errors;
     double count = 0.0;
     double missing = 0.0;
     for (std::size_t b = 0; b < tree.branches.size(); ++b) {
         for (std::size_t i = 0; i < tree.branches[b].pointsInPatient.size(); ++i) {
-            const double error = difference(bentCase, pose, tree.branches[b].pointsInPatient[i],
-                                            bentCase.bent.branches[b].pointsInPatient[i])
+            const double error = difference(deformedCase, pose, tree.branches[b].pointsInPatient[i],
+                                            deformedCase.deformed.branches[b].pointsInPatient[i])
                                      .norm();
             errors.mean += error;
             count += 1.0;
-            if (bentCase.isMissing[b]) {
+            if (deformedCase.isMissing[b]) {
                 errors.missing += error;
                 missing += 1.0;
             }
@@ -96,17 +96,17 @@ Errors errorsOf(const BentCase& bentCase, const core::RigidTransform& pose, cons
 }
 
 /// Covariance of what `difference` tells.
-void judgeCovariance(const BentCase& bentCase, const core::VesselTree& bent, Outcome& outcome)
+void judgeCovariance(const DeformedCase& deformedCase, const core::VesselTree& deformed, Outcome& outcome)
 {
-    const bool isFlat = bentCase.views.size() == 1;
+    const bool isFlat = deformedCase.views.size() == 1;
     const double limit = isFlat ? 5.991 : 7.815;
     double inside = 0.0;
     double count = 0.0;
-    for (std::size_t b = 0; b < bent.branches.size(); ++b) {
-        for (std::size_t i = 0; i < bent.branches[b].pointsInPatient.size(); ++i) {
+    for (std::size_t b = 0; b < deformed.branches.size(); ++b) {
+        for (std::size_t i = 0; i < deformed.branches[b].pointsInPatient.size(); ++i) {
             const Eigen::Vector3d e =
-                difference(bentCase, outcome.result.cameraFromPatient, bent.branches[b].pointsInPatient[i],
-                           bentCase.bent.branches[b].pointsInPatient[i]);
+                difference(deformedCase, outcome.result.cameraFromPatient, deformed.branches[b].pointsInPatient[i],
+                           deformedCase.deformed.branches[b].pointsInPatient[i]);
             const Eigen::Matrix3d& covariance = outcome.result.branches[b].covariance[i];
             const double squares = isFlat ? e.head<2>().dot(covariance.topLeftCorner<2, 2>().inverse() * e.head<2>())
                                           : e.dot(covariance.inverse() * e);
@@ -119,10 +119,10 @@ void judgeCovariance(const BentCase& bentCase, const core::VesselTree& bent, Out
     outcome.nees /= count;
 }
 
-core::RegistrationInput inputOf(const BentCase& bentCase, const BentView& view)
+core::RegistrationInput inputOf(const DeformedCase& deformedCase, const DeformedView& view)
 {
     core::RegistrationInput input;
-    input.tree = bentCase.tree;
+    input.tree = deformedCase.tree;
     input.target = view.target;
     input.camera = view.camera;
     input.initialCameraFromPatient = view.nominal;
@@ -145,13 +145,13 @@ std::vector<core::RigidTransform> registerRigidly(const std::vector<core::Regist
     return poses;
 }
 
-Outcome runCase(const BentCase& bentCase)
+Outcome runCase(const DeformedCase& deformedCase)
 {
     Outcome outcome;
     std::vector<core::RegistrationInput> inputs;
     std::vector<core::DeformableView> views;
-    for (const BentView& view : bentCase.views) {
-        inputs.push_back(inputOf(bentCase, view));
+    for (const DeformedView& view : deformedCase.views) {
+        inputs.push_back(inputOf(deformedCase, view));
     }
     core::ThreadStopwatch rigidWatch;
     const std::vector<core::RigidTransform> rigid = registerRigidly(inputs);
@@ -159,14 +159,14 @@ Outcome runCase(const BentCase& bentCase)
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         views.push_back({inputs[k], rigid[k], 0});
     }
-    core::ThreadStopwatch bentWatch;
+    core::ThreadStopwatch deformedWatch;
     outcome.result = core::deformVessels(views).value();
-    outcome.bentMs = bentWatch.elapsedMs();
-    outcome.best = errorsOf(bentCase, benchmarks::bestRigidPose(bentCase), bentCase.tree);
-    outcome.rigid = errorsOf(bentCase, rigid.front(), bentCase.tree);
-    const core::VesselTree bent = core::bentTree(bentCase.tree, outcome.result);
-    outcome.bent = errorsOf(bentCase, outcome.result.cameraFromPatient, bent);
-    judgeCovariance(bentCase, bent, outcome);
+    outcome.deformedMs = deformedWatch.elapsedMs();
+    outcome.best = errorsOf(deformedCase, benchmarks::bestRigidPose(deformedCase), deformedCase.tree);
+    outcome.rigid = errorsOf(deformedCase, rigid.front(), deformedCase.tree);
+    const core::VesselTree deformed = core::deformedTree(deformedCase.tree, outcome.result);
+    outcome.deformed = errorsOf(deformedCase, outcome.result.cameraFromPatient, deformed);
+    judgeCovariance(deformedCase, deformed, outcome);
     return outcome;
 }
 
@@ -181,37 +181,37 @@ double meanOver(const std::vector<Outcome>& outcomes, const Value& value)
 std::string textOf(const Outcome& o)
 {
     return "best " + fixedText(o.best.mean, 3) + " rigid " + fixedText(o.rigid.mean, 3) + " bent " +
-           fixedText(o.bent.mean, 3) + " missing " + fixedText(o.bent.missing, 3) + " c95 " + fixedText(o.coverage, 2) +
-           " nees " + fixedText(o.nees, 2) + " gain " + fixedText(o.result.logEvidenceGain, 1) + " " +
-           std::string(core::toText(o.result.verdict)) + " spread " + fixedText(o.result.spreadMm, 2) + " explained " +
-           fixedText(o.result.explainedShare, 2) + " noise " + fixedText(o.result.noisePx, 2) + " ms " +
-           fixedText(o.bentMs, 0);
+           fixedText(o.deformed.mean, 3) + " missing " + fixedText(o.deformed.missing, 3) + " c95 " +
+           fixedText(o.coverage, 2) + " nees " + fixedText(o.nees, 2) + " gain " +
+           fixedText(o.result.logEvidenceGain, 1) + " " + std::string(core::toText(o.result.verdict)) + " spread " +
+           fixedText(o.result.spreadMm, 2) + " explained " + fixedText(o.result.explainedShare, 2) + " noise " +
+           fixedText(o.result.noisePx, 2) + " ms " + fixedText(o.deformedMs, 0);
 }
 
 core::ResultTable::Row rowOf(const TrueMotion& motion, const std::vector<Outcome>& outcomes)
 {
-    int bent = 0;
+    int deformed = 0;
     int unsure = 0;
     int worse = 0;
     std::vector<double> gains;
     std::vector<double> times;
     for (const Outcome& outcome : outcomes) {
-        bent += outcome.result.verdict == core::BendVerdict::Bent ? 1 : 0;
-        unsure += outcome.result.verdict == core::BendVerdict::Unsure ? 1 : 0;
-        worse += outcome.bent.mean > outcome.rigid.mean * (motion.form == Form::None ? 1.05 : 1.0) ? 1 : 0;
+        deformed += outcome.result.verdict == core::DeformationVerdict::Deformed ? 1 : 0;
+        unsure += outcome.result.verdict == core::DeformationVerdict::Unsure ? 1 : 0;
+        worse += outcome.deformed.mean > outcome.rigid.mean * (motion.form == Form::None ? 1.05 : 1.0) ? 1 : 0;
         gains.push_back(outcome.result.logEvidenceGain);
-        times.push_back(outcome.bentMs);
+        times.push_back(outcome.deformedMs);
     }
     return {
         {motion.name(), fixedText(meanOver(outcomes, [](const Outcome& o) { return o.best.mean; }), 2),
          fixedText(meanOver(outcomes, [](const Outcome& o) { return o.rigid.mean; }), 2),
-         fixedText(meanOver(outcomes, [](const Outcome& o) { return o.bent.mean; }), 3),
-         fixedText(meanOver(outcomes, [](const Outcome& o) { return o.bent.missing; }), 2),
+         fixedText(meanOver(outcomes, [](const Outcome& o) { return o.deformed.mean; }), 3),
+         fixedText(meanOver(outcomes, [](const Outcome& o) { return o.deformed.missing; }), 2),
          fixedText(meanOver(outcomes, [](const Outcome& o) { return o.coverage; }), 2),
          fixedText(meanOver(outcomes, [](const Outcome& o) { return o.nees; }), 2),
          fixedText(core::quantile(gains, motion.form == Form::None ? 1.0 : 0.0), 1),
-         std::to_string(outcomes.size() - static_cast<std::size_t>(bent + unsure)) + "/" + std::to_string(bent) + "/" +
-             std::to_string(unsure),
+         std::to_string(outcomes.size() - static_cast<std::size_t>(deformed + unsure)) + "/" +
+             std::to_string(deformed) + "/" + std::to_string(unsure),
          std::to_string(worse) + " of " + std::to_string(outcomes.size()), fixedText(core::quantile(times, 0.5), 0)},
         false};
 }
@@ -251,8 +251,8 @@ int main(int argc, char** argv)
         for (std::uint64_t k = 0; k < cases; ++k) {
             const std::uint64_t number = seed + k;
             const core::CounterRandom random = core::CounterRandom(77000 + 1000 * row).fork(number);
-            outcomes.push_back(
-                runCase(benchmarks::makeBentCase(benchmarks::treeToBend(trees, number), motions[row], turns, random)));
+            outcomes.push_back(runCase(
+                benchmarks::makeDeformedCase(benchmarks::treeToDeform(trees, number), motions[row], turns, random)));
             if (arguments.isSet("each")) {
                 std::printf("%s %d: %s\n", motions[row].name().c_str(), static_cast<int>(number),
                             textOf(outcomes.back()).c_str());

@@ -11,7 +11,7 @@ namespace angiopose::benchmarks {
 namespace {
 
 constexpr double voxelMm = 0.45;   // not recorded with the graphs: arteries of a brain are about 130 mm wide
-constexpr double mostTortuous = 1.45;   // length over chord; what is more was traced zigzag
+constexpr double maxTortuous = 1.45;   // length over chord; what is more was traced zigzag
 
 Eigen::Vector3d anyDirection(core::CounterRandom& random)
 {
@@ -72,14 +72,14 @@ core::VesselTree graphTree(int number, core::CounterRandom random)
         core::VesselBranch branch;
         branch.id = static_cast<int>(tree.branches.size());
         branch.pointsInPatient =
-            arched(from, to, std::clamp(voxelMm * row[2], 1.02 * chordMm, mostTortuous * chordMm), random);
+            arched(from, to, std::clamp(voxelMm * row[2], 1.02 * chordMm, maxTortuous * chordMm), random);
         branch.radiusMm.assign(branch.pointsInPatient.size(), voxelMm * row[3] / 2.0);
         tree.branches.push_back(std::move(branch));
     }
     return core::resampled(tree, 1.0);
 }
 
-core::VesselTree treeToBend(const std::string& which, std::uint64_t number)
+core::VesselTree treeToDeform(const std::string& which, std::uint64_t number)
 {
     if (which == "grown") {
         core::TreeOptions options;

@@ -18,6 +18,6 @@ core::VesselTree graphTree(int number, core::CounterRandom random);
 
 /// Number `number` of the trees that are bent in tables. "grown": simulated ones, to choose options on; else real
 /// cerebral ones, to judge.
-core::VesselTree treeToBend(const std::string& which, std::uint64_t number);
+core::VesselTree treeToDeform(const std::string& which, std::uint64_t number);
 
 }   // namespace angiopose::benchmarks

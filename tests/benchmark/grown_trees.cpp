@@ -11,32 +11,33 @@ namespace {
 constexpr double stepMm = 1.2;
 
 /// What the branches of one tree have in common.
-struct Habit {
+struct ToolPreference {
     int generations = 4;
     double lengthMm = 25.0;   ///< of a first branch
     double shrink = 0.85;   ///< from generation to generation
     double wander = 0.1;   ///< rad per step
-    double leastAngle = 0.3, mostAngle = 0.9;
+    double minAngle = 0.3, maxAngle = 0.9;
     double threeShare = 0.1;   ///< of the places where three vessels leave instead of two
     double endShare = 0.15;   ///< of branches that end early
 };
 
-Habit drawnHabit(ForeignRandom& random)
+ToolPreference drawnPreference(ForeignRandom& random)
 {
-    Habit habit;
-    habit.generations = 3 + static_cast<int>(random.index(4));
-    habit.lengthMm = random.uniform(18.0, 45.0);
-    habit.shrink = random.uniform(0.65, 0.95);
-    habit.wander = random.uniform(0.03, 0.18);
-    habit.mostAngle = random.uniform(0.6, 1.3);
-    habit.threeShare = random.uniform(0.0, 0.25);
-    habit.endShare = random.uniform(0.05, 0.3);
-    return habit;
+    ToolPreference preference;
+    preference.generations = 3 + static_cast<int>(random.index(4));
+    preference.lengthMm = random.uniform(18.0, 45.0);
+    preference.shrink = random.uniform(0.65, 0.95);
+    preference.wander = random.uniform(0.03, 0.18);
+    preference.maxAngle = random.uniform(0.6, 1.3);
+    preference.threeShare = random.uniform(0.0, 0.25);
+    preference.endShare = random.uniform(0.05, 0.3);
+    return preference;
 }
 
 class Growing {
 public:
-    Growing(RootedTree& tree, const Habit& habit, ForeignRandom& random) : tree_(tree), habit_(habit), random_(random)
+    Growing(RootedTree& tree, const ToolPreference& preference, ForeignRandom& random)
+        : tree_(tree), preference_(preference), random_(random)
     {
     }
 
@@ -50,10 +51,10 @@ public:
         const int own = static_cast<int>(tree_.tree.branches.size());
         tree_.tree.branches.push_back(std::move(branch));
         tree_.parent.push_back(parent);
-        if (generation + 1 >= habit_.generations || (generation > 1 && random_.uniform() < habit_.endShare)) {
+        if (generation + 1 >= preference_.generations || (generation > 1 && random_.uniform() < preference_.endShare)) {
             return;
         }
-        const int children = random_.uniform() < habit_.threeShare ? 3 : 2;
+        const int children = random_.uniform() < preference_.threeShare ? 3 : 2;
         const double first = random_.uniform(0.0, 2.0 * std::numbers::pi);
         for (int child = 0; child < children; ++child) {
             const double around = first + 2.0 * std::numbers::pi * (child + random_.uniform(-0.1, 0.1)) / children;
@@ -64,11 +65,12 @@ public:
 private:
     std::vector<Eigen::Vector3d> wandered(const Eigen::Vector3d& from, Eigen::Vector3d& heading, int generation)
     {
-        const double lengthMm = habit_.lengthMm * std::pow(habit_.shrink, generation) * random_.uniform(0.5, 1.6);
+        const double lengthMm =
+            preference_.lengthMm * std::pow(preference_.shrink, generation) * random_.uniform(0.5, 1.6);
         std::vector<Eigen::Vector3d> points{from};
         Eigen::Vector3d turn = Eigen::Vector3d::Zero();
         for (int left = std::max(3, static_cast<int>(lengthMm / stepMm)); left > 0; --left) {
-            turn = 0.85 * turn + habit_.wander * random_.direction();
+            turn = 0.85 * turn + preference_.wander * random_.direction();
             heading = (heading + 0.3 * turn).normalized();
             points.push_back(points.back() + stepMm * heading);
         }
@@ -79,11 +81,11 @@ private:
     {
         const Eigen::Vector3d side = heading.unitOrthogonal();
         const Eigen::Vector3d axis = Eigen::AngleAxisd(around, heading) * side;
-        return Eigen::AngleAxisd(random_.uniform(habit_.leastAngle, habit_.mostAngle), axis) * heading;
+        return Eigen::AngleAxisd(random_.uniform(preference_.minAngle, preference_.maxAngle), axis) * heading;
     }
 
     RootedTree& tree_;
-    const Habit& habit_;
+    const ToolPreference& preference_;
     ForeignRandom& random_;
 };
 
@@ -150,13 +152,13 @@ RootedTree grownTree(std::uint64_t number)
     ForeignRandom random(77'003 + number);
     RootedTree tree;
     tree.name = "grown " + std::to_string(number);
-    const Habit habit = drawnHabit(random);
+    const ToolPreference preference = drawnPreference(random);
     const std::size_t roots = 1 + random.index(3);
     for (std::size_t root = 0; root < roots; ++root) {
         const Eigen::Vector3d from = 40.0 * (random.uniform() - 0.5) * Eigen::Vector3d::UnitX() +
                                      30.0 * static_cast<double>(root) * Eigen::Vector3d::UnitY();
         const Eigen::Vector3d up = (Eigen::Vector3d::UnitZ() + 0.4 * random.direction()).normalized();
-        Growing(tree, habit, random).grow(-1, from, up, 0);
+        Growing(tree, preference, random).grow(-1, from, up, 0);
     }
     return tree;
 }

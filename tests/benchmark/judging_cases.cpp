@@ -1,7 +1,7 @@
 #include "tests/benchmark/judging_cases.h"
 
 #include "io/vessel_tree_file.h"
-#include "tests/benchmark/bent_cases.h"
+#include "tests/benchmark/deformed_cases.h"
 #include "tests/benchmark/wrong_geometry.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 using Form = TrueMotion::Form;
 
-constexpr std::size_t leastBranches = 8;
+constexpr std::size_t minBranches = 8;
 constexpr double touchingMm = 2.5;
 
 struct Kind {
@@ -94,7 +94,7 @@ void addFile(std::vector<RootedTree>& trees, const std::string& path, const std:
     const auto tree = io::readVesselTree(path);
     if (!tree) {
         std::fprintf(stderr, "Left out: %s\n", tree.error().message.text().c_str());
-    } else if (tree.value().branches.size() >= leastBranches) {
+    } else if (tree.value().branches.size() >= minBranches) {
         trees.push_back(rootedByTouch(tree.value(), name));
     }
 }
@@ -113,16 +113,16 @@ AskedCase fromForeign(const ForeignCase& made)
     return asked;
 }
 
-AskedCase fromBent(const BentCase& made)
+AskedCase fromDeformed(const DeformedCase& made)
 {
-    const BentView& view = made.views.front();
+    const DeformedView& view = made.views.front();
     AskedCase asked;
     asked.input.tree = made.tree;
     asked.input.target = view.target;
     asked.input.camera = view.camera;
     asked.input.initialCameraFromPatient = view.nominal;
     asked.trueCamera = view.camera;
-    for (const core::VesselBranch& branch : made.bent.branches) {
+    for (const core::VesselBranch& branch : made.deformed.branches) {
         std::vector<Eigen::Vector3d>& places = asked.trueInCamera.emplace_back();
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             places.push_back(view.truth * point);
@@ -142,7 +142,7 @@ std::vector<RootedTree> judgingTrees(const std::string& dataFolder)
         for (std::size_t root = 0; root < whole.parent.size(); ++root) {
             if (whole.parent[root] < 0) {
                 RootedTree part = partOf(whole, root, whole.name + " inflow " + std::to_string(++inflow));
-                if (part.parent.size() >= leastBranches) {
+                if (part.parent.size() >= minBranches) {
                     trees.push_back(std::move(part));
                 }
             }
@@ -165,7 +165,7 @@ AskedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, st
     AskedCase made;
     if (asked.motion) {
         const core::CounterRandom random = core::CounterRandom(47'000 + 1000 * kind).fork(100 * tree + trial);
-        made = fromBent(makeBentCase(centred(trees[tree].tree), *asked.motion, {0.0}, random));
+        made = fromDeformed(makeDeformedCase(centerd(trees[tree].tree), *asked.motion, {0.0}, random));
     } else {
         made = fromForeign(makeForeignCase(trees, tree, asked.scene, 10 + trial));
         made.input.cameraSpread = spreadOfHeader(made.input.camera);

@@ -18,20 +18,20 @@ std::vector<Eigen::Vector3d> allPoints(const core::VesselTree& tree)
 
 }   // namespace
 
-core::RigidTransform nearestPoseInSpace(const BentCase& bentCase)
+core::RigidTransform nearestPoseInSpace(const DeformedCase& deformedCase)
 {
-    const std::vector<Eigen::Vector3d> points = allPoints(bentCase.tree);
-    return bentCase.views.front().truth *
-           core::nearestRigid(points, allPoints(bentCase.bent), std::vector<double>(points.size(), 1.0));
+    const std::vector<Eigen::Vector3d> points = allPoints(deformedCase.tree);
+    return deformedCase.views.front().truth *
+           core::nearestRigid(points, allPoints(deformedCase.deformed), std::vector<double>(points.size(), 1.0));
 }
 
-core::RigidTransform bestRigidPose(const BentCase& bentCase)
+core::RigidTransform bestRigidPose(const DeformedCase& deformedCase)
 {
-    const BentView& view = bentCase.views.front();
-    const std::vector<Eigen::Vector3d> points = allPoints(bentCase.tree);
-    const std::vector<Eigen::Vector3d> truths = allPoints(bentCase.bent);
-    const core::RigidTransform inSpace = nearestPoseInSpace(bentCase);
-    if (bentCase.views.size() > 1) {
+    const DeformedView& view = deformedCase.views.front();
+    const std::vector<Eigen::Vector3d> points = allPoints(deformedCase.tree);
+    const std::vector<Eigen::Vector3d> truths = allPoints(deformedCase.deformed);
+    const core::RigidTransform inSpace = nearestPoseInSpace(deformedCase);
+    if (deformedCase.views.size() > 1) {
         return inSpace;
     }
     core::RigidTransform pose = inSpace;

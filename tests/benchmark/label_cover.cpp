@@ -65,7 +65,7 @@ double coverOfVessels(const core::VoxelMask& mask, const std::vector<std::size_t
     const core::DistanceMap distances = core::distanceMap(mask, 1, unheard);
     const core::VesselGraph graph = core::vesselGraph(skeleton, distances, unheard);
     const std::vector<int> degrees = graph.degrees();
-    const double leastReachMm = reachVoxels * mask.geometry.spacingMm.maxCoeff();
+    const double minReachMm = reachVoxels * mask.geometry.spacingMm.maxCoeff();
     double all = 0.0;
     double found = 0.0;
     for (const core::VesselEdge& edge : graph.edges) {
@@ -76,7 +76,7 @@ double coverOfVessels(const core::VoxelMask& mask, const std::vector<std::size_t
         for (std::size_t n = 0; !isTwig && n < edge.pointsMm.size(); ++n) {
             const Eigen::Vector3i at =
                 edge.pointsMm[n].cwiseQuotient(mask.geometry.spacingMm).array().round().cast<int>();
-            const double reachMm = std::max(leastReachMm, 0.5 * edge.radiusMm[n]);
+            const double reachMm = std::max(minReachMm, 0.5 * edge.radiusMm[n]);
             all += 1.0;
             found += away.mm(mask.geometry.index(at.x(), at.y(), at.z())) <= reachMm ? 1.0 : 0.0;
         }

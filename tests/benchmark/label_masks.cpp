@@ -211,14 +211,14 @@ core::VoxelMask drawnVessels(const core::VesselTree& tree, double voxelMm)
     core::VoxelMask mask(grid);
     for (const core::VesselBranch& branch : core::resampled(tree, 0.5 * voxelMm).branches) {
         for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
-            const Eigen::Vector3d centre = (branch.pointsInPatient[n] - grid.originInPatient) / voxelMm;
+            const Eigen::Vector3d center = (branch.pointsInPatient[n] - grid.originInPatient) / voxelMm;
             const double radius = (branch.radiusMm.empty() ? 1.0 : branch.radiusMm[n]) / voxelMm;
-            const Eigen::Vector3i low = (centre.array() - radius).ceil().cast<int>();
-            const Eigen::Vector3i high = (centre.array() + radius).floor().cast<int>();
+            const Eigen::Vector3i low = (center.array() - radius).ceil().cast<int>();
+            const Eigen::Vector3i high = (center.array() + radius).floor().cast<int>();
             for (int k = low.z(); k <= high.z(); ++k) {
                 for (int j = low.y(); j <= high.y(); ++j) {
                     for (int i = low.x(); i <= high.x(); ++i) {
-                        if ((Eigen::Vector3d(i, j, k) - centre).norm() <= radius) {
+                        if ((Eigen::Vector3d(i, j, k) - center).norm() <= radius) {
                             mask.at(i, j, k) = 1;
                         }
                     }

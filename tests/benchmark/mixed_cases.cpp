@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rad = std::numbers::pi / 180.0;
 constexpr std::uint64_t casesPerTree = 4;
-constexpr std::size_t leastCurvePoints = 4;
+constexpr std::size_t minCurvePoints = 4;
 
 using Pixels = std::vector<Eigen::Vector2d>;
 
@@ -149,7 +149,7 @@ void addTraced(const Pixels& curve, const Imaging& imaging, ForeignRandom& rando
     bool isLost = random.uniform() < imaging.lostShare;
     auto left = static_cast<int>(random.uniform(15.0, 150.0));
     const auto end = [&] {
-        if (!isLost && piece.size() >= leastCurvePoints) {
+        if (!isLost && piece.size() >= minCurvePoints) {
             target.curves.push_back({static_cast<int>(target.curves.size()), std::move(piece), {}});
         }
         piece.clear();
@@ -177,12 +177,12 @@ Pixels foreignCurve(const core::ProjectionCamera& camera, ForeignRandom& random)
 {
     Eigen::Vector2d at(random.uniform(0.05, 0.95) * camera.width, random.uniform(0.05, 0.95) * camera.height);
     double heading = random.uniform(0.0, 2.0 * std::numbers::pi);
-    double bend = 0.0;
+    double deformation = 0.0;
     Pixels curve;
     for (int left = 20 + static_cast<int>(random.index(90)); left > 0; --left) {
         curve.push_back(at);
-        bend = 0.92 * bend + 0.02 * random.normal();
-        heading += bend;
+        deformation = 0.92 * deformation + 0.02 * random.normal();
+        heading += deformation;
         at += 4.0 * Eigen::Vector2d(std::cos(heading), std::sin(heading));
     }
     return curve;

@@ -172,7 +172,7 @@ bool isChosen(int number, const std::string& which)
 }
 
 /// What is traced where the vessels were painted over.
-void printWithoutVessels(const std::string& which, bool isEachWished)
+void printWithoutVessels(const std::string& which, bool isEachRequested)
 {
     int frames = 0;
     int refused = 0;
@@ -190,7 +190,7 @@ void printWithoutVessels(const std::string& which, bool isEachWished)
         const auto whole = tracedIn(frame);
         const auto rest =
             tracedIn(test::withoutVessels(frame, test::whitePixels(truth), 4, static_cast<std::uint64_t>(number)));
-        if (isEachWished) {
+        if (isEachRequested) {
             std::printf("%4d  traced %6.0f px, without vessels %6.0f, not flagged %6.0f\n", number, whole.first,
                         rest.first, rest.second);
         }

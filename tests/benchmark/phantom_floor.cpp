@@ -56,12 +56,12 @@ core::Centerline2d seenPart(const core::Centerline2d& projected, const core::Cen
 std::vector<core::RegistrationInput> simulatedViews(const std::vector<PhantomView>& views, double shapeStdMm,
                                                     core::CounterRandom random)
 {
-    const core::VesselTree bent = core::deformed(views.front().input.tree, shapeStdMm, random);
+    const core::VesselTree warped = core::deformed(views.front().input.tree, shapeStdMm, random);
     std::vector<core::RegistrationInput> inputs;
     for (const PhantomView& view : views) {
         inputs.push_back(view.input);
         inputs.back().target =
-            seenPart(core::projectTree(bent, view.input.camera, view.result.cameraFromPatient), view.input.target);
+            seenPart(core::projectTree(warped, view.input.camera, view.result.cameraFromPatient), view.input.target);
     }
     return inputs;
 }
@@ -89,16 +89,16 @@ Simulated simulate(const std::vector<PhantomView>& views, double shapeStdMm, int
 }
 
 /// What the headers say of gantries that stand a little otherwise.
-std::vector<Eigen::Matrix3d> toldRotations(const std::vector<PhantomView>& views, double stdDeg,
-                                           core::CounterRandom random)
+std::vector<Eigen::Matrix3d> reportedRotations(const std::vector<PhantomView>& views, double stdDeg,
+                                               core::CounterRandom random)
 {
-    std::vector<Eigen::Matrix3d> told = registeredRotations(views);
-    for (Eigen::Matrix3d& rotation : told) {
+    std::vector<Eigen::Matrix3d> reported = registeredRotations(views);
+    for (Eigen::Matrix3d& rotation : reported) {
         const double x = random.normal();
         const double y = random.normal();
         rotation = core::expSo3(stdDeg * std::numbers::pi / 180.0 * Eigen::Vector3d(x, y, 0.0)) * rotation;
     }
-    return told;
+    return reported;
 }
 
 std::string spreadText(const std::vector<double>& values, const char* unit)
@@ -114,7 +114,7 @@ core::ResultTable::Row rowOf(const std::vector<PhantomView>& views, double shape
     std::vector<double> largestDeg;
     for (std::size_t trial = 0; trial < simulated.rotations.size(); ++trial) {
         const auto pairs =
-            pairsOf(simulated.rotations[trial], toldRotations(views, gantryStdDeg, random.fork(trial).fork(1)));
+            pairsOf(simulated.rotations[trial], reportedRotations(views, gantryStdDeg, random.fork(trial).fork(1)));
         mediansDeg.push_back(medianDifferenceDeg(pairs));
         largestDeg.push_back(largestDifferenceDeg(pairs));
     }

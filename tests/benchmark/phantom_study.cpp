@@ -55,10 +55,10 @@ void printDeviations(const std::vector<PhantomView>& views)
     for (const PhantomView& view : views) {
         const Eigen::Matrix3d expected = view.headerRotation * turn;
         const Eigen::Vector3d deviation = core::logSo3(view.result.cameraFromPatient.rotation * expected.transpose());
-        const Eigen::Vector3d isocentre(0.0, 0.0, view.sourceToPatientMm);
+        const Eigen::Vector3d isocenter(0.0, 0.0, view.sourceToPatientMm);
         table.rows.push_back({{view.name, vectorText(deviation.unaryExpr(&inDegrees), 2),
                                vectorText(view.result.uncertainty.rotationDeg, 2),
-                               vectorText(view.headerRotation.transpose() * (centroidInCamera(view) - isocentre), 1),
+                               vectorText(view.headerRotation.transpose() * (centroidInCamera(view) - isocenter), 1),
                                fixedText(view.result.uncertainty.depthMm, 1)},
                               false});
     }

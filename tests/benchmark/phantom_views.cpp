@@ -23,35 +23,35 @@ core::Result<PhantomView> registerView(const std::filesystem::path& path, const 
     if (!loaded) {
         return loaded.error();
     }
-    core::Case theCase = std::move(loaded).value();
-    theCase.options = options;
-    const auto headerPose = core::cameraFromPatient(theCase.shown().geometry.cArm, Eigen::Vector3d::Zero());
+    core::Case session = std::move(loaded).value();
+    session.options = options;
+    const auto headerPose = core::cameraFromPatient(session.shown().geometry.cArm, Eigen::Vector3d::Zero());
     if (!headerPose) {
         return headerPose.error();
     }
     const auto begin = std::chrono::steady_clock::now();
-    auto target = core::targetOf(theCase.shown());
+    auto target = core::targetOf(session.shown());
     if (!target) {
         return target.error();
     }
     PhantomView view;
     view.traceMs = milliseconds(begin);
-    auto input = core::registrationInputOf(theCase, std::move(target).value());
+    auto input = core::registrationInputOf(session, std::move(target).value());
     if (!input) {
         return input.error();
     }
     view.input = std::move(input).value();
-    auto result = core::registerVessels(view.input, theCase.options);
+    auto result = core::registerVessels(view.input, session.options);
     if (!result) {
         return result.error();
     }
     view.name = path.stem().string();
-    view.primaryDeg = theCase.shown().geometry.cArm.primaryAngleDeg.value.value_or(0.0);
-    view.secondaryDeg = theCase.shown().geometry.cArm.secondaryAngleDeg.value.value_or(0.0);
-    view.sourceToPatientMm = theCase.shown().geometry.cArm.sourceToIsocenterMm.value.value_or(0.0);
+    view.primaryDeg = session.shown().geometry.cArm.primaryAngleDeg.value.value_or(0.0);
+    view.secondaryDeg = session.shown().geometry.cArm.secondaryAngleDeg.value.value_or(0.0);
+    view.sourceToPatientMm = session.shown().geometry.cArm.sourceToIsocenterMm.value.value_or(0.0);
     view.headerRotation = headerPose.value().rotation;
     view.result = std::move(result).value();
-    view.depthMm = (view.result.cameraFromPatient * core::centroidInPatient(*theCase.vessels.tree)).z();
+    view.depthMm = (view.result.cameraFromPatient * core::centroidInPatient(*session.vessels.tree)).z();
     return view;
 }
 
@@ -116,9 +116,10 @@ std::vector<PhantomPair> pairsOf(const std::vector<Eigen::Matrix3d>& rotations,
     for (std::size_t a = 0; a < rotations.size(); ++a) {
         for (std::size_t b = a + 1; b < rotations.size(); ++b) {
             const Eigen::Matrix3d found = rotations[b] * rotations[a].transpose();
-            const Eigen::Matrix3d told = expected[b] * expected[a].transpose();
+            const Eigen::Matrix3d reported = expected[b] * expected[a].transpose();
             pairs.push_back({a, b, inDegrees(core::angleBetween(found, none)),
-                             inDegrees(core::angleBetween(told, none)), inDegrees(core::angleBetween(found, told))});
+                             inDegrees(core::angleBetween(reported, none)),
+                             inDegrees(core::angleBetween(found, reported))});
         }
     }
     return pairs;

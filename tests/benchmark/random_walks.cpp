@@ -26,7 +26,7 @@ struct Plan {
     int actions = 20;
     QString folder;
     QStringList cases;
-    bool isTold = false;
+    bool isKnown = false;
 };
 
 Plan planOf(const QStringList& arguments, const QString& folder)
@@ -54,8 +54,8 @@ bool walk(const Plan& plan, int number)
     QElapsedTimer timer;
     timer.start();
     test::RandomWalk planned{{opened}, seed, plan.actions, plan.folder + QStringLiteral("/%1").arg(seed)};
-    if (plan.isTold) {
-        planned.told = [](const QString& action) { std::printf("    %s\n", qPrintable(action)); };
+    if (plan.isKnown) {
+        planned.reported = [](const QString& action) { std::printf("    %s\n", qPrintable(action)); };
     }
     const QStringList surprises = test::surprisesOf(planned);
     std::printf("seed %llu: %s (%.0f s)\n", static_cast<unsigned long long>(seed),

@@ -16,7 +16,7 @@ namespace {
 
 struct Worst {
     double shiftPx = 0.0;
-    int grey = 0;
+    int gray = 0;
 };
 
 Worst printCase(std::uint64_t seed, ui::GlOverlay& gl)
@@ -28,10 +28,10 @@ Worst printCase(std::uint64_t seed, ui::GlOverlay& gl)
             std::printf(
                 "%4d  %-26s %4d %%  %6.3f px at (%6.1f, %6.1f) of %5zu  %4d grey at (%4d, %4d)  %5.1f %% edges\n",
                 static_cast<int>(seed), state.name.c_str(), percent, agreement.lineShiftPx, agreement.worstLineAt.x(),
-                agreement.worstLineAt.y(), agreement.lineSamples, agreement.greyDifference, agreement.worstGreyAt.x(),
-                agreement.worstGreyAt.y(), 100.0 * agreement.edgeShare);
+                agreement.worstLineAt.y(), agreement.lineSamples, agreement.grayDifference, agreement.worstGrayAt.x(),
+                agreement.worstGrayAt.y(), 100.0 * agreement.edgeShare);
             worst.shiftPx = std::max(worst.shiftPx, agreement.lineShiftPx);
-            worst.grey = std::max(worst.grey, agreement.greyDifference);
+            worst.gray = std::max(worst.gray, agreement.grayDifference);
         }
     }
     return worst;
@@ -75,9 +75,9 @@ int main(int argc, char** argv)
     Worst worst;
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         const Worst here = printCase(seed, gl);
-        worst = {std::max(worst.shiftPx, here.shiftPx), std::max(worst.grey, here.grey)};
+        worst = {std::max(worst.shiftPx, here.shiftPx), std::max(worst.gray, here.gray)};
     }
-    std::printf("worst: lines %.3f px, colours outside of edges %d grey values\n", worst.shiftPx, worst.grey);
+    std::printf("worst: lines %.3f px, colours outside of edges %d grey values\n", worst.shiftPx, worst.gray);
     printWork(gl);
     return 0;
 }

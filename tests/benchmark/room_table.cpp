@@ -78,12 +78,12 @@ Outcome outcomeOf(const Room& room, std::uint64_t seed)
 {
     const auto simulated = core::simulateRoom(seed, room.options);
     const test::TemporaryFolder folder;
-    core::Case theCase;
-    theCase.vessels.tree = std::make_shared<const core::VesselTree>(simulated.front().tree);
-    theCase.views.clear();
+    core::Case session;
+    session.vessels.tree = std::make_shared<const core::VesselTree>(simulated.front().tree);
+    session.views.clear();
     for (const core::SimulatedCase& view : simulated) {
-        const std::string path = folder.file("view-" + std::to_string(theCase.views.size()) + ".dcm");
-        core::View& read = theCase.views.emplace_back();
+        const std::string path = folder.file("view-" + std::to_string(session.views.size()) + ".dcm");
+        core::View& read = session.views.emplace_back();
         const auto written = io::writeAngiogram(view.angiogram, path);
         auto angiogram = io::readAngiogram(path);
         if (!written || !angiogram) {
@@ -93,9 +93,9 @@ Outcome outcomeOf(const Room& room, std::uint64_t seed)
         read.geometry.cArm = angiogram.value().cArm;
         read.frame = view.angiogram.suggestedFrame;
         read.angiogram = std::make_shared<const core::Angiogram>(std::move(angiogram).value());
-        read.cameraFromPatient = core::startPoseOf(read, theCase.vessels).value();
+        read.cameraFromPatient = core::startPoseOf(read, session.vessels).value();
     }
-    const auto found = core::registerCase(theCase);
+    const auto found = core::registerCase(session);
     if (!found) {
         return {.words = found.error().message.text()};
     }

@@ -37,18 +37,18 @@ QString nameOf(const QObject& receiver, const QEvent& event)
 /// Where a slow handler was, from the inside out: our own functions, and what the innermost was calling.
 void printStack(const std::vector<std::string>& stack)
 {
-    constexpr std::size_t mostCalled = 3;
-    constexpr std::size_t mostOwn = 5;
+    constexpr std::size_t maxCalled = 3;
+    constexpr std::size_t maxOwn = 5;
     const auto isOwn = [](const std::string& name) { return name.starts_with("angiopose::"); };
-    std::vector<std::string> told(stack.begin(), std::ranges::find_if(stack, isOwn));
-    told.resize(std::min(told.size(), mostCalled));
+    std::vector<std::string> reported(stack.begin(), std::ranges::find_if(stack, isOwn));
+    reported.resize(std::min(reported.size(), maxCalled));
     std::size_t own = 0;
     for (const std::string& name : stack) {
-        if (isOwn(name) && own++ < mostOwn) {
-            told.push_back(name);
+        if (isOwn(name) && own++ < maxOwn) {
+            reported.push_back(name);
         }
     }
-    for (const std::string& name : told) {
+    for (const std::string& name : reported) {
         std::printf("          in %s\n", name.c_str());
     }
 }

@@ -40,13 +40,13 @@ Field planeWaves(int count, const std::function<Eigen::Vector3d()>& waveVector, 
 
 core::VesselTree movedBy(const core::VesselTree& tree, const Field& field, double factor)
 {
-    core::VesselTree bent = tree;
-    for (core::VesselBranch& branch : bent.branches) {
+    core::VesselTree deformed = tree;
+    for (core::VesselBranch& branch : deformed.branches) {
         for (Eigen::Vector3d& point : branch.pointsInPatient) {
             point += factor * field(point);
         }
     }
-    return bent;
+    return deformed;
 }
 
 double rmsOf(const core::VesselTree& tree, const Field& field)
@@ -82,7 +82,7 @@ struct PointGraph {
                 points.push_back(point);
             }
         }
-        neighbours.resize(points.size());
+        neighbors.resize(points.size());
         std::size_t first = 0;
         for (const core::VesselBranch& branch : tree.branches) {
             const std::size_t end = first + branch.pointsInPatient.size();
@@ -102,8 +102,8 @@ struct PointGraph {
 
     void join(std::size_t a, std::size_t b)
     {
-        neighbours[a].push_back(b);
-        neighbours[b].push_back(a);
+        neighbors[a].push_back(b);
+        neighbors[b].push_back(a);
     }
 
     /// Way lengths from a point, and the point before each on the way (itself at the start).
@@ -118,7 +118,7 @@ struct PointGraph {
         while (!waiting.empty()) {
             const auto [length, at] = waiting.top();
             waiting.pop();
-            for (const std::size_t next : neighbours[at]) {
+            for (const std::size_t next : neighbors[at]) {
                 const double longer = length + (points[next] - points[at]).norm();
                 if (length <= lengths[at] && longer < lengths[next]) {
                     lengths[next] = longer;
@@ -142,11 +142,11 @@ struct PointGraph {
     }
 
     std::vector<Eigen::Vector3d> points;
-    std::vector<std::vector<std::size_t>> neighbours;
+    std::vector<std::vector<std::size_t>> neighbors;
 };
 
 /// A stiff wire in the longest way through the tree bends it to one side; what branches off is carried along.
-core::VesselTree bentByWire(const core::VesselTree& tree, double sizeMm, core::CounterRandom& random)
+core::VesselTree deformedByWire(const core::VesselTree& tree, double sizeMm, core::CounterRandom& random)
 {
     const PointGraph graph(tree);
     const std::size_t begin = PointGraph::farthest(graph.waysFrom(0).first);
@@ -159,9 +159,9 @@ core::VesselTree bentByWire(const core::VesselTree& tree, double sizeMm, core::C
         share[k] = lengths[k] / lengths[end];
     }
     share[begin] = 0.0;
-    core::VesselTree bent = tree;
+    core::VesselTree deformed = tree;
     std::size_t number = 0;
-    for (core::VesselBranch& branch : bent.branches) {
+    for (core::VesselBranch& branch : deformed.branches) {
         for (Eigen::Vector3d& point : branch.pointsInPatient) {
             std::size_t root = number++;
             while (share[root] < 0.0 && root != begin) {
@@ -170,7 +170,7 @@ core::VesselTree bentByWire(const core::VesselTree& tree, double sizeMm, core::C
             point += sizeMm * std::sin(std::numbers::pi * share[root]) * aside;
         }
     }
-    return bent;
+    return deformed;
 }
 
 }   // namespace
@@ -195,7 +195,7 @@ std::string TrueMotion::name() const
     return "";
 }
 
-core::VesselTree bentBy(const core::VesselTree& tree, const TrueMotion& motion, core::CounterRandom random)
+core::VesselTree deformedBy(const core::VesselTree& tree, const TrueMotion& motion, core::CounterRandom random)
 {
     const auto [low, high] = heightsOf(tree);
     const double rangeMm = high - low;
@@ -226,7 +226,7 @@ core::VesselTree bentBy(const core::VesselTree& tree, const TrueMotion& motion, 
                 },
                 motion.sizeMm);
         case TrueMotion::Form::Wire:
-            return bentByWire(tree, motion.sizeMm, random);
+            return deformedByWire(tree, motion.sizeMm, random);
         case TrueMotion::Form::Half: {
             const Eigen::Vector3d aside = Eigen::Vector3d(random.normal(), random.normal(), 0.0).normalized();
             return movedBy(

@@ -19,6 +19,6 @@ struct TrueMotion {
 };
 
 /// The tree after the motion; the same points.
-core::VesselTree bentBy(const core::VesselTree& tree, const TrueMotion& motion, core::CounterRandom random);
+core::VesselTree deformedBy(const core::VesselTree& tree, const TrueMotion& motion, core::CounterRandom random);
 
 }   // namespace angiopose::benchmarks

@@ -165,7 +165,7 @@ void printReasons(const Course& course)
 {
     struct Reason {
         const char* name;
-        double mostMm;
+        double maxMm;
         double arterialMm = 0.0;
         double otherMm = 0.0;
     };
@@ -174,7 +174,7 @@ void printReasons(const Course& course)
                                 {"farther: vessels of their own", 1e9}};
     for (const benchmarks::OutsideRun& run : course.outside) {
         const auto its = std::find_if(reasons.begin(), reasons.end(),
-                                      [&](const Reason& reason) { return run.farthestMm <= reason.mostMm; });
+                                      [&](const Reason& reason) { return run.farthestMm <= reason.maxMm; });
         (run.isArterial ? its->arterialMm : its->otherMm) += run.lengthMm;
     }
     core::ResultTable table = tableOf({"one seed, outside the masks", "as bright as arteries", "other"});

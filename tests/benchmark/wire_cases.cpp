@@ -11,7 +11,7 @@ namespace angiopose::benchmarks {
 namespace {
 
 constexpr double rad = std::numbers::pi / 180.0;
-constexpr double leastWireMm = 60.0;
+constexpr double minWireMm = 60.0;
 constexpr double startTurnDeg = 2.0;
 constexpr double startShiftMm = 5.0;
 constexpr double startDepthMm = 10.0;
@@ -71,7 +71,7 @@ double lengthMm(const Points& points)
 Way drawnWay(const RootedTree& tree, ForeignRandom& random)
 {
     Way best;
-    for (int attempt = 0; attempt < 50 && lengthMm(best.points) < leastWireMm; ++attempt) {
+    for (int attempt = 0; attempt < 50 && lengthMm(best.points) < minWireMm; ++attempt) {
         const std::size_t leaf = random.index(tree.parent.size());
         Way way = wayTo(tree, leaf);
         if (lengthMm(way.points) > lengthMm(best.points)) {

@@ -46,7 +46,7 @@ double shiftMm(const WireCase& made, const Eigen::Vector3d& point, const core::R
     const Eigen::Vector3d truth = made.cameraFromPatient * point;
     const auto a = core::project(made.input.camera, truth);
     const auto b = core::project(made.input.camera, pose * point);
-    return a && b ? (*a - *b).norm() * core::millimetresPerPixel(made.input.camera, truth.z()) : 100.0;
+    return a && b ? (*a - *b).norm() * core::millimetersPerPixel(made.input.camera, truth.z()) : 100.0;
 }
 
 /// Share of a course as the image shows it in truth: what runs along the ray is not visible.

@@ -48,13 +48,13 @@ struct Answer {
     double timeMs = 0.0;
 };
 
-void hear(Answer& answer, const core::Messages& warnings, const NamedError& told)
+void hear(Answer& answer, const core::Messages& warnings, const NamedError& reported)
 {
     for (const core::Message& warning : warnings) {
         const bool isAboutView = warning.id() == "views.in-view";
         const std::string_view id =
             isAboutView ? std::get<core::Messages>(warning.arguments().back()).front().id() : warning.id();
-        answer.isNamed = answer.isNamed || (!told.message.empty() && id.starts_with(told.message));
+        answer.isNamed = answer.isNamed || (!reported.message.empty() && id.starts_with(reported.message));
         answer.isEstimated = answer.isEstimated || id == "camera.estimated";
         answer.isAlarmed = answer.isAlarmed || id.starts_with("camera.") || id.starts_with("frame.");
     }
@@ -96,72 +96,74 @@ core::Case caseOf(const std::vector<core::RegistrationInput>& inputs, core::Regi
 }
 
 /// The questions with the geometry that is told of them.
-std::vector<core::RegistrationInput> toldInputs(const std::vector<ForeignCase>& asked, const NamedError& told,
-                                                std::uint64_t trial)
+std::vector<core::RegistrationInput> reportedInputs(const std::vector<ForeignCase>& asked, const NamedError& reported,
+                                                    std::uint64_t trial)
 {
     std::vector<core::RegistrationInput> inputs;
     for (const ForeignCase& view : asked) {
         core::RegistrationInput& input = inputs.emplace_back(view.input);
         input.cameraSpread = spreadOfHeader(input.camera);
-        spoil(input, told.error, trial);
+        spoil(input, reported.error, trial);
     }
     return inputs;
 }
 
 /// What a run says of the first view.
-void hearRun(Answer& answer, const core::RegistrationResult& result, const ForeignCase& asked, const NamedError& told)
+void hearRun(Answer& answer, const core::RegistrationResult& result, const ForeignCase& asked,
+             const NamedError& reported)
 {
     answer.isTrusted = result.trustworthy;
     answer.timeMs = result.time.totalMs;
     answer.gain = result.camera ? result.camera->gain : 0.0;
-    hear(answer, result.warnings, told);
+    hear(answer, result.warnings, reported);
     compare(answer, asked, result.cameraFromPatient, result.uncertainty);
 }
 
-Answer askEstimating(const std::vector<ForeignCase>& asked, const NamedError& told, std::uint64_t trial,
+Answer askEstimating(const std::vector<ForeignCase>& asked, const NamedError& reported, std::uint64_t trial,
                      const core::RegistrationOptions& options)
 {
     Answer answer;
-    if (const auto run = core::registerCase(caseOf(toldInputs(asked, told, trial), options))) {
-        const double focalPx = core::cameraOf(run.value().theCase.shown()).value().fy;
+    if (const auto run = core::registerCase(caseOf(reportedInputs(asked, reported, trial), options))) {
+        const double focalPx = core::cameraOf(run.value().session.shown()).value().fy;
         answer.focalOffPercent = 100.0 * std::abs(focalPx / asked.front().input.camera.fy - 1.0);
-        hearRun(answer, run.value().result(), asked.front(), told);
+        hearRun(answer, run.value().result(), asked.front(), reported);
     }
     return answer;
 }
 
-Answer askOne(const ForeignCase& asked, const NamedError& told, std::uint64_t trial,
+Answer askOne(const ForeignCase& asked, const NamedError& reported, std::uint64_t trial,
               const core::RegistrationOptions& options)
 {
     Answer answer;
-    if (const auto result = core::registerVessels(toldInputs({asked}, told, trial).front(), options)) {
-        hearRun(answer, result.value(), asked, told);
+    if (const auto result = core::registerVessels(reportedInputs({asked}, reported, trial).front(), options)) {
+        hearRun(answer, result.value(), asked, reported);
     }
     return answer;
 }
 
-Answer askTogether(const std::vector<ForeignCase>& asked, const NamedError& told, std::uint64_t trial,
+Answer askTogether(const std::vector<ForeignCase>& asked, const NamedError& reported, std::uint64_t trial,
                    const core::RegistrationOptions& options)
 {
     Answer answer;
-    const auto result = core::registerViews(toldInputs(asked, told, trial), options);
+    const auto result = core::registerViews(reportedInputs(asked, reported, trial), options);
     if (!result) {
         return answer;
     }
     answer.isTrusted = result.value().trustworthy;
     answer.gain = result.value().cameras.empty() ? 0.0 : result.value().cameras.front().gain;
-    hear(answer, result.value().warnings, told);
+    hear(answer, result.value().warnings, reported);
     compare(answer, asked.front(), result.value().views.front().cameraFromPatient, result.value().uncertainty);
     return answer;
 }
 
-Answer ask(const std::vector<ForeignCase>& asked, const NamedError& told, std::uint64_t trial,
+Answer ask(const std::vector<ForeignCase>& asked, const NamedError& reported, std::uint64_t trial,
            const core::RegistrationOptions& options)
 {
     if (options.geometry.estimate) {
-        return askEstimating(asked, told, trial, options);
+        return askEstimating(asked, reported, trial, options);
     }
-    return asked.size() > 1 ? askTogether(asked, told, trial, options) : askOne(asked.front(), told, trial, options);
+    return asked.size() > 1 ? askTogether(asked, reported, trial, options)
+                            : askOne(asked.front(), reported, trial, options);
 }
 
 std::vector<ForeignCase> questions(const std::vector<RootedTree>& trees, std::size_t tree, const std::string& views,
@@ -190,15 +192,15 @@ std::string medianText(const std::vector<Answer>& answers, double Answer::*value
     return fixedText(core::quantile(std::move(values), 0.5), decimals);
 }
 
-core::ResultTable::Row rowOf(const NamedError& told, const std::string& views, const std::vector<Answer>& answers)
+core::ResultTable::Row rowOf(const NamedError& reported, const std::string& views, const std::vector<Answer>& answers)
 {
     const auto unless = [&](bool isMeaningless, std::string text) { return isMeaningless ? "–" : std::move(text); };
-    const bool hasNoTruth = !hasTruth(told.error);
+    const bool hasNoTruth = !hasTruth(reported.error);
     const auto isInside = [](const Answer& a) { return a.nees <= inside95; };
     const auto isDepthInside = [](const Answer& a) { return a.depthErrorMm <= sigmas95 * a.depthStdMm; };
-    return {{views, std::string(told.words), shareText(answers, [](const Answer& a) { return a.isTrusted; }),
+    return {{views, std::string(reported.words), shareText(answers, [](const Answer& a) { return a.isTrusted; }),
              unless(hasNoTruth, shareText(answers, isInside)), unless(hasNoTruth, shareText(answers, isDepthInside)),
-             unless(told.message.empty(), shareText(answers, [](const Answer& a) { return a.isNamed; })),
+             unless(reported.message.empty(), shareText(answers, [](const Answer& a) { return a.isNamed; })),
              shareText(answers, [](const Answer& a) { return a.isAlarmed; }),
              shareText(answers, [](const Answer& a) { return a.isAlarmed || !a.isTrusted; }),
              shareText(answers, [](const Answer& a) { return a.isEstimated; }),
@@ -209,18 +211,18 @@ core::ResultTable::Row rowOf(const NamedError& told, const std::string& views, c
             false};
 }
 
-void printAnswer(const NamedError& told, const std::string& views, const RootedTree& tree, std::uint64_t trial,
+void printAnswer(const NamedError& reported, const std::string& views, const RootedTree& tree, std::uint64_t trial,
                  const Answer& answer)
 {
     std::printf("%s %-11s %-10s %2d  nees %8.2f  depth %6.1f ± %5.1f  gain %7.1f  %s%s%s  %6.0f ms\n", views.c_str(),
-                std::string(told.key).c_str(), tree.name.c_str(), static_cast<int>(trial), answer.nees,
+                std::string(reported.key).c_str(), tree.name.c_str(), static_cast<int>(trial), answer.nees,
                 answer.depthErrorMm, answer.depthStdMm, answer.gain, answer.isTrusted ? "trusted" : "flagged",
                 answer.isNamed ? " named" : "", answer.isAlarmed ? " word" : "", answer.timeMs);
     std::fflush(stdout);
 }
 
 /// Every tree and trial of one row.
-std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedError& told, const std::string& views,
+std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedError& reported, const std::string& views,
                            const core::RegistrationOptions& options, const Arguments& arguments)
 {
     const auto first = static_cast<std::uint64_t>(arguments.number("first", 0));
@@ -228,9 +230,9 @@ std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedErro
     std::vector<Answer> answers;
     for (std::size_t tree = 0; tree < trees.size(); ++tree) {
         for (std::uint64_t trial = first; trial < first + trials; ++trial) {
-            answers.push_back(ask(questions(trees, tree, views, trial), told, trial, options));
+            answers.push_back(ask(questions(trees, tree, views, trial), reported, trial, options));
             if (arguments.isSet("each")) {
-                printAnswer(told, views, trees[tree], trial, answers.back());
+                printAnswer(reported, views, trees[tree], trial, answers.back());
             }
         }
     }
@@ -259,10 +261,10 @@ int main(int argc, char** argv)
                      "any word", "word or no trust", "estimated", "focal off %",  "depth off mm",  "depth σ mm",
                      "gain",     "median ms"};
     for (const std::string& views : arguments.list("views", "one,two")) {
-        for (const NamedError& told : geometryErrors) {
-            const bool isWanted = std::find(wanted.begin(), wanted.end(), told.key) != wanted.end();
-            if (isWanted && (views == "one" || hasTruth(told.error))) {
-                table.rows.push_back(rowOf(told, views, askAll(trees, told, views, options, arguments)));
+        for (const NamedError& reported : geometryErrors) {
+            const bool isWanted = std::find(wanted.begin(), wanted.end(), reported.key) != wanted.end();
+            if (isWanted && (views == "one" || hasTruth(reported.error))) {
+                table.rows.push_back(rowOf(reported, views, askAll(trees, reported, views, options, arguments)));
             }
         }
     }

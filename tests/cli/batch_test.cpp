@@ -83,20 +83,20 @@ TEST_F(CliBatch, WrongUsageAndBrokenManifestsAreTold)
 
 TEST_F(CliBatch, WrongSettingsAreToldWithLineAndColumnAndTheNearestNames)
 {
-    const auto told = [this](const std::string& text) {
+    const auto reported = [this](const std::string& text) {
         writeText(manifest_, text);
         const auto outcome = batch("out");
         EXPECT_EQ(outcome.exitCode, 3) << text;
         return outcome.messages;
     };
-    const std::string misspelt = told("case,set.priorWeigth\na.angiopose,\n");
+    const std::string misspelt = reported("case,set.priorWeigth\na.angiopose,\n");
     EXPECT_NE(misspelt.find("line 1, column set.priorweigth"), std::string::npos) << misspelt;
     EXPECT_NE(misspelt.find("nearest are: priorWeight."), std::string::npos) << misspelt;
-    const std::string bare = told("case,set.sensitivity\na.angiopose,2\n");
+    const std::string bare = reported("case,set.sensitivity\na.angiopose,2\n");
     EXPECT_NE(bare.find("angiogram.trace.sensitivity"), std::string::npos) << bare;
-    const std::string value = told("case,set.priorWeight\na.angiopose,1\nb.angiopose,much\n");
+    const std::string value = reported("case,set.priorWeight\na.angiopose,1\nb.angiopose,much\n");
     EXPECT_NE(value.find("line 3, column set.priorweight: "), std::string::npos) << value;
-    const std::string tracing = told("case,set.angiogram.trace.sensitivity\na.angiopose,1000\n");
+    const std::string tracing = reported("case,set.angiogram.trace.sensitivity\na.angiopose,1000\n");
     EXPECT_NE(tracing.find("line 2, column set.angiogram.trace.sensitivity"), std::string::npos) << tracing;
     EXPECT_FALSE(fs::exists(in("out/summary.csv")));
 }
@@ -161,9 +161,9 @@ TEST_F(CliBatch, TheTableIsTheSameForAnyThreadsShardsAndMerges)
 TEST_F(CliBatch, AllViewsAreRegisteredTogetherAsRegisterDoes)
 {
     simulate(1);
-    json theCase = json::parse(readText(in("c1/case.angiopose")));
-    theCase["views"] = json::array({json{{"path", "case.angiopose"}}});
-    writeText(in("c1/joint.angiopose"), theCase.dump());
+    json session = json::parse(readText(in("c1/case.angiopose")));
+    session["views"] = json::array({json{{"path", "case.angiopose"}}});
+    writeText(in("c1/joint.angiopose"), session.dump());
     writeText(manifest_, "case,name\nc1/joint.angiopose,joint\n");
     batch("out");
     runCli({"register", in("c1/joint.angiopose"), "--output", in("alone/joint")});

@@ -120,7 +120,7 @@ TEST_F(CliOnSimulatedCase, ProjectsBeforeAndAfterWithDepthCueAndSwipe)
     EXPECT_EQ(runCli({"project", casePath_, "--output", folder_.file("x.png"), "--swipe", "left"}).exitCode, 2);
 }
 
-TEST_F(CliOnSimulatedCase, ProjectWritesLinesAndGreyValues)
+TEST_F(CliOnSimulatedCase, ProjectWritesLinesAndGrayValues)
 {
     const std::string drawing = folder_.file("lines.svg");
     ASSERT_EQ(runCli({"project", casePath_, "--output", drawing, "--dpi", "300"}).exitCode, 0);
@@ -129,9 +129,9 @@ TEST_F(CliOnSimulatedCase, ProjectWritesLinesAndGreyValues)
     EXPECT_NE(text.find("mm\" height"), std::string::npos);
     EXPECT_NE(text.find("Not for clinical use"), std::string::npos);
 
-    const std::string grey = folder_.file("grey.png");
-    ASSERT_EQ(runCli({"project", casePath_, "--output", grey, "--16-bit"}).exitCode, 0);
-    EXPECT_EQ(bytesOf(grey)[24], 16);   // bits of a value, PNG 11.2.2
+    const std::string gray = folder_.file("grey.png");
+    ASSERT_EQ(runCli({"project", casePath_, "--output", gray, "--16-bit"}).exitCode, 0);
+    EXPECT_EQ(bytesOf(gray)[24], 16);   // bits of a value, PNG 11.2.2
 
     const auto refused = runCli({"project", casePath_, "--output", folder_.file("x.pdf")});
     EXPECT_NE(refused.exitCode, 0);
@@ -174,8 +174,8 @@ TEST_F(CliOnSimulatedCase, TellsErrorsAtCheckPoints)
     const auto table = runCli({"measure", casePath_, "--check-points"});
     EXPECT_EQ(table.exitCode, 0) << table.messages;
     EXPECT_NE(table.output.find("\n1,check-point,fork,0,0,0,,1,"), std::string::npos) << table.output;
-    const auto told = nlohmann::json::parse(runCli({"measure", casePath_, "--check-points", "--json"}).output);
-    EXPECT_EQ(told.at(0).at("views").at(0).at("seenPx").at(0), 100.0);
+    const auto reported = nlohmann::json::parse(runCli({"measure", casePath_, "--check-points", "--json"}).output);
+    EXPECT_EQ(reported.at(0).at("views").at(0).at("seenPx").at(0), 100.0);
     EXPECT_EQ(runCli({"measure", casePath_, "--json"}).exitCode, 2);
     const std::string drawn = folder_.file("marked.svg");
     EXPECT_EQ(runCli({"project", casePath_, "--output", drawn}).exitCode, 0);
@@ -277,10 +277,10 @@ TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
 std::string wireCase(const std::string& casePath, const core::RigidTransform& truth, const std::string& path)
 {
     core::Messages warnings;
-    core::Case theCase = io::loadCase(casePath, warnings).value();
-    core::VesselTree tree = *theCase.vessels.tree;
+    core::Case session = io::loadCase(casePath, warnings).value();
+    core::VesselTree tree = *session.vessels.tree;
     std::ranges::sort(tree.branches, std::ranges::greater(), &core::VesselBranch::lengthMm);
-    const core::ProjectionCamera camera = core::cameraOf(theCase.shown()).value();
+    const core::ProjectionCamera camera = core::cameraOf(session.shown()).value();
     core::Curve2d wire;
     const std::vector<Eigen::Vector3d>& course = tree.branches.front().pointsInPatient;
     for (const Eigen::Vector3d& point : std::span(course).first(course.size() / 4)) {
@@ -289,14 +289,14 @@ std::string wireCase(const std::string& casePath, const core::RigidTransform& tr
     }
     core::Centerline2d centerline;
     centerline.curves = {wire};
-    theCase.shown().target.centerline = std::make_shared<const core::Centerline2d>(std::move(centerline));
-    theCase.shown().target.editedFrame = theCase.shown().frame;
-    theCase.shown().cameraFromPatient = truth;
-    theCase.shown().cameraFromPatient.translation += Eigen::Vector3d(2.0, -1.5, 3.0);
-    theCase.options.method = "wire";
-    theCase.options.wire.lateralMm = 20.0;
-    theCase.options.wire.offAxisMm = 4.0;
-    EXPECT_TRUE(io::saveCase(theCase, path));
+    session.shown().target.centerline = std::make_shared<const core::Centerline2d>(std::move(centerline));
+    session.shown().target.editedFrame = session.shown().frame;
+    session.shown().cameraFromPatient = truth;
+    session.shown().cameraFromPatient.translation += Eigen::Vector3d(2.0, -1.5, 3.0);
+    session.options.method = "wire";
+    session.options.wire.lateralMm = 20.0;
+    session.options.wire.offAxisMm = 4.0;
+    EXPECT_TRUE(io::saveCase(session, path));
     return path;
 }
 

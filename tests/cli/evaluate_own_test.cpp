@@ -183,7 +183,7 @@ std::vector<Point> treePoints(const std::string& vesselsPath, const std::string&
     return points;
 }
 
-TEST_F(CliEvaluateOwn, BentVesselsAreJudgedWhereTheyLay)
+TEST_F(CliEvaluateOwn, DeformedVesselsAreJudgedWhereTheyLay)
 {
     ASSERT_EQ(runCli({"simulate", "--seed", "6", "--non-rigid", "2", "--output", folder.file("bent")}).exitCode, 0);
     writeText(folder.file("cases.csv"),
@@ -213,7 +213,7 @@ TEST_F(CliEvaluateOwn, BentVesselsAreJudgedWhereTheyLay)
     EXPECT_LT(std::stod(rows["angiopose"].at("mrpd_mm")), 0.6 * mrpd);
 }
 
-TEST_F(CliEvaluateOwn, BentVesselsOfAnotherTreeAreToldAndNotJudged)
+TEST_F(CliEvaluateOwn, DeformedVesselsOfAnotherTreeAreToldAndNotJudged)
 {
     writeText(folder.file("cases.csv"), "case,reference,bent\n3/case.angiopose,3/true-pose.json,5/tree.vtp\n");
     const auto outcome = evaluate("out", {"--method", "iterative-pnp"});

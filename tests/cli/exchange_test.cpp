@@ -110,10 +110,10 @@ TEST_F(ExchangeOnSimulatedCase, ProjectsByTheCameraThatThePoseBrings)
     core::ProjectionCamera other = camera_;
     other.fx *= 1.1;
     ASSERT_TRUE(io::writeSight({other, view_.cameraFromPatient}, folder_.file("other.yml")));
-    const auto told =
+    const auto reported =
         runCli({"project", casePath_, "--pose", folder_.file("other.yml"), "--output", folder_.file("b.png")});
-    EXPECT_EQ(told.exitCode, 0);
-    EXPECT_NE(told.messages.find("brings a camera"), std::string::npos) << told.messages;
+    EXPECT_EQ(reported.exitCode, 0);
+    EXPECT_NE(reported.messages.find("brings a camera"), std::string::npos) << reported.messages;
     EXPECT_NE(test::readText(folder_.file("a.png")), test::readText(folder_.file("b.png")));
     other.width *= 2;
     ASSERT_TRUE(io::writeSight({other, view_.cameraFromPatient}, folder_.file("size.yml")));

@@ -92,16 +92,16 @@ TEST_F(CliExportDicom, RegistrationAndCameraHoldThePoseOfTheCase)
 {
     ASSERT_EQ(exported({"--objects", "reg"}).exitCode, 0);
     core::Messages warnings;
-    const auto theCase = io::loadCase(casePath_, warnings);
-    ASSERT_TRUE(theCase);
-    const Eigen::Matrix4d pose = theCase.value().shown().cameraFromPatient.matrix();
+    const auto session = io::loadCase(casePath_, warnings);
+    ASSERT_TRUE(session);
+    const Eigen::Matrix4d pose = session.value().shown().cameraFromPatient.matrix();
     const auto asObject = io::readPose(out("registration.dcm"));
     const auto asJson = io::readPose(out("camera.json"));
     ASSERT_TRUE(asObject && asJson);
     EXPECT_LE((asObject.value().matrix() - pose).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_EQ(asJson.value().matrix(), pose);
     const auto camera = nlohmann::json::parse(test::readText(out("camera.json")))["camera"];
-    EXPECT_EQ(camera["fx"].get<double>(), core::cameraOf(theCase.value().shown()).value().fx);
+    EXPECT_EQ(camera["fx"].get<double>(), core::cameraOf(session.value().shown()).value().fx);
     EXPECT_EQ(
         runCli({"project", casePath_, "--pose", out("registration.dcm"), "--output", folder_.file("a.png")}).exitCode,
         0);

@@ -18,38 +18,38 @@ namespace fs = std::filesystem;
 using test::runCli;
 
 /// Size, delays in 1/100 s and comment of a GIF.
-struct GifTold {
+struct GifReport {
     int width = 0, height = 0;
     std::vector<int> delays;
     std::string comment;
 };
 
-GifTold toldBy(const std::string& path)
+GifReport knownFrom(const std::string& path)
 {
-    GifTold told;
+    GifReport reported;
     int error = 0;
     GifFileType* gif = DGifOpenFileName(path.c_str(), &error);
     if (gif == nullptr || DGifSlurp(gif) != GIF_OK) {
         ADD_FAILURE() << "no GIF: " << path;
-        return told;
+        return reported;
     }
-    told.width = gif->SWidth;
-    told.height = gif->SHeight;
+    reported.width = gif->SWidth;
+    reported.height = gif->SHeight;
     for (int k = 0; k < gif->ImageCount; ++k) {
         GraphicsControlBlock control{};
         DGifSavedExtensionToGCB(gif, k, &control);
-        told.delays.push_back(control.DelayTime);
+        reported.delays.push_back(control.DelayTime);
         const SavedImage& image = gif->SavedImages[k];
         for (int i = 0; i < image.ExtensionBlockCount; ++i) {
             const ExtensionBlock& block = image.ExtensionBlocks[i];
             if (block.Function == COMMENT_EXT_FUNC_CODE || block.Function == CONTINUE_EXT_FUNC_CODE) {
-                told.comment.append(reinterpret_cast<const char*>(block.Bytes),
-                                    static_cast<std::size_t>(block.ByteCount));
+                reported.comment.append(reinterpret_cast<const char*>(block.Bytes),
+                                        static_cast<std::size_t>(block.ByteCount));
             }
         }
     }
     DGifCloseFile(gif, &error);
-    return told;
+    return reported;
 }
 
 class CliMovie : public ::testing::Test {
@@ -82,20 +82,20 @@ TEST_F(CliMovie, TurnsTheVesselsOnceInSixSeconds)
     const auto outcome = movie("turn.gif", {"--show", "turn", "--fps", "10"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
     EXPECT_NE(outcome.output.find("60 pictures, 6.00 s"), std::string::npos) << outcome.output;
-    const GifTold told = toldBy(folder_.file("turn.gif"));
-    EXPECT_EQ(told.width, 160);
-    EXPECT_EQ(told.height, 160);
-    EXPECT_EQ(told.delays, std::vector<int>(60, 10));
-    EXPECT_NE(told.comment.find("Disclaimer: "), std::string::npos) << told.comment;
+    const GifReport reported = knownFrom(folder_.file("turn.gif"));
+    EXPECT_EQ(reported.width, 160);
+    EXPECT_EQ(reported.height, 160);
+    EXPECT_EQ(reported.delays, std::vector<int>(60, 10));
+    EXPECT_NE(reported.comment.find("Disclaimer: "), std::string::npos) << reported.comment;
 }
 
 TEST_F(CliMovie, ShowsHowARegistrationConverged)
 {
     const auto outcome = movie("found.gif", {"--show", "convergence", "--fps", "20"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
-    const GifTold told = toldBy(folder_.file("found.gif"));
-    ASSERT_GT(told.delays.size(), 1U);
-    EXPECT_EQ(told.delays.back(), 150) << "rests on what was found";
+    const GifReport reported = knownFrom(folder_.file("found.gif"));
+    ASSERT_GT(reported.delays.size(), 1U);
+    EXPECT_EQ(reported.delays.back(), 150) << "rests on what was found";
 }
 
 TEST_F(CliMovie, WritesTheRunAsMp4)
@@ -114,7 +114,7 @@ TEST_F(CliMovie, FollowsTheVesselsThroughTheRun)
     const auto sizeOf = [this](const std::vector<std::string>& more) {
         const auto outcome = movie("run.gif", more);
         EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
-        EXPECT_EQ(toldBy(folder_.file("run.gif")).delays.size(), 3U);
+        EXPECT_EQ(knownFrom(folder_.file("run.gif")).delays.size(), 3U);
         return fs::file_size(folder_.file("run.gif"));
     };
     const auto kept = sizeOf({"--frames", "3", "5", "--register", "--rigid"});

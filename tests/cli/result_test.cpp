@@ -113,9 +113,9 @@ TEST_F(CliResult, SaysWhichInputIsMissingOrAnother)
 TEST_F(CliResult, OfSeveralViewsIsFoundAgain)
 {
     ASSERT_EQ(runCli({"simulate", "--seed", "3", "--branches", "8", "--output", in("demo")}).exitCode, 0);
-    json theCase = json::parse(readText(in("demo/case.angiopose")));
-    theCase["views"] = json::array({json{{"path", "case.angiopose"}}});
-    test::writeText(in("demo/joint.angiopose"), theCase.dump());
+    json session = json::parse(readText(in("demo/case.angiopose")));
+    session["views"] = json::array({json{{"path", "case.angiopose"}}});
+    test::writeText(in("demo/joint.angiopose"), session.dump());
     runCli({"register", in("demo/joint.angiopose"), "--output", in("first")});
     fs::remove(in("demo/joint.angiopose"));
     fs::remove(in("demo/case.angiopose"));

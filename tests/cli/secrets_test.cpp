@@ -73,19 +73,19 @@ TEST_F(CliSecrets, AnAuditFileThatCannotBeWrittenIsTold)
 TEST_F(CliSecrets, NothingPlantedIsLeftInExportsPacksAndBundles)
 {
     ASSERT_EQ(test::runCli({"simulate", "--seed", "3", "--output", folder.file("PLANTEDcase")}).exitCode, 0);
-    const std::string theCase = folder.file("PLANTEDcase/case.angiopose");
-    std::string text = test::readText(theCase);
+    const std::string session = folder.file("PLANTEDcase/case.angiopose");
+    std::string text = test::readText(session);
     const std::size_t brace = text.find('{');
     text.insert(brace + 1, "\"title\": \"PLANTED title\", \"plantedKey\": \"PLANTED key\", ");
     auto json = nlohmann::json::parse(text, nullptr, false);
     ASSERT_FALSE(json.is_discarded());
-    test::writeText(theCase, json.dump());
+    test::writeText(session, json.dump());
     const std::string out = folder.file("out");
     fs::create_directories(out);
     ASSERT_EQ(test::runCli({"convert", runPath, out + "/run.dcm", "--deidentify"}).exitCode, 0);
-    ASSERT_EQ(test::runCli({"pack", theCase, out + "/pack.zip", "--deidentify"}).exitCode, 0);
-    ASSERT_EQ(test::runCli({"support-bundle", out + "/support.zip", "--case", theCase}).exitCode, 0);
-    const auto shown = test::runCli({"support-bundle", "--show", "--case", theCase});
+    ASSERT_EQ(test::runCli({"pack", session, out + "/pack.zip", "--deidentify"}).exitCode, 0);
+    ASSERT_EQ(test::runCli({"support-bundle", out + "/support.zip", "--case", session}).exitCode, 0);
+    const auto shown = test::runCli({"support-bundle", "--show", "--case", session});
     EXPECT_EQ(shown.output.find("PLANTED"), std::string::npos) << shown.output;
     EXPECT_NE(shown.output.find("ITK: "), std::string::npos) << shown.output;
     for (const char* archive : {"pack", "support"}) {

@@ -103,8 +103,8 @@ TEST_F(CliSimulateStudy, AWrongHeaderChangesTheHeaderAlone)
         return Json::parse(readText(folder.file("study/" + setting + "/0001/true-pose.json"))).at("cameraFromPatient");
     };
     const auto distanceOf = [&](const std::string& setting) {
-        const Json theCase = Json::parse(readText(folder.file("study/" + setting + "/0001/case.angiopose")));
-        return theCase.at("geometry").at("sourceToDetectorMm").at("value").get<double>();
+        const Json session = Json::parse(readText(folder.file("study/" + setting + "/0001/case.angiopose")));
+        return session.at("geometry").at("sourceToDetectorMm").at("value").get<double>();
     };
     EXPECT_EQ(poseOf("plain"), poseOf("wrong"));
     EXPECT_NE(distanceOf("plain"), distanceOf("wrong"));

@@ -96,16 +96,16 @@ TEST(Cli, RefusesToDrawVesselsBehindTheSource)
     EXPECT_NE(aside.messages.find("no vessel lies inside the image"), std::string::npos) << aside.messages;
 }
 
-TEST(Cli, BendsTheVesselsOnRequest)
+TEST(Cli, DeformationsTheVesselsOnRequest)
 {
     const TemporaryFolder folder;
     ASSERT_EQ(runCli({"simulate", "--seed", "5", "--non-rigid", "3", "--output", folder.file("demo")}).exitCode, 0);
     const auto outcome = runCli({"register", (fs::path(folder.file("demo")) / "case.angiopose").string(),
                                  "--deformable", "--output", folder.file("bent"), "--json"});
     ASSERT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 4) << outcome.messages;
-    const auto bent = nlohmann::json::parse(outcome.output)["deformable"];
-    EXPECT_TRUE(bent["verdict"] == "bent" || bent["verdict"] == "unsure" || bent["verdict"] == "rigid");
-    EXPECT_FALSE(bent["perBranch"].empty());
+    const auto deformed = nlohmann::json::parse(outcome.output)["deformable"];
+    EXPECT_TRUE(deformed["verdict"] == "bent" || deformed["verdict"] == "unsure" || deformed["verdict"] == "rigid");
+    EXPECT_FALSE(deformed["perBranch"].empty());
     for (const char* name : {"result.json", "bent.vtp", "motion.csv", "overlay.png"}) {
         EXPECT_TRUE(fs::exists(fs::path(folder.file("bent")) / name)) << name;
     }
@@ -154,18 +154,18 @@ TEST(Cli, DoesNotFollowAgainWhatTheCaseKeeps)
     const TemporaryFolder folder;
     ASSERT_EQ(runCli({"simulate", "--seed", "3", "--output", folder.file("demo")}).exitCode, 0);
     core::Messages warnings;
-    core::Case theCase = io::loadCase(folder.file("demo/case.angiopose"), warnings).value();
-    core::View& view = theCase.shown();
+    core::Case session = io::loadCase(folder.file("demo/case.angiopose"), warnings).value();
+    core::View& view = session.shown();
     std::vector<core::FollowedFrame> frames(static_cast<std::size_t>(view.angiogram->frameCount()));
     for (std::size_t k = 0; k < frames.size(); ++k) {
         frames[k].frame = static_cast<int>(k);
         frames[k].tracked = {view.cameraFromPatient, 0.125, false, true, {}};
     }
     view.followed = core::followedFrom(view.frame, frames);
-    ASSERT_TRUE(io::saveCase(theCase, folder.file("demo/whole.angiopose")));
+    ASSERT_TRUE(io::saveCase(session, folder.file("demo/whole.angiopose")));
     frames.pop_back();
     view.followed = core::followedFrom(view.frame, frames);
-    ASSERT_TRUE(io::saveCase(theCase, folder.file("demo/stopped.angiopose")));
+    ASSERT_TRUE(io::saveCase(session, folder.file("demo/stopped.angiopose")));
 
     const auto scoresOf = [&folder](const std::string& name) {
         const std::string table = folder.file(name + ".csv");

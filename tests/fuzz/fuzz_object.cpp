@@ -28,14 +28,14 @@ bool areSameImages(const core::Angiogram& a, const core::Angiogram& b)
 }
 
 /// What was freed of identity shows what it showed before, but for what is told: colours, damaged frames.
-void checkFreed(const std::string& path, const std::string& nameless, const core::Messages& told)
+void checkFreed(const std::string& path, const std::string& nameless, const core::Messages& reported)
 {
     const auto before = io::readAngiogram(path);
     if (!before) {
         return;
     }
     const auto after = io::readAngiogram(nameless);
-    if (!after || (told.empty() && !areSameImages(before.value(), after.value()))) {
+    if (!after || (reported.empty() && !areSameImages(before.value(), after.value()))) {
         std::abort();
     }
 }

@@ -39,7 +39,7 @@ TEST(BranchTable, TellsEveryBranchAndWhatIsNotKnown)
     EXPECT_NE(cell(2, "notes").find("Branch 3"), std::string::npos);
 }
 
-TEST(BranchTable, AProfileHasARowEveryHalfMillimetre)
+TEST(BranchTable, AProfileHasARowEveryHalfMillimeter)
 {
     const auto profile = core::profileOf(threeBranches().branches[0]);
     ASSERT_TRUE(profile);

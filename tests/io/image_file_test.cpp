@@ -27,7 +27,7 @@ TEST(WritePng, IsReadBackPixelByPixel)
     EXPECT_NE(content.find("Größe"), std::string::npos);
 }
 
-TEST(WritePng, TurnsColourIntoLuminanceWithAWarning)
+TEST(WritePng, TurnsColorIntoLuminanceWithAWarning)
 {
     const test::TemporaryFolder folder;
     core::ColorImage red{8, 8, {}};
@@ -38,7 +38,7 @@ TEST(WritePng, TurnsColourIntoLuminanceWithAWarning)
     const auto read = io::readAngiogram(folder.file("red.png"));
     ASSERT_TRUE(read);
     EXPECT_NEAR(read.value().frames[0].at(3, 3), 0.299 * 200, 0.01);
-    EXPECT_EQ(read.value().warnings.front(), io::says::colourToGrey());
+    EXPECT_EQ(read.value().warnings.front(), io::says::colorToGray());
 }
 
 TEST(WritePng, RefusesAnEmptyPicture)

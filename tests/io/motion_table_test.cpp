@@ -1,6 +1,6 @@
 #include "io/motion_table.h"
 
-#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/deformation_fields.h"
 #include "io/vessel_tree_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,20 +21,20 @@ struct MovedBranch {
         motion.displacementMm = {{1, 0, 0}, {0, 3, 4}};
         motion.covariance.assign(2, Eigen::Vector3d(0.01, 0.01, 4.0).asDiagonal());
         motion.seenShare = 0.75;
-        bent.branches.push_back(motion);
-        bent.verdict = core::BendVerdict::Bent;
+        deformed.branches.push_back(motion);
+        deformed.verdict = core::DeformationVerdict::Deformed;
     }
 
     core::VesselTree tree;
-    core::DeformableResult bent;
+    core::DeformableResult deformed;
 };
 
-TEST(MotionTable, IsACentrelineTableWithTheMotionBeside)
+TEST(MotionTable, IsACenterlineTableWithTheMotionBeside)
 {
     const test::TemporaryFolder folder;
     const MovedBranch moved;
     const std::string path = folder.file("motion.csv");
-    ASSERT_TRUE(writeMotion(moved.tree, moved.bent, path));
+    ASSERT_TRUE(writeMotion(moved.tree, moved.deformed, path));
 
     std::ifstream file(path);
     std::string header, first, second;
@@ -52,13 +52,13 @@ TEST(MotionTable, IsACentrelineTableWithTheMotionBeside)
 TEST(MotionTable, AnUnwritablePathIsAnError)
 {
     const MovedBranch moved;
-    EXPECT_FALSE(writeMotion(moved.tree, moved.bent, "/no/such/folder/motion.csv"));
+    EXPECT_FALSE(writeMotion(moved.tree, moved.deformed, "/no/such/folder/motion.csv"));
 }
 
-TEST(BentSummary, SaysWhatMovedHowFar)
+TEST(DeformedSummary, SaysWhatMovedHowFar)
 {
     const MovedBranch moved;
-    const Json json = bentSummary(moved.bent);
+    const Json json = deformedSummary(moved.deformed);
     EXPECT_EQ(json["verdict"], "bent");
     EXPECT_EQ(json["perBranch"][0]["branch"], 7);
     EXPECT_EQ(json["perBranch"][0]["largestMotionMm"], 5.0);

@@ -98,8 +98,8 @@ TEST(MovedInputs, AnotherFileOfTheSameNameDoesNotCount)
     ASSERT_TRUE(missing);
     ASSERT_EQ(missing.value().size(), 1u);
     EXPECT_TRUE(io::findMovedInputs(missing.value(), {moved.root().string()}).empty());
-    EXPECT_FALSE(io::canStandFor(missing.value().front(), impostor.string()));
-    EXPECT_TRUE(io::canStandFor({impostor.string(), ""}, impostor.string()));
+    EXPECT_FALSE(io::isFeasibleFor(missing.value().front(), impostor.string()));
+    EXPECT_TRUE(io::isFeasibleFor({impostor.string(), ""}, impostor.string()));
 }
 
 TEST(MovedInputs, SearchEndsWhenAskedTo)

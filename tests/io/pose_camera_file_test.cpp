@@ -185,9 +185,9 @@ TEST(ReadPoseWithCamera, SaysWhatIsWrong)
     EXPECT_NE(failure("skewed.json", skewed).text().find("skewed.json"), std::string::npos);
     const std::string scaled = R"({"K": [[1000,0,5],[0,1000,6],[0,0,1]], "R": [2,0,0,0,2,0,0,0,2], "t": [1,2,700]})";
     EXPECT_TRUE(failure("scaled.json", scaled).is(core::says::projectionNoRotation));
-    std::string bent = openCvYaml;
-    bent.replace(bent.find("[ 0., 0., 0., 0., 0. ]"), 22, "[ -0.1, 0., 0., 0., 0.]");
-    EXPECT_TRUE(failure("bent.yml", bent).is(io::says::exchangeDistorted));
+    std::string deformed = openCvYaml;
+    deformed.replace(deformed.find("[ 0., 0., 0., 0., 0. ]"), 22, "[ -0.1, 0., 0., 0., 0.]");
+    EXPECT_TRUE(failure("bent.yml", deformed).is(io::says::exchangeDistorted));
     EXPECT_TRUE(failure("empty.yml", "%YAML:1.0\n---\nsomething: 3\n").is(io::says::exchangeNoPose));
     EXPECT_TRUE(failure("parameters.pt", "PK\x03\x04 data.pkl").is(io::says::exchangePickle));
 }

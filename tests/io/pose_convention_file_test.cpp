@@ -69,15 +69,15 @@ TEST(DiffDrrFile, TakesMatrixAnglesAndTable)
 TEST(DiffDrrFile, NamesTheKeyThatIsWrong)
 {
     const test::TemporaryFolder folder;
-    const auto told = [&](const std::string& json) {
+    const auto reported = [&](const std::string& json) {
         const auto parts = io::readDiffDrr(folder.write("v.json", json));
         return parts ? std::string("read") : parts.error().message.text();
     };
-    EXPECT_NE(told(R"({"sdd": 1020, "delx": 0.4})").find("height"), std::string::npos);
-    EXPECT_NE(told(R"({"sdd": -1, "height": 4, "delx": 0.4})").find("sdd"), std::string::npos);
-    EXPECT_NE(told(R"({"sdd": 1020, "height": 4, "delx": 0.4, "orientation": "LAO"})").find("orientation"),
+    EXPECT_NE(reported(R"({"sdd": 1020, "delx": 0.4})").find("height"), std::string::npos);
+    EXPECT_NE(reported(R"({"sdd": -1, "height": 4, "delx": 0.4})").find("sdd"), std::string::npos);
+    EXPECT_NE(reported(R"({"sdd": 1020, "height": 4, "delx": 0.4, "orientation": "LAO"})").find("orientation"),
               std::string::npos);
-    EXPECT_NE(told(R"({"sdd": 1020, "height": 4, "delx": 0.4, "pose": [[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]})")
+    EXPECT_NE(reported(R"({"sdd": 1020, "height": 4, "delx": 0.4, "pose": [[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]})")
                   .find("pose"),
               std::string::npos);
     EXPECT_TRUE(io::readDiffDrr(folder.write("parameters.pt", "PK")).error().message.is(io::says::exchangePickle));

@@ -74,9 +74,9 @@ TEST(RealAngiogramTracing, TellsOfFramesWithoutContrast)
         const auto first = core::traceFrame(run.value(), 0);
         ASSERT_TRUE(first);
         EXPECT_FALSE(first.value().warnings.empty()) << name;
-        const auto fullest = core::traceFrame(run.value(), run.value().suggestedFrame);
-        ASSERT_TRUE(fullest);
-        EXPECT_TRUE(fullest.value().warnings.empty()) << name;
+        const auto peak = core::traceFrame(run.value(), run.value().suggestedFrame);
+        ASSERT_TRUE(peak);
+        EXPECT_TRUE(peak.value().warnings.empty()) << name;
     }
 }
 

@@ -99,8 +99,8 @@ TEST(ReadPose, TakesTheMatlabFilesOfItk)
     rotation << 0.9421546635113683, -0.29404383655185584, -0.16088136066569614, 0.2706814883919034, 0.9505637859220634,
         -0.15218416716418803, 0.19767681165408388, 0.09983341664682815, 0.975170327201816;
     EXPECT_TRUE(pose.value().rotation.isApprox(rotation, 1e-14));
-    const Eigen::Vector3d centre(10, 20, 30);
-    EXPECT_TRUE((pose.value() * centre).isApprox(centre + Eigen::Vector3d(1.5, -2, 740.25), 1e-14));
+    const Eigen::Vector3d center(10, 20, 30);
+    EXPECT_TRUE((pose.value() * center).isApprox(center + Eigen::Vector3d(1.5, -2, 740.25), 1e-14));
     for (std::size_t size = 0; size < content.size(); ++size) {
         EXPECT_FALSE(io::readPose(folder.write("cut.mat", content.substr(0, std::max<std::size_t>(size, 1)))));
     }
@@ -141,9 +141,9 @@ TEST(ReadPose, CutHdf5FilesAreRefused)
 TEST(ReadPose, FindsThePoseInAResult)
 {
     const test::TemporaryFolder folder;
-    core::Case theCase;
-    theCase.shown().result.emplace().cameraFromPatient = oddPose();
-    ASSERT_TRUE(io::writeResult(theCase, folder.file("result.json")));
+    core::Case session;
+    session.shown().result.emplace().cameraFromPatient = oddPose();
+    ASSERT_TRUE(io::writeResult(session, folder.file("result.json")));
     const auto pose = io::readPose(folder.file("result.json"));
     ASSERT_TRUE(pose) << pose.error().message;
     EXPECT_EQ(pose.value().matrix(), oddPose().matrix());
@@ -151,17 +151,17 @@ TEST(ReadPose, FindsThePoseInAResult)
 
 TEST(ResultJson, HasEveryPromisedKey)
 {
-    core::Case theCase;
-    theCase.vessels.file = {"/data/tree.vtp", std::string(64, 'a')};
+    core::Case session;
+    session.vessels.file = {"/data/tree.vtp", std::string(64, 'a')};
     core::RegistrationResult result;
     result.method = "dynaweight";
     result.metrics.medianPx = 0.75;
     result.uncertainty.covariance(2, 5) = 0.125;
     result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
-    result.unfilled.push_back({7, 0.75});
+    result.unopacified.push_back({7, 0.75});
     result.stopReason = core::StopReason::StoppedByUser;
     result.warnings = {core::says::trustDepthUnknown()};
-    const nlohmann::json json = nlohmann::json::parse(io::resultJson(theCase, result));
+    const nlohmann::json json = nlohmann::json::parse(io::resultJson(session, result));
     EXPECT_EQ(json["format"], "angiopose-result");
     EXPECT_EQ(json["version"], 2);
     EXPECT_EQ(json["method"], "dynaweight");

@@ -107,7 +107,7 @@ TEST(ObserverLog, IsReadBackAsReadingsWithoutWhatWasAbandoned)
     io::ObserverTrial trial = trialOf("Ada");
     trial.caseTitle = "Phantom, view \"IM3\", left";
     trial.pivotInPatient = {1.5, -2.25, 3.0};
-    trial.centrePose.translation = {0.0, 0.0, 700.5};
+    trial.centerPose.translation = {0.0, 0.0, 700.5};
     trial.finalPose.rotation = core::expSo3({0.1, 0.2, 0.3});
     ASSERT_TRUE(io::appendTrial(trial, path));
     io::ObserverTrial abandoned = trial;
@@ -120,7 +120,7 @@ TEST(ObserverLog, IsReadBackAsReadingsWithoutWhatWasAbandoned)
     EXPECT_EQ(reading.observer, "Ada");
     EXPECT_EQ(reading.pivotInPatient, trial.pivotInPatient);
     EXPECT_EQ(reading.cameraFromPatient.rotation, trial.finalPose.rotation);
-    EXPECT_EQ(reading.centreCameraFromPatient.translation, trial.centrePose.translation);
+    EXPECT_EQ(reading.centerCameraFromPatient.translation, trial.centerPose.translation);
 }
 
 TEST(ObserverLog, OfAnEarlierVersionGoesOnAsItIsAndSaysWhatItLacks)

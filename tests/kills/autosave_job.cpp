@@ -27,13 +27,13 @@ int autosaveForEver(const std::string& folder, int ready)
     const QCoreApplication application(count, values);
     QCoreApplication::setOrganizationName(QStringLiteral("AngioPose"));
     QCoreApplication::setApplicationName(QStringLiteral("AngioPose"));
-    auto theCase = wholeCase(folder + "/case.angiopose");
-    if (!theCase) {
+    auto session = wholeCase(folder + "/case.angiopose");
+    if (!session) {
         return 1;
     }
-    theCase->title = titleOf(7);
+    session->title = titleOf(7);
     app::CaseDocument document;
-    document.replace(*theCase, QString::fromStdString(folder + "/case.angiopose"));
+    document.replace(*session, QString::fromStdString(folder + "/case.angiopose"));
     app::Autosave autosave(document);
     QEventLoop loop;
     QObject::connect(&autosave, &app::Autosave::saved, &loop, &QEventLoop::quit);

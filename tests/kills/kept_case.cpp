@@ -41,11 +41,11 @@ core::Volume volumeOf(int number)
 /// Writes one kind of export after the other over what is there.
 int exportForEver(const std::string& folder)
 {
-    const auto theCase = wholeCase(folder + "/case.angiopose");
-    for (int number = 0; theCase; ++number) {
+    const auto session = wholeCase(folder + "/case.angiopose");
+    for (int number = 0; session; ++number) {
         const bool isWritten = io::writePng(pictureOf(number), folder + "/overlay.png") &&
-                               io::writeVesselTree(*theCase->vessels.tree, folder + "/tree.vtp") &&
-                               io::writeVesselTree(*theCase->vessels.tree, folder + "/tree.swc") &&
+                               io::writeVesselTree(*session->vessels.tree, folder + "/tree.vtp") &&
+                               io::writeVesselTree(*session->vessels.tree, folder + "/tree.swc") &&
                                io::writeVolume(volumeOf(number), folder + "/scan.nii.gz") &&
                                io::writePose({}, folder + "/pose.tfm");
         if (!isWritten) {
@@ -59,11 +59,11 @@ int saveForEver(const std::string& folder)
 {
     const std::string path = folder + "/case.angiopose";
     const io::CaseLock lock(path);
-    auto theCase = wholeCase(path);
+    auto session = wholeCase(path);
     std::string known = io::contentOfCaseFile(path);
-    for (int number = 0; theCase; ++number) {
-        theCase->title = titleOf(number);
-        const auto saved = io::saveCaseOver(*theCase, path, known);
+    for (int number = 0; session; ++number) {
+        session->title = titleOf(number);
+        const auto saved = io::saveCaseOver(*session, path, known);
         if (!saved) {
             return 1;
         }
@@ -76,13 +76,13 @@ int saveForEver(const std::string& folder)
 int saveOnce(const std::string& folder)
 {
     const std::string path = folder + "/case.angiopose";
-    auto theCase = wholeCase(path);
-    if (!theCase) {
+    auto session = wholeCase(path);
+    if (!session) {
         return 1;
     }
-    const int before = numberOf(*theCase);
-    theCase->title = titleOf(before + 49);
-    const auto saved = io::saveCaseOver(*theCase, path, io::contentOfCaseFile(path));
+    const int before = numberOf(*session);
+    session->title = titleOf(before + 49);
+    const auto saved = io::saveCaseOver(*session, path, io::contentOfCaseFile(path));
     if (!saved) {
         std::fprintf(stderr, "%s\n", saved.error().message.text().c_str());
     }
@@ -99,12 +99,12 @@ int countUp(const std::string& folder)
     int written = 0;
     for (int turn = 0; turn < 60; ++turn) {
         const std::string known = io::contentOfCaseFile(path);
-        auto theCase = wholeCase(path);
-        if (!theCase) {
+        auto session = wholeCase(path);
+        if (!session) {
             return 255;
         }
-        theCase->title = titleOf(numberOf(*theCase) + 1);
-        const auto saved = io::saveCaseOver(*theCase, path, known);
+        session->title = titleOf(numberOf(*session) + 1);
+        const auto saved = io::saveCaseOver(*session, path, known);
         if (!saved && !io::isChangedElsewhere(saved.error())) {
             return 255;
         }
@@ -142,9 +142,9 @@ std::string titleOf(int number)
            (number > 0 ? " " + std::string(20'000 + 1000 * static_cast<std::size_t>(number % 50), 'x') : "");
 }
 
-int numberOf(const core::Case& theCase)
+int numberOf(const core::Case& session)
 {
-    return std::atoi(theCase.title.c_str());
+    return std::atoi(session.title.c_str());
 }
 
 int runJob(const std::string& job, const std::string& folder, int ready)

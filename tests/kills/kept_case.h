@@ -15,7 +15,7 @@ std::optional<core::Case> wholeCase(const std::string& path);
 
 /// A title that makes the file large enough to be caught half written.
 std::string titleOf(int number);
-int numberOf(const core::Case& theCase);
+int numberOf(const core::Case& session);
 
 /// Work that goes on until it is killed, or until it is done: the exit code of the program. `ready` is a descriptor
 /// that gets a byte when it begins.

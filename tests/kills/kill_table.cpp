@@ -140,8 +140,8 @@ void saveTogether()
     const pid_t second = start("count", folder);
     const int a = endOf(first);
     const int b = endOf(second);
-    const auto theCase = test::wholeCase(path);
-    const int counted = theCase ? test::numberOf(*theCase) : -1;
+    const auto session = test::wholeCase(path);
+    const int counted = session ? test::numberOf(*session) : -1;
     const bool isRight = a >= 0 && a < 255 && b >= 0 && b < 255 && a + b == counted;
     faults += isRight ? 0 : 1;
     std::printf("two at once: %d and %d saves written of 60 each, the others refused; %d of them in the case: %s\n", a,
@@ -207,7 +207,7 @@ int main(int count, char** values)
     killDuring(fileJob("save", itself), (kills + 3) / 4, random);
     killDuring(fileJob("export", itself), (kills + 2) / 4, random);
     killDuring(fileJob("autosave", test::autosaveFolderOf), (kills + 1) / 4, random);
-    killDuring({"receive", test::findHalfReceived, test::interruptedIn, test::receiveAnew}, kills / 4, random);
+    killDuring({"receive", test::findHalfReceived, test::interruptedIn, test::receiveAgain}, kills / 4, random);
     refuseOn("full");
     refuseOn("read-only");
     refuseOn("limited");

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr int side = 256;
 constexpr int objectsAtOnce = 6;
-constexpr std::uint64_t mostBytes = 1U << 30;
+constexpr std::uint64_t maxBytes = 1U << 30;
 
 std::string storeOf(const std::string& folder)
 {
@@ -61,7 +61,7 @@ bool isWholeObject(const std::string& path)
 
 int receiveForEver(const std::string& folder, int ready)
 {
-    auto store = io::ObjectStore::open(storeOf(folder), mostBytes);
+    auto store = io::ObjectStore::open(storeOf(folder), maxBytes);
     io::ReceiverOptions options;
     options.port = freePort();
     auto listening = io::Receiver::listen(options);
@@ -103,9 +103,9 @@ std::size_t interruptedIn(const std::string& folder)
     return absent ? 0 : static_cast<std::size_t>(std::distance(begin, fs::directory_iterator()));
 }
 
-void receiveAnew(const std::string& folder)
+void receiveAgain(const std::string& folder)
 {
-    (void)io::ObjectStore::open(storeOf(folder), mostBytes);
+    (void)io::ObjectStore::open(storeOf(folder), maxBytes);
     fs::remove_all(fs::path(storeOf(folder)) / studyUid);
 }
 

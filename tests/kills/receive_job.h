@@ -15,6 +15,6 @@ std::string findHalfReceived(const std::string& folder);
 std::size_t interruptedIn(const std::string& folder);
 
 /// As the next program does that receives there. What came before is taken away, so that the next kill counts anew.
-void receiveAnew(const std::string& folder);
+void receiveAgain(const std::string& folder);
 
 }   // namespace angiopose::test

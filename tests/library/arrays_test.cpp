@@ -39,12 +39,12 @@ std::string idOfErrorIn(const Work& work)
 
 TEST(Arrays, ACaseAndItsArraysGiveTheSameBits)
 {
-    Case theCase = test::smallCase().theCase;
-    const RegistrationInput input = inputOf(theCase);
-    RegistrationOptions options = theCase.options();
+    Case session = test::smallCase().session;
+    const RegistrationInput input = inputOf(session);
+    RegistrationOptions options = session.options();
     options.set("geometryErrors", "none");   // cases know where their geometry comes from, arrays do not
-    theCase.setOptions(options);
-    expectSame(registerVessels(input, options), registerCase(theCase));
+    session.setOptions(options);
+    expectSame(registerVessels(input, options), registerCase(session));
 }
 
 /// The library reads headers with a decimal point, and leaves the locale of the program around it alone.
@@ -78,15 +78,15 @@ TEST(Arrays, AVolumeWithoutASizeIsRefused)
 
 TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)
 {
-    Case theCase = test::smallCase().theCase;
+    Case session = test::smallCase().session;
     RegistrationOptions options;
     options.method = "dynaweight";
     options.set("priorWeight", 1.0 / 3.0).set("preset", "seed_metric");
     options.locks = {"roll"};
-    theCase.setOptions(options);
-    EXPECT_EQ(options.values, theCase.options().values);
-    EXPECT_EQ(options.locks, theCase.options().locks);
-    EXPECT_EQ("dynaweight", theCase.options().method);
+    session.setOptions(options);
+    EXPECT_EQ(options.values, session.options().values);
+    EXPECT_EQ(options.locks, session.options().locks);
+    EXPECT_EQ("dynaweight", session.options().method);
 }
 
 /// How far the tree lies from the image points when projected, px, in the median.
@@ -97,7 +97,7 @@ double medianPx(RegistrationInput input, const VesselTree& tree, const Pose& pos
 }
 
 /// The far half of the tree 4 mm aside, more and more from its middle on.
-VesselTree bentByHand(VesselTree tree)
+VesselTree deformedByHand(VesselTree tree)
 {
     double meanZ = 0.0;
     for (const Eigen::Vector3d& point : tree.points) {
@@ -109,35 +109,36 @@ VesselTree bentByHand(VesselTree tree)
     return tree;
 }
 
-TEST(Arrays, BentVesselsLieNearerToTheImageThanRigidOnes)
+TEST(Arrays, DeformedVesselsLieNearerToTheImageThanRigidOnes)
 {
-    RegistrationInput input = inputOf(test::smallCase().theCase);
-    input.tree = bentByHand(input.tree);
+    RegistrationInput input = inputOf(test::smallCase().session);
+    input.tree = deformedByHand(input.tree);
     const RegistrationResult found = registerVessels(input, RegistrationOptions().set("deformable", "always"));
-    ASSERT_TRUE(found.bent);
-    EXPECT_EQ("bent", toText(found.bent->verdict));
-    ASSERT_EQ(input.tree.points.size(), found.bent->displacementMm.size());
-    ASSERT_EQ(input.tree.points.size(), found.bent->covarianceMm2.size());
-    ASSERT_EQ(input.tree.branchIds, found.bent->tree.branchIds);
-    ASSERT_EQ(1u, found.bent->viewPoses.size());
+    ASSERT_TRUE(found.deformed);
+    EXPECT_EQ("bent", toText(found.deformed->verdict));
+    ASSERT_EQ(input.tree.points.size(), found.deformed->displacementMm.size());
+    ASSERT_EQ(input.tree.points.size(), found.deformed->covarianceMm2.size());
+    ASSERT_EQ(input.tree.branchIds, found.deformed->tree.branchIds);
+    ASSERT_EQ(1u, found.deformed->viewPoses.size());
     for (std::size_t i = 0; i < input.tree.points.size(); ++i) {
-        const Eigen::Vector3d moved = found.bent->tree.points[i] - input.tree.points[i];
-        EXPECT_LT((moved - found.bent->displacementMm[i]).norm(), 1e-9);
-        EXPECT_GT(found.bent->covarianceMm2[i](2, 2), found.bent->covarianceMm2[i](0, 0));   // one view, along the ray
+        const Eigen::Vector3d moved = found.deformed->tree.points[i] - input.tree.points[i];
+        EXPECT_LT((moved - found.deformed->displacementMm[i]).norm(), 1e-9);
+        EXPECT_GT(found.deformed->covarianceMm2[i](2, 2),
+                  found.deformed->covarianceMm2[i](0, 0));   // one view, along the ray
     }
-    EXPECT_LT(medianPx(input, found.bent->tree, found.bent->viewPoses.front()), 0.5 * found.metrics.medianPx);
+    EXPECT_LT(medianPx(input, found.deformed->tree, found.deformed->viewPoses.front()), 0.5 * found.metrics.medianPx);
 }
 
-TEST(Arrays, VesselsAreNotBentWhereNobodyAsks)
+TEST(Arrays, VesselsAreNotDeformedWhereNobodyAsks)
 {
-    const RegistrationInput input = inputOf(test::smallCase().theCase);
-    EXPECT_FALSE(registerVessels(input, RegistrationOptions().set("deformable", "never")).bent);
+    const RegistrationInput input = inputOf(test::smallCase().session);
+    EXPECT_FALSE(registerVessels(input, RegistrationOptions().set("deformable", "never")).deformed);
 }
 
 TEST(Arrays, ImagePointsInNoOrderLeadToTheSamePlace)
 {
     const SimulatedCase simulated = test::smallCase();
-    RegistrationInput input = inputOf(simulated.theCase);
+    RegistrationInput input = inputOf(simulated.session);
     const RegistrationResult ordered = registerVessels(input);
     input.target.curveIds.clear();
     input.target.radiusPx.clear();
@@ -164,7 +165,7 @@ TEST(Arrays, UnknownRadiiStayUnknown)
 
 TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
 {
-    const RegistrationInput good = inputOf(test::smallCase().theCase);
+    const RegistrationInput good = inputOf(test::smallCase().session);
     RegistrationInput input = good;
     input.tree.branchIds.pop_back();
     EXPECT_EQ("library.lengths-differ", idOfErrorIn([&] { registerVessels(input); }));
@@ -188,7 +189,7 @@ TEST(Arrays, WhatDoesNotFitTogetherIsSaid)
 
 TEST(Arrays, TheCovarianceIsAboutThePlaceItNames)
 {
-    const RegistrationInput input = inputOf(test::smallCase().theCase);
+    const RegistrationInput input = inputOf(test::smallCase().session);
     const RegistrationResult result = evaluatePose(input, input.initialCameraFromPatient);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();   // by length
     double length = 0.0;
@@ -205,7 +206,7 @@ TEST(Arrays, TheCovarianceIsAboutThePlaceItNames)
 
 TEST(Arrays, WhatMakesNoSenseIsRefused)
 {
-    const RegistrationInput good = inputOf(test::smallCase().theCase);
+    const RegistrationInput good = inputOf(test::smallCase().session);
     RegistrationInput input = good;
     input.tree.radiusMm[2] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ("tree.branch-radius-unusable", idOfErrorIn([&] { registerVessels(input); }));
@@ -225,15 +226,15 @@ TEST(Arrays, EveryMethodIsListedWithOptionsThatCanBeSet)
     const auto all = methods();
     ASSERT_GT(all.size(), 5U);
     EXPECT_EQ("angiopose", all.front().id);
-    Case theCase = test::smallCase().theCase;
+    Case session = test::smallCase().session;
     for (const MethodInfo& method : all) {
         RegistrationOptions options;
         options.method = method.id;
         for (const OptionInfo& option : method.options) {
             options.set(option.key, std::string_view(option.defaultValue));
         }
-        theCase.setOptions(options);
-        EXPECT_TRUE(theCase.options().values.empty()) << method.id;
+        session.setOptions(options);
+        EXPECT_TRUE(session.options().values.empty()) << method.id;
     }
 }
 

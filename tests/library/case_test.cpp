@@ -22,23 +22,23 @@ protected:
 TEST_F(CaseOfLibrary, OfArraysIsWrittenWithItsInputsAndOpensAgain)
 {
     SimulatedCase simulated = test::smallCase();
-    writeCase(simulated.theCase, at("made.angiopose"));
+    writeCase(simulated.session, at("made.angiopose"));
     EXPECT_TRUE(fs::exists(at("made.tree.vtp")));
     EXPECT_TRUE(fs::exists(at("made.angiogram.dcm")));
     const Case read = readCase(at("made.angiopose"));
-    EXPECT_EQ(simulated.theCase.title(), read.title());
-    EXPECT_EQ(simulated.theCase.startPose(), read.startPose());
-    EXPECT_EQ(simulated.theCase.tree().points, read.tree().points);
-    EXPECT_EQ(simulated.theCase.frame(), read.frame());
+    EXPECT_EQ(simulated.session.title(), read.title());
+    EXPECT_EQ(simulated.session.startPose(), read.startPose());
+    EXPECT_EQ(simulated.session.tree().points, read.tree().points);
+    EXPECT_EQ(simulated.session.frame(), read.frame());
     EXPECT_TRUE(read.warnings().empty());
 }
 
 TEST_F(CaseOfLibrary, OfTwoFilesIsTheCaseOfTheseFiles)
 {
     SimulatedCase simulated = test::smallCase();
-    writeCase(simulated.theCase, at("made.angiopose"));
+    writeCase(simulated.session, at("made.angiopose"));
     Case fromFiles = readCase(at("made.tree.vtp"), at("made.angiogram.dcm"));
-    fromFiles.setStartPose(simulated.theCase.startPose());
+    fromFiles.setStartPose(simulated.session.startPose());
     Case fromCase = readCase(at("made.angiopose"));
     EXPECT_EQ(registerCase(fromCase).cameraFromPatient, registerCase(fromFiles).cameraFromPatient);
     writeResult(fromCase, at("result.json"));
@@ -50,30 +50,30 @@ TEST_F(CaseOfLibrary, OfTwoFilesIsTheCaseOfTheseFiles)
 TEST_F(CaseOfLibrary, KeepsAGivenTarget)
 {
     SimulatedCase simulated = test::smallCase();
-    simulated.theCase.setTarget(simulated.trueTarget);
-    writeCase(simulated.theCase, at("made.angiopose"));
+    simulated.session.setTarget(simulated.trueTarget);
+    writeCase(simulated.session, at("made.angiopose"));
     EXPECT_EQ(simulated.trueTarget.points.size(), targetOf(readCase(at("made.angiopose"))).points.size());
 }
 
 TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
 {
     const SimulatedCase simulated = test::smallCase();
-    const Angiogram run = simulated.theCase.angiogram();
-    Case bare(simulated.theCase.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
-    bare.setCamera(simulated.theCase.camera());
+    const Angiogram run = simulated.session.angiogram();
+    Case bare(simulated.session.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
+    bare.setCamera(simulated.session.camera());
     try {
         registerCase(bare);
         FAIL() << "a pose was made up";
     } catch (const Error& error) {
         EXPECT_EQ("library.no-start", error.id());
     }
-    bare.setStartPose(simulated.theCase.startPose());
+    bare.setStartPose(simulated.session.startPose());
     EXPECT_LT(registerCase(bare).metrics.medianPx, 5.0);
 }
 
 TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
 {
-    const Case known = test::smallCase().theCase;
+    const Case known = test::smallCase().session;
     const Angiogram run = known.angiogram();
     Case plain(known.tree(), Angiogram({run.frame(run.suggestedFrame())}, run.polarity()));
     EXPECT_THROW(plain.camera(), Error);
@@ -85,20 +85,20 @@ TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
 
 TEST_F(CaseOfLibrary, RefusesTheCameraOfAnotherImageAndBranchesItDoesNotHave)
 {
-    Case theCase = test::smallCase().theCase;
-    const int width = theCase.camera().width;
-    EXPECT_THROW(theCase.setCamera({-3000.0, 3000.0, 150.0, 150.0, 300, 300}), Error);
-    EXPECT_EQ(width, theCase.camera().width);
-    EXPECT_THROW(theCase.setExcludedBranchIds({987}), Error);
-    const int first = theCase.tree().branchIds.front();
-    theCase.setExcludedBranchIds({first});
-    EXPECT_EQ(std::vector<int>{first}, inputOf(theCase).excludedBranchIds);
-    EXPECT_THROW(Case(VesselTree(), theCase.angiogram()), Error);
+    Case session = test::smallCase().session;
+    const int width = session.camera().width;
+    EXPECT_THROW(session.setCamera({-3000.0, 3000.0, 150.0, 150.0, 300, 300}), Error);
+    EXPECT_EQ(width, session.camera().width);
+    EXPECT_THROW(session.setExcludedBranchIds({987}), Error);
+    const int first = session.tree().branchIds.front();
+    session.setExcludedBranchIds({first});
+    EXPECT_EQ(std::vector<int>{first}, inputOf(session).excludedBranchIds);
+    EXPECT_THROW(Case(VesselTree(), session.angiogram()), Error);
 }
 
 TEST_F(CaseOfLibrary, CopiesGoTheirOwnWays)
 {
-    const Case first = test::smallCase().theCase;
+    const Case first = test::smallCase().session;
     Case second = first;
     second.setTitle("another");
     Pose moved = second.cameraFromPatient();
@@ -125,11 +125,11 @@ Centerline2d projections(const RegistrationInput& view, const Pose& cameraFromPa
 TEST_F(CaseOfLibrary, TwoViewsAgreeOnOnePlace)
 {
     const SimulatedCase one = test::smallCase();
-    RegistrationInput first = inputOf(one.theCase);
+    RegistrationInput first = inputOf(one.session);
     first.image = {};
     RegistrationInput second = first;
     Pose turn = Pose::Identity();   // a second camera at a right angle, about the place of the vessels
-    const double depth = one.theCase.startPose()(2, 3);
+    const double depth = one.session.startPose()(2, 3);
     turn.topLeftCorner<3, 3>() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
     turn.topRightCorner<3, 1>() << -depth, 0, depth;
     second.initialCameraFromPatient = turn * first.initialCameraFromPatient;

@@ -13,7 +13,7 @@ const RegistrationInput& input()
         SimulationOptions options;
         options.branchCount = 8;
         options.frameCount = 3;
-        return inputOf(simulateCase(5, options).theCase);
+        return inputOf(simulateCase(5, options).session);
     }();
     return made;
 }

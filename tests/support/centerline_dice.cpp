@@ -8,7 +8,7 @@
 namespace angiopose::test {
 namespace {
 
-constexpr double leastPaintedRadiusPx = 1.5;
+constexpr double minPaintedRadiusPx = 1.5;
 
 /// The pixels within `radius` of a point; those that hold the point itself for a radius of 0.
 void paint(core::Mask2d& mask, const Eigen::Vector2d& point, double radius)
@@ -52,7 +52,7 @@ CenterlineDice centerlineDice(const core::Centerline2d& traced, const core::Mask
     for (const core::Curve2d& curve : traced.curves) {
         for (std::size_t i = 0; i < curve.pointsPx.size(); ++i) {
             paint(lines, curve.pointsPx[i], 0.0);
-            paint(vessels, curve.pointsPx[i], std::max(leastPaintedRadiusPx, curve.radiusPx[i]));
+            paint(vessels, curve.pointsPx[i], std::max(minPaintedRadiusPx, curve.radiusPx[i]));
         }
     }
     return {shareInside(lines, truth), shareInside(core::thinned(truth), vessels)};

@@ -6,13 +6,13 @@
 
 namespace angiopose::test {
 
-core::VolumeGeometry gridAround(const Eigen::Vector3d& centreMm, const Eigen::Vector3i& size,
+core::VolumeGeometry gridAround(const Eigen::Vector3d& centerMm, const Eigen::Vector3i& size,
                                 const Eigen::Vector3d& spacingMm)
 {
     core::VolumeGeometry grid;
     grid.size = size;
     grid.spacingMm = spacingMm;
-    grid.originInPatient = centreMm - 0.5 * spacingMm.cwiseProduct((size.array() - 1).cast<double>().matrix());
+    grid.originInPatient = centerMm - 0.5 * spacingMm.cwiseProduct((size.array() - 1).cast<double>().matrix());
     return grid;
 }
 

@@ -16,8 +16,8 @@ struct Tube {
     double endRadiusMm = 0.0;   ///< at `toMm`; 0: as at `fromMm`
 };
 
-/// A grid along the patient's axes around `centreMm`.
-core::VolumeGeometry gridAround(const Eigen::Vector3d& centreMm, const Eigen::Vector3i& size,
+/// A grid along the patient's axes around `centerMm`.
+core::VolumeGeometry gridAround(const Eigen::Vector3d& centerMm, const Eigen::Vector3i& size,
                                 const Eigen::Vector3d& spacingMm);
 
 /// The same places of the patient stored in another order: axis a of the new grid is axis `order[a]` of the old one,

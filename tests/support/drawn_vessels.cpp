@@ -14,12 +14,12 @@ Path line(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
     return {from, to};
 }
 
-Path circle(const Eigen::Vector2d& centre, double radius)
+Path circle(const Eigen::Vector2d& center, double radius)
 {
     Path path;
     for (int i = 0; i <= 90; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / 90.0;
-        path.push_back(centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        path.push_back(center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
     return path;
 }

@@ -19,7 +19,7 @@ struct FrameLook {
 using Path = std::vector<Eigen::Vector2d>;
 
 Path line(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-Path circle(const Eigen::Vector2d& centre, double radius);
+Path circle(const Eigen::Vector2d& center, double radius);
 
 /// A frame with dark round tubes (absorption along the chord) around the paths; where two cross, they add up.
 core::ImageF drawnFrame(int width, int height, const std::vector<Path>& paths, double radiusPx,

@@ -1,6 +1,6 @@
 #include "tests/support/foreign_objects.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/simulation/splat_disc.h"
 #include "core/support/random.h"
@@ -70,13 +70,13 @@ Path deviceCourse(const ImageF& frame, CounterRandom& random, double share)
     const Vector2d inwards(std::cos(turn), std::sin(turn));
     const Vector2d across(-inwards.y(), inwards.x());
     const Vector2d start = middleOf(frame) - 0.72 * side * inwards + random.uniform(-0.3, 0.3) * side * across;
-    const double bend = random.uniform(-0.6, 0.6) / side;
+    const double deformation = random.uniform(-0.6, 0.6) / side;
     Path course;
     Vector2d at = start;
     double angle = turn + random.uniform(-0.3, 0.3);
     for (double way = 0.0; way < (0.3 + share) * side; way += 2.0) {
         at += 2.0 * Vector2d(std::cos(angle), std::sin(angle));
-        angle += 2.0 * bend;
+        angle += 2.0 * deformation;
         course.push_back(at);
     }
     return course;
@@ -113,17 +113,17 @@ ObjectFrame withSternalWires(const ImageF& frame, std::uint64_t seed)
     const double x = random.uniform(0.25, 0.75) * frame.width;
     std::vector<Path> courses;
     for (int k = 0; k < 4; ++k) {
-        const Vector2d centre(x + random.uniform(-0.03, 0.03) * side, (0.18 + 0.2 * k) * frame.height);
+        const Vector2d center(x + random.uniform(-0.03, 0.03) * side, (0.18 + 0.2 * k) * frame.height);
         const double radius = random.uniform(0.03, 0.06) * side;
         const double squash = random.uniform(0.3, 1.0);
         Path loop;
         for (int step = 0; step <= 60; ++step) {
             const double angle = 2.0 * std::numbers::pi * step / 60.0;
-            loop.push_back(centre + radius * Vector2d(std::cos(angle), squash * std::sin(angle)));
+            loop.push_back(center + radius * Vector2d(std::cos(angle), squash * std::sin(angle)));
         }
         courses.push_back(loop);
-        courses.push_back(line(centre + Vector2d(0.0, radius * squash),
-                               centre + Vector2d(0.02 * side, radius * squash + 0.03 * side)));
+        courses.push_back(line(center + Vector2d(0.0, radius * squash),
+                               center + Vector2d(0.02 * side, radius * squash + 0.03 * side)));
     }
     const ImageF depth = tube(frame, courses, 1.0);
     return {darkened(frame, depth, random.uniform(0.3, 0.6) * contrastOf(frame)), courses, 3.0};
@@ -179,28 +179,28 @@ ImageF bordered(const ImageF& frame, CounterRandom& random, double softPx, const
 ObjectFrame withRoundBorder(const ImageF& frame, std::uint64_t seed, double softPx)
 {
     CounterRandom random(seed);
-    const Vector2d centre = middleOf(frame) + 0.04 * sideOf(frame) * Vector2d(random.normal(), random.normal());
+    const Vector2d center = middleOf(frame) + 0.04 * sideOf(frame) * Vector2d(random.normal(), random.normal());
     const double radius = random.uniform(0.42, 0.56) * sideOf(frame);
-    return {bordered(frame, random, softPx, [&](const Vector2d& at) { return radius - (at - centre).norm(); }),
-            {circle(centre, radius)},
+    return {bordered(frame, random, softPx, [&](const Vector2d& at) { return radius - (at - center).norm(); }),
+            {circle(center, radius)},
             5.0 + softPx};
 }
 
-ObjectFrame withRectangle(const ImageF& frame, std::uint64_t seed, double mostTurnDeg, double softPx)
+ObjectFrame withRectangle(const ImageF& frame, std::uint64_t seed, double maxTurnDeg, double softPx)
 {
     CounterRandom random(seed);
-    const Vector2d centre = middleOf(frame);
-    const double turn = random.uniform(-mostTurnDeg, mostTurnDeg) * std::numbers::pi / 180.0;
+    const Vector2d center = middleOf(frame);
+    const double turn = random.uniform(-maxTurnDeg, maxTurnDeg) * std::numbers::pi / 180.0;
     const Eigen::Rotation2Dd rotation(turn);
     const Vector2d half = Vector2d(random.uniform(0.36, 0.47) * frame.width, random.uniform(0.36, 0.47) * frame.height);
     ObjectFrame object;
     object.frame = bordered(frame, random, softPx, [&](const Vector2d& at) {
-        const Vector2d local = rotation.inverse() * (at - centre);
+        const Vector2d local = rotation.inverse() * (at - center);
         return (half - local.cwiseAbs()).minCoeff();
     });
     const std::vector<Vector2d> corners{{-half.x(), -half.y()}, {half.x(), -half.y()}, half, {-half.x(), half.y()}};
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        object.courses.push_back(line(centre + rotation * corners[k], centre + rotation * corners[(k + 1) % 4]));
+        object.courses.push_back(line(center + rotation * corners[k], center + rotation * corners[(k + 1) % 4]));
     }
     object.reachPx = 5.0 + softPx;
     return object;

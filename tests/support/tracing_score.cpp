@@ -17,8 +17,8 @@ using core::Curve2d;
 using core::ImageF;
 using core::Mask2d;
 
-constexpr double leastCountedRadiusPx = 1.0;
-constexpr double leastContrastToNoise = 2.0;
+constexpr double minCountedRadiusPx = 1.0;
+constexpr double minContrastToNoise = 2.0;
 constexpr double tolerancePx = 2.0;
 constexpr double besideWallsPx = 2.0;
 constexpr double surroundingsPx = 8.0;
@@ -122,9 +122,9 @@ void scoreVessels(const core::SimulatedCase& simulated, const Centerline2d& trac
             const Eigen::Vector2d& point = curve.pointsPx[i];
             const int x = static_cast<int>(std::lround(point.x()));
             const int y = static_cast<int>(std::lround(point.y()));
-            if (!inside.contains(x, y) || inside.at(x, y) == 0 || curve.radiusPx[i] <= leastCountedRadiusPx ||
+            if (!inside.contains(x, y) || inside.at(x, y) == 0 || curve.radiusPx[i] <= minCountedRadiusPx ||
                 ownContrast(simulated.trueContrast, point, tangents[i], curve.radiusPx[i]) <
-                    leastContrastToNoise * noise.at(x, y) ||
+                    minContrastToNoise * noise.at(x, y) ||
                 insideLumenOf(truth, &curve, point)) {
                 continue;
             }

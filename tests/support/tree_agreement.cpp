@@ -38,7 +38,7 @@ Nearest nearestOnTree(const core::VesselTree& tree, const Eigen::Vector3d& point
 
 }   // namespace
 
-TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree& truth, double leastReachMm)
+TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree& truth, double minReachMm)
 {
     TreeAgreement result;
     double truePoints = 0.0;
@@ -46,7 +46,7 @@ TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree
     for (const core::VesselBranch& branch : core::resampled(truth, spacingMm).branches) {
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
             const double away = nearestOnTree(traced, branch.pointsInPatient[i]).distanceMm;
-            foundPoints += away <= std::max(leastReachMm, branch.radiusMm[i]) ? 1.0 : 0.0;
+            foundPoints += away <= std::max(minReachMm, branch.radiusMm[i]) ? 1.0 : 0.0;
             truePoints += 1.0;
         }
     }
@@ -56,7 +56,7 @@ TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
             const Nearest nearest = nearestOnTree(truth, branch.pointsInPatient[i]);
             tracedPoints += 1.0;
-            if (nearest.distanceMm <= std::max(leastReachMm, nearest.radiusMm)) {
+            if (nearest.distanceMm <= std::max(minReachMm, nearest.radiusMm)) {
                 rightPoints += 1.0;
                 result.meanDistanceMm += nearest.distanceMm;
                 result.radiusError += std::abs(branch.radiusMm[i] - nearest.radiusMm) / nearest.radiusMm;

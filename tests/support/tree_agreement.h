@@ -15,8 +15,8 @@ struct TreeAgreement {
     double radiusError = 0.0;   ///< mean of |traced - true| / true, where it is right
 };
 
-/// `leastReachMm` is the least distance that counts as within a vessel (a voxel).
-TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree& truth, double leastReachMm);
+/// `minReachMm` is the least distance that counts as within a vessel (a voxel).
+TreeAgreement agreementOf(const core::VesselTree& traced, const core::VesselTree& truth, double minReachMm);
 
 /// Traced less true radius, median over the stretch of a simulated branch that carries its stent; none where less than
 /// half of it is traced.

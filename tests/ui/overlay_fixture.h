@@ -46,7 +46,7 @@ inline core::VesselTree treeOfDots()
 }
 
 /// Where the light around `guess` has its centre (pixel centres at integers); `brightness(x, y)` gives each pixel.
-inline Eigen::Vector2d centreOfLight(const std::function<double(int, int)>& brightness, const Eigen::Vector2d& guess)
+inline Eigen::Vector2d centerOfLight(const std::function<double(int, int)>& brightness, const Eigen::Vector2d& guess)
 {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0.0;

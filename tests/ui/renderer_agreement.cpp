@@ -127,14 +127,14 @@ void compareLines(const ui::OverlayContent& content, const Picture& a, const Pic
     const ui::DeviceFromImage device{content.viewRect, a.width, a.height};
     const std::uint32_t ground = ui::packed(ui::palette(ui::ThemeMode::Dark).canvas);
     const double reachPx = 1.0 + 0.8 * content.lineWidthPx;
-    const bool isCentre = content.mode == ui::OverlayMode::Centerline;
+    const bool isCenter = content.mode == ui::OverlayMode::Centerline;
     for (const ui::ProjectedBranch& branch : content.projected) {
         for (const auto& run : branch.runs) {
             for (std::size_t i = 2; i + 2 < run.size(); i += 3) {
                 if (!isClear(content.projected, branch, run, i, run[i].radiusPx + 2.0 * reachPx / device.scale())) {
                     continue;
                 }
-                for (const double side : isCentre ? std::vector<double>{0.0} : std::vector<double>{1.0, -1.0}) {
+                for (const double side : isCenter ? std::vector<double>{0.0} : std::vector<double>{1.0, -1.0}) {
                     Eigen::Vector2d at = device * run[i].edgePx(side);
                     at.y() = a.height - at.y();
                     const Eigen::Vector2d across(-run[i].along.y(), run[i].along.x());
@@ -157,7 +157,7 @@ void compareLines(const ui::OverlayContent& content, const Picture& a, const Pic
     }
 }
 
-void compareGreys(const std::vector<const Picture*>& plain, const Picture& a, const Picture& b, Agreement& agreement)
+void compareGrays(const std::vector<const Picture*>& plain, const Picture& a, const Picture& b, Agreement& agreement)
 {
     std::size_t edges = 0;
     for (int y = 0; y < a.height; ++y) {
@@ -166,9 +166,9 @@ void compareGreys(const std::vector<const Picture*>& plain, const Picture& a, co
                 ++edges;
                 continue;
             }
-            if (const int here = difference(a.at(x, y), b.at(x, y)); here > agreement.greyDifference) {
-                agreement.greyDifference = here;
-                agreement.worstGreyAt = {x, y};
+            if (const int here = difference(a.at(x, y), b.at(x, y)); here > agreement.grayDifference) {
+                agreement.grayDifference = here;
+                agreement.worstGrayAt = {x, y};
             }
         }
     }
@@ -212,7 +212,7 @@ ui::BranchMarks marksOf(const core::VesselTree& tree)
 core::ImageF radiographOf(const core::ImageF& contrast)
 {
     core::ImageF radiograph = contrast;
-    std::ranges::transform(radiograph.pixels, radiograph.pixels.begin(), [](float grey) { return std::abs(grey); });
+    std::ranges::transform(radiograph.pixels, radiograph.pixels.begin(), [](float gray) { return std::abs(gray); });
     return radiograph;
 }
 
@@ -290,7 +290,7 @@ Agreement agreementOf(const OverlayState& state, ui::GlOverlay& gl, int sizePx, 
     }
     painter.draw(scene, plain.canvas());
     gl.draw(disturbed, false, {}, plainOther.canvas());
-    compareGreys({&brightPlain, &plain, &plainOther}, a, b, agreement);
+    compareGrays({&brightPlain, &plain, &plainOther}, a, b, agreement);
     for (ui::OverlayScene* each : {&scene, &disturbed}) {
         each->showTracedCenterline(false);
     }

@@ -23,11 +23,11 @@ std::vector<OverlayState> overlayStates(std::uint64_t seed);
 /// How far the pictures of two renderers are apart.
 struct Agreement {
     double lineShiftPx = 0.0;   ///< worst, across the lines; device px
-    int greyDifference = 0;   ///< worst of any channel, outside of the overlay's edges
+    int grayDifference = 0;   ///< worst of any channel, outside of the overlay's edges
     double edgeShare = 0.0;   ///< of the picture's pixels: they were left out
     std::size_t lineSamples = 0;
     Eigen::Vector2d worstLineAt = Eigen::Vector2d::Zero();   ///< device px from the top left
-    Eigen::Vector2i worstGreyAt = Eigen::Vector2i::Zero();
+    Eigen::Vector2i worstGrayAt = Eigen::Vector2i::Zero();
 };
 
 /// Draws the state by both renderers in a picture `sizePx` wide and high; `scale` is the display's. What `disturb` does

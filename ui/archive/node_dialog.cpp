@@ -18,8 +18,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int mostAeLetters = 16;
-constexpr int mostNameLetters = 64;
+constexpr int maxAeLetters = 16;
+constexpr int maxNameLetters = 64;
 constexpr int nodeFieldWidth = 400;
 
 /// The fields of all forms below each other.
@@ -130,9 +130,9 @@ QFormLayout* NodeDialog::makeAddress()
     host_->setObjectName(QStringLiteral("nodeHost"));
     port_->setObjectName(QStringLiteral("nodePort"));
     title_->setObjectName(QStringLiteral("nodeTitle"));
-    name_->setMaxLength(mostNameLetters);
-    title_->setMaxLength(mostAeLetters);
-    ownTitle_->setMaxLength(mostAeLetters);
+    name_->setMaxLength(maxNameLetters);
+    title_->setMaxLength(maxAeLetters);
+    ownTitle_->setMaxLength(maxAeLetters);
     name_->setPlaceholderText(tr("PACS of radiology"));
     host_->setPlaceholderText(QStringLiteral("pacs.example.org"));
     host_->setMinimumWidth(nodeFieldWidth);

@@ -13,7 +13,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int mostTitleLetters = 16;   // PS3.5 6.2, AE
+constexpr int maxTitleLetters = 16;   // PS3.5 6.2, AE
 
 }   // namespace
 
@@ -35,7 +35,7 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     title_->setObjectName(QStringLiteral("receiveTitle"));
     title_->setAccessibleName(tr("AE title to receive as"));
     title_->setToolTip(tr("Callers must use this AE title"));
-    title_->setMaxLength(mostTitleLetters);
+    title_->setMaxLength(maxTitleLetters);
     title_->setFixedWidth(170);
     security_->setObjectName(QStringLiteral("receiveSecurity"));
     security_->setAutoDefault(false);

@@ -82,8 +82,8 @@ void TransferLine::show(const char* role, const QString& words, bool isBusy)
         stop_->setEnabled(true);
         stop_->setVisible(isBusy);
         emit busyChanged(isBusy);
-        QAccessibleEvent told(words_, QAccessible::NameChanged);
-        QAccessible::updateAccessibility(&told);
+        QAccessibleEvent reported(words_, QAccessible::NameChanged);
+        QAccessible::updateAccessibility(&reported);
     }
 }
 

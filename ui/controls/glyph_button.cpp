@@ -60,7 +60,7 @@ QPainterPath pathOf(Glyph glyph)
     return path;
 }
 
-bool isFilled(Glyph glyph)
+bool isOpacified(Glyph glyph)
 {
     return glyph == Glyph::Play || glyph == Glyph::Pause;
 }
@@ -89,7 +89,7 @@ void GlyphButton::paintEvent(QPaintEvent* event)
     if (isPinned) {
         painter.fillPath(pathOf(glyph_), toQColor(tones.accent));
         painter.strokePath(pathOf(glyph_), QPen(toQColor(tones.accent), 1.5));
-    } else if (isFilled(glyph_)) {
+    } else if (isOpacified(glyph_)) {
         painter.fillPath(pathOf(glyph_), tone);
     } else {
         painter.strokePath(pathOf(glyph_), QPen(tone, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));

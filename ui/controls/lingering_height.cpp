@@ -5,10 +5,10 @@
 
 namespace angiopose::ui {
 
-LingeringHeight::LingeringHeight(QWidget& widget, int leastPx)
-    : QObject(&widget), widget_(widget), rest_(new QTimer(this)), wantedPx_(leastPx)
+LingeringHeight::LingeringHeight(QWidget& widget, int minPx)
+    : QObject(&widget), widget_(widget), rest_(new QTimer(this)), wantedPx_(minPx)
 {
-    widget.setMinimumHeight(leastPx);
+    widget.setMinimumHeight(minPx);
     rest_->setSingleShot(true);
     rest_->setInterval(restBeforeShrinkingMs);
     connect(rest_, &QTimer::timeout, this, [this] { widget_.setMinimumHeight(wantedPx_); });

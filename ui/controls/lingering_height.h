@@ -12,7 +12,7 @@ namespace angiopose::ui {
 class LingeringHeight : public QObject {
 public:
     /// `least` holds from the start. Belongs to the widget.
-    LingeringHeight(QWidget& widget, int leastPx);
+    LingeringHeight(QWidget& widget, int minPx);
 
     void ask(int heightPx);
 

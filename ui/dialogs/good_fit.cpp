@@ -26,7 +26,7 @@ QString headingOf(FitExample example)
     switch (example) {
         case FitExample::Right:
             return GoodFit::tr("Good: everything fits");
-        case FitExample::Unfilled:
+        case FitExample::Unopacified:
             return GoodFit::tr("Good: branches unfilled");
         case FitExample::Deformed:
             return GoodFit::tr("Good: vessels have moved");
@@ -45,7 +45,7 @@ QString sentenceOf(FitExample example)
     switch (example) {
         case FitExample::Right:
             return GoodFit::tr("Lines run in the middle of their vessels, blue all along, into the side branches too.");
-        case FitExample::Unfilled:
+        case FitExample::Unopacified:
             return GoodFit::tr("Amber only where this frame shows no contrast; every filled vessel is blue.");
         case FitExample::Deformed:
             return GoodFit::tr("Small differences to both sides: beating and breathing. No rigid pose does better.");

@@ -10,7 +10,7 @@ class QLabel;
 namespace angiopose::ui {
 
 /// What can be wrong with a fit, and what only looks wrong: the examples of the page, good ones first.
-enum class FitExample { Right, Unfilled, Deformed, Shifted, Turned, Tilted };
+enum class FitExample { Right, Unopacified, Deformed, Shifted, Turned, Tilted };
 inline constexpr int fitExampleCount = 6;
 
 /// "What a good fit looks like": three good and three bad fits with a sentence each. Pictures arrive as they are made.

@@ -119,16 +119,16 @@ QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs,
             [this](int code) { emit answered(code == 0 ? meantByClosing_ : code - 1); });
 }
 
-MessageHistory::MessageHistory(const ToldMessages& messages, QWidget* parent) : QDialog(parent)
+MessageHistory::MessageHistory(const MessageLog& messages, QWidget* parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("messageHistory"));
     setWindowTitle(tr("Messages"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(640, 420);
     QStringList lines;
-    for (const ToldMessage& told : messages.all()) {
-        lines << languageLocale().toString(told.time.time(), QStringLiteral("HH:mm:ss")) + QLatin1Char('\t') +
-                     told.text;
+    for (const LoggedMessage& reported : messages.all()) {
+        lines << languageLocale().toString(reported.time.time(), QStringLiteral("HH:mm:ss")) + QLatin1Char('\t') +
+                     reported.text;
     }
     auto* text = new QTextEdit;
     text->setReadOnly(true);

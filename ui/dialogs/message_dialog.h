@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/panels/told_messages.h"
+#include "ui/panels/message_log.h"
 
 #include <QDialog>
 
@@ -42,7 +42,7 @@ private:
 class MessageHistory : public QDialog {
     Q_OBJECT
 public:
-    MessageHistory(const ToldMessages& messages, QWidget* parent);
+    MessageHistory(const MessageLog& messages, QWidget* parent);
 };
 
 }   // namespace angiopose::ui

@@ -133,8 +133,8 @@ void MovieDialog::showOutcome()
                                .arg(numberText(outcome.seconds, 1))
                                .arg(outcome.size.width())
                                .arg(outcome.size.height());
-    const QString told = outcome.words.isEmpty() ? length : length + QLatin1Char('\n') + outcome.words;
-    outcome_->setText(outcome.problem.isEmpty() ? told : outcome.problem);
+    const QString reported = outcome.words.isEmpty() ? length : length + QLatin1Char('\n') + outcome.words;
+    outcome_->setText(outcome.problem.isEmpty() ? reported : outcome.problem);
     export_->setEnabled(outcome.problem.isEmpty());
 }
 

@@ -26,7 +26,7 @@ NumberFormat shiftFormat()
     return {-200.0, 200.0, 2, QStringLiteral("px"), 0.25, NumberSign::Always};
 }
 
-NumberFormat greyFormat(double lowest)
+NumberFormat grayFormat(double lowest)
 {
     return {lowest, 1e9, 0, QString(), 10.0};
 }
@@ -64,8 +64,8 @@ QString maskText(const RunState& state)
 AngiogramPanel::AngiogramPanel(QWidget* parent)
     : Section(
           "angiogram", [] { return tr("Angiogram"); }, Folding::Foldable, parent),
-      window_(new NumberField(greyFormat(1e-6))),
-      level_(new NumberField(greyFormat(-1e9))),
+      window_(new NumberField(grayFormat(1e-6))),
+      level_(new NumberField(grayFormat(-1e9))),
       subtract_(withText(new QCheckBox, [] { return withKey(tr("Subtract mask"), Command::Subtract); })),
       composite_(withText(new QCheckBox, [] { return tr("Whole run in one picture"); })),
       masks_(new ElidedLabel("label")),

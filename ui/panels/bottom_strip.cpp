@@ -137,7 +137,7 @@ void BottomStrip::showUndoState(const QString& text)
 
 void BottomStrip::showStatus(const QString& text)
 {
-    told_.add(text);
+    reported_.add(text);
     showTask(text);
 }
 
@@ -197,7 +197,7 @@ void BottomStrip::showProgress(const QString& text, double fraction)
 void BottomStrip::showIdle(const QString& text)
 {
     if (text != tr("Ready")) {
-        told_.add(text);
+        reported_.add(text);
     }
     progress_->hide();
     stop_->hide();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ui/controls/section.h"
+#include "ui/panels/message_log.h"
 #include "ui/panels/play_bar.h"
-#include "ui/panels/told_messages.h"
 #include "ui/plots/frame_bars.h"
 
 #include <QWidget>
@@ -31,8 +31,8 @@ public:
     void showBusy(const QString& text);   ///< a task without known end
     void showProgress(const QString& text, double fraction);
     void showIdle(const QString& text);
-    void remember(const QString& text) { told_.add(text); }   ///< told elsewhere
-    const ToldMessages& told() const { return told_; }   ///< but for the progress of tasks
+    void remember(const QString& text) { reported_.add(text); }   ///< told elsewhere
+    const MessageLog& reported() const { return reported_; }   ///< but for the progress of tasks
 
 signals:
     void frameRequested(int frame);
@@ -51,7 +51,7 @@ private:
     void fitTask();
 
     QString task_;   ///< whole
-    ToldMessages told_;
+    MessageLog reported_;
     FrameBars* frames_;
     PlayBar* play_;
     ElidedLabel* frameNote_;

@@ -75,10 +75,10 @@ void paintPill(QPainter& painter, const QRect& pill, bool on)
 void paintCross(QPainter& painter, const QRect& area, bool excluded)
 {
     const Palette& tones = activePalette();
-    const QPointF centre = QRectF(area).center();
+    const QPointF center = QRectF(area).center();
     painter.setPen(QPen(toQColor(excluded ? tones.attention : tones.hint), excluded ? 1.8 : 1.2));
-    painter.drawLine(centre + QPointF(-3.5, -3.5), centre + QPointF(3.5, 3.5));
-    painter.drawLine(centre + QPointF(-3.5, 3.5), centre + QPointF(3.5, -3.5));
+    painter.drawLine(center + QPointF(-3.5, -3.5), center + QPointF(3.5, 3.5));
+    painter.drawLine(center + QPointF(-3.5, 3.5), center + QPointF(3.5, -3.5));
 }
 
 /// From behind the chip to the generation.

@@ -8,7 +8,7 @@ namespace {
 using core::Origin;
 using core::Sourced;
 
-NumberFormat millimetres(double min, double max, int decimals, double step)
+NumberFormat millimeters(double min, double max, int decimals, double step)
 {
     return {min, max, decimals, QStringLiteral("mm"), step};
 }
@@ -28,18 +28,18 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
     static const std::array<GeometryValueKind, geometryValueCount> table{
         {{QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "SID"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Source to detector distance"),
-          millimetres(100.0, 3000.0, 1, 1.0), 1000.0, true},
+          millimeters(100.0, 3000.0, 1, 1.0), 1000.0, true},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "SOD"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Source to isocentre distance"),
-          millimetres(100.0, 3000.0, 1, 1.0), 750.0, true},
+          millimeters(100.0, 3000.0, 1, 1.0), 750.0, true},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "pixel"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
                             "Pixel pitch on the detector. Enter confirms a derived one."),
-          millimetres(0.01, 5.0, 4, 0.01), 0.3, true},
+          millimeters(0.01, 5.0, 4, 0.01), 0.3, true},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "field width"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
                             "Width of the image on the detector: gives the pixel pitch"),
-          millimetres(10.0, 1000.0, 1, 1.0), 0.0, false},
+          millimeters(10.0, 1000.0, 1, 1.0), 0.0, false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "LAO / RAO"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Primary angle: LAO positive, RAO negative"),
           degrees(180.0), 0.0, true},
@@ -60,15 +60,15 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocentre L"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
                             "What the gantry turns about, in the vessels' coordinates: left"),
-          millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},
+          millimeters(-100000.0, 100000.0, 1, 1.0), 0.0, false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocentre P"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
                             "What the gantry turns about, in the vessels' coordinates: posterior"),
-          millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false},
+          millimeters(-100000.0, 100000.0, 1, 1.0), 0.0, false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocentre H"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
                             "What the gantry turns about, in the vessels' coordinates: head"),
-          millimetres(-100000.0, 100000.0, 1, 1.0), 0.0, false}}};
+          millimeters(-100000.0, 100000.0, 1, 1.0), 0.0, false}}};
     return table;
 }
 
@@ -83,7 +83,7 @@ Sourced<double> coordinate(const Sourced<Point>& point, const std::optional<Poin
     return standIn ? Sourced<double>{(*standIn)[index], Origin::Assumed, standInBasis} : Sourced<double>{};
 }
 
-std::optional<Eigen::Vector2d> imageCentre(const GeometryState& state)
+std::optional<Eigen::Vector2d> imageCenter(const GeometryState& state)
 {
     return state.imageSizePx.minCoeff() > 0
                ? std::optional<Eigen::Vector2d>(0.5 * (state.imageSizePx.cast<double>().array() - 1.0).matrix())
@@ -135,16 +135,16 @@ Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
             return cArm.secondaryAngleDeg;
         case GeometryValue::Roll:
             return cArm.rollDeg.value ? cArm.rollDeg : Sourced<double>{0.0, Origin::Assumed, "no header tells it"};
-        case GeometryValue::CentreX:
-        case GeometryValue::CentreY:
-            return coordinate(cArm.principalPointPx, imageCentre(state), indexFrom(GeometryValue::CentreX, value),
+        case GeometryValue::CenterX:
+        case GeometryValue::CenterY:
+            return coordinate(cArm.principalPointPx, imageCenter(state), indexFrom(GeometryValue::CenterX, value),
                               "middle of the image");
-        case GeometryValue::IsocentreX:
-        case GeometryValue::IsocentreY:
-        case GeometryValue::IsocentreZ:
+        case GeometryValue::IsocenterX:
+        case GeometryValue::IsocenterY:
+        case GeometryValue::IsocenterZ:
             break;
     }
-    return coordinate(cArm.isocentreInPatientMm, state.vesselCentroidMm, indexFrom(GeometryValue::IsocentreX, value),
+    return coordinate(cArm.isocenterInPatientMm, state.vesselCentroidMm, indexFrom(GeometryValue::IsocenterX, value),
                       "centroid of the vessels");
 }
 
@@ -185,15 +185,15 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
         case GeometryValue::Roll:
             cArm.rollDeg = typed;
             break;
-        case GeometryValue::CentreX:
-        case GeometryValue::CentreY:
-            setCoordinate(cArm.principalPointPx, imageCentre(state), indexFrom(GeometryValue::CentreX, value), typed);
+        case GeometryValue::CenterX:
+        case GeometryValue::CenterY:
+            setCoordinate(cArm.principalPointPx, imageCenter(state), indexFrom(GeometryValue::CenterX, value), typed);
             break;
-        case GeometryValue::IsocentreX:
-        case GeometryValue::IsocentreY:
-        case GeometryValue::IsocentreZ:
-            setCoordinate(cArm.isocentreInPatientMm, state.vesselCentroidMm,
-                          indexFrom(GeometryValue::IsocentreX, value), typed);
+        case GeometryValue::IsocenterX:
+        case GeometryValue::IsocenterY:
+        case GeometryValue::IsocenterZ:
+            setCoordinate(cArm.isocenterInPatientMm, state.vesselCentroidMm,
+                          indexFrom(GeometryValue::IsocenterX, value), typed);
             break;
     }
     return cArm;

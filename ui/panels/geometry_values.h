@@ -34,11 +34,11 @@ enum class GeometryValue {
     Primary,
     Secondary,
     Roll,
-    CentreX,
-    CentreY,
-    IsocentreX,
-    IsocentreY,
-    IsocentreZ
+    CenterX,
+    CenterY,
+    IsocenterX,
+    IsocenterY,
+    IsocenterZ
 };
 inline constexpr std::size_t geometryValueCount = 12;
 inline constexpr GeometryValue firstSeldomValue = GeometryValue::Roll;   ///< from here on: folded away

@@ -19,23 +19,23 @@ void LockDot::paintEvent(QPaintEvent*)
     const Palette& tones = activePalette();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF centre = QRectF(rect()).center();
+    const QPointF center = QRectF(rect()).center();
     const QColor ring = isChecked() ? toQColor(tones.attention) : toQColor(underMouse() ? tones.text : tones.hint);
     painter.setPen(QPen(ring, 1.3));
     painter.setBrush(isChecked() ? QBrush(ring) : QBrush(Qt::NoBrush));
-    painter.drawRoundedRect(QRectF(centre.x() - 4.5, centre.y() - 0.5, 9.0, 6.5), 1.0, 1.0);
+    painter.drawRoundedRect(QRectF(center.x() - 4.5, center.y() - 0.5, 9.0, 6.5), 1.0, 1.0);
     painter.setBrush(Qt::NoBrush);
     const double lift = isChecked() ? 0.0 : 2.0;   // the shackle stands open
-    const QRectF shackle(centre.x() - 3.0, centre.y() - 5.5 - lift, 6.0, 6.0);
-    QPainterPath path(QPointF(shackle.left(), centre.y() - 0.5));
+    const QRectF shackle(center.x() - 3.0, center.y() - 5.5 - lift, 6.0, 6.0);
+    QPainterPath path(QPointF(shackle.left(), center.y() - 0.5));
     path.lineTo(shackle.left(), shackle.center().y());
     path.arcTo(shackle, 180.0, -180.0);
-    path.lineTo(shackle.right(), centre.y() - 0.5 - lift);
+    path.lineTo(shackle.right(), center.y() - 0.5 - lift);
     painter.drawPath(path);
     if (hasFocus()) {
         painter.setPen(QPen(toQColor(tones.accent), 1.0));
         painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(centre, 8.5, 8.5);
+        painter.drawEllipse(center, 8.5, 8.5);
     }
 }
 

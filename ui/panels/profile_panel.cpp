@@ -81,14 +81,15 @@ QWidget* ProfilePanel::makeNumbers()
 void ProfilePanel::showProfile(const core::VesselBranch& branch, const core::BranchProfile& profile)
 {
     setHint(displayName(branch));
-    const QString millimetres = tr("%1 mm");
-    numbers_[Length]->setText(numberOrNone(profile.lengthMm, 1, millimetres));
-    numbers_[Diameter]->setText(numberOrNone(profile.meanDiameterMm, 2, millimetres));
-    numbers_[LeastDiameter]->setText(numberOrNone(profile.leastDiameterMm, 2, millimetres));
-    numbers_[Narrowing]->setText(profile.narrowing ? narrowingWords(*profile.narrowing) : QStringLiteral("–"));
+    const QString millimeters = tr("%1 mm");
+    numbers_[Length]->setText(numberOrNone(profile.lengthMm, 1, millimeters));
+    numbers_[Diameter]->setText(numberOrNone(profile.meanDiameterMm, 2, millimeters));
+    numbers_[MinDiameter]->setText(numberOrNone(profile.minDiameterMm, 2, millimeters));
+    numbers_[Stenosis]->setText(profile.narrowing ? narrowingWords(*profile.narrowing) : QStringLiteral("–"));
     numbers_[Tortuosity]->setText(numberOrNone(profile.tortuosity, 3, QStringLiteral("%1")));
-    const double bendMm = 1.0 / profile.greatestCurvaturePerMm;
-    numbers_[Bend]->setText(bendMm > straightFromMm ? tr("straight") : numberOrNone(bendMm, 1, tr("radius %1 mm")));
+    const double deformationMm = 1.0 / profile.greatestCurvaturePerMm;
+    numbers_[Curvature]->setText(deformationMm > straightFromMm ? tr("straight")
+                                                                : numberOrNone(deformationMm, 1, tr("radius %1 mm")));
     const QString basis = profile.meanDiameterMm
                               ? tr("Diameters are twice the radii of the tree; the narrowest place is told against "
                                    "the rest of the branch.")

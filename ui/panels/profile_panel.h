@@ -29,7 +29,7 @@ signals:
 private:
     QWidget* makeNumbers();
 
-    enum Number { Length, Diameter, LeastDiameter, Narrowing, Tortuosity, Bend, NumberCount };
+    enum Number { Length, Diameter, MinDiameter, Stenosis, Tortuosity, Curvature, NumberCount };
     std::array<QLabel*, NumberCount> numbers_{};
     QWidget* grid_;
     QLabel* doubt_;

@@ -1,6 +1,6 @@
 #include "ui/panels/result_panel.h"
 
-#include "core/registration/bending_doubt.h"
+#include "core/registration/deformation_check.h"
 #include "ui/controls/lingering_height.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/plots/convergence_plot.h"
@@ -109,8 +109,8 @@ FitVerdict verdictOf(const JudgedPose& judged)
     }
     const QString median = medianWords(judged);
     if (!judged.result.trustworthy) {
-        const QString told = ResultPanel::tr("NOT RELIABLE · %1").arg(median);
-        return {VerdictTone::Bad, origin.isEmpty() ? told : told + QStringLiteral(" · ") + origin};
+        const QString reported = ResultPanel::tr("NOT RELIABLE · %1").arg(median);
+        return {VerdictTone::Bad, origin.isEmpty() ? reported : reported + QStringLiteral(" · ") + origin};
     }
     if (!origin.isEmpty()) {
         return {VerdictTone::Doubtful, origin + QStringLiteral(" · ") + median};
@@ -223,7 +223,7 @@ void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree
         showIn(doubtful_, {tr("This is the start pose: nothing is fitted yet. R registers, N nudges.")});
         return;
     }
-    const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetresPerPixel);
+    const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetersPerPixel);
     showIn(certain_, sentences.certain);
     QStringList doubtful;
     for (const core::Message& words : judged.basis) {

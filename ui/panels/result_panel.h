@@ -29,7 +29,7 @@ struct JudgedPose {
     PoseSource source = PoseSource::Start;
     std::vector<double> residualsMm;   ///< every used tree point
     double scaleMaximumMm = 0.0;
-    double millimetresPerPixel = 0.0;   ///< at the vessels
+    double millimetersPerPixel = 0.0;   ///< at the vessels
     double judgedShare = 1.0;   ///< of the tree, that the distances are over
     double wholeMedianMm = 0.0;   ///< over all of it
     core::Messages basis;   ///< of the distances, where that is not the whole tree; excluded and auxiliary branches

@@ -1,8 +1,8 @@
 #include "ui/panels/result_sentences.h"
 
 #include "core/messages/says.h"
-#include "core/registration/bending_doubt.h"
 #include "core/registration/deformable/deform_vessels.h"
+#include "core/registration/deformation_check.h"
 #include "core/registration/judging/disagreeing_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "ui/words/language.h"
@@ -146,11 +146,11 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
 }   // namespace
 
 ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
-                            double millimetresPerPixel)
+                            double millimetersPerPixel)
 {
     ResultSentences sentences;
     const QString pose = certainPose(result.uncertainty);
-    const QString branches = agreement(result.branches, millimetresPerPixel);
+    const QString branches = agreement(result.branches, millimetersPerPixel);
     const QString likely = likelihood(result);
     if (result.trustworthy) {
         QStringList parts{pose, branches, likely};
@@ -168,7 +168,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
         sentences.doubtful << likely;
     }
     for (const QString& sentence :
-         {depthWords(result), geometryWords(result.uncertainty), disagreement(result, tree, millimetresPerPixel)}) {
+         {depthWords(result), geometryWords(result.uncertainty), disagreement(result, tree, millimetersPerPixel)}) {
         if (!sentence.isEmpty()) {
             sentences.doubtful << sentence;
         }

@@ -16,7 +16,7 @@ struct ResultSentences {
 };
 
 ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
-                            double millimetresPerPixel);
+                            double millimetersPerPixel);
 
 /// 1-σ along the ray where the image tells it much less than the rest; nothing where it is as certain.
 std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int snapshotIdRole = Qt::UserRole;
 constexpr int snapshotDoubtRole = Qt::UserRole + 1;
-constexpr int mostSnapshotRows = 8;
+constexpr int maxSnapshotRows = 8;
 
 enum SnapshotColumn { SnapshotMark, SnapshotName, SnapshotMedian, SnapshotColumnCount };
 
@@ -188,11 +188,11 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
         const QString mark = marks.a == id ? tr("A") : marks.b == id ? tr("B") : QString();
         (*each)->setText(SnapshotMark, marks.shown == id ? mark + QStringLiteral("●") : mark);
     }
-    colour();
+    color();
 }
 
 /// In the tones of the theme, which may change.
-void SnapshotPanel::colour()
+void SnapshotPanel::color()
 {
     const QScopedValueRollback quiet(showing_, true);
     const Palette& tones = activePalette();
@@ -210,7 +210,7 @@ void SnapshotPanel::changeEvent(QEvent* event)
 {
     Section::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) {
-        colour();
+        color();
     }
 }
 
@@ -303,7 +303,7 @@ void SnapshotPanel::fitHeight()
         ++rows;
     }
     const int rowHeight = std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 6);
-    list_->setFixedHeight(std::clamp(rows, 1, mostSnapshotRows) * rowHeight + 2);
+    list_->setFixedHeight(std::clamp(rows, 1, maxSnapshotRows) * rowHeight + 2);
 }
 
 }   // namespace angiopose::ui

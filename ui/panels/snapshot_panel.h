@@ -58,7 +58,7 @@ private:
     void addRuns(const std::vector<core::PoseSnapshot>& snapshots);
     void showContextMenu(const QPoint& position);
     void fitHeight();
-    void colour();
+    void color();
 
     QTreeWidget* list_;
     QLabel* empty_;

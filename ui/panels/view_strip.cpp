@@ -16,7 +16,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int viewPictureSize = 52;
-constexpr int leastPictureSize = 28;
+constexpr int minPictureSize = 28;
 constexpr int viewItemPadding = 32;   // around and between picture and words
 constexpr int numberPadding = 22;   // … and a number alone
 constexpr int listRim = 4;   // what the list takes beside its items
@@ -191,7 +191,7 @@ void ViewStrip::fit()
     }
     const bool hasWords = room >= viewPictureSize + viewItemPadding + fewestWordsPx;
     const int besideNumber = room - numberPadding - list_->fontMetrics().horizontalAdvance(QString::number(count));
-    const int side = hasWords ? viewPictureSize : std::clamp(besideNumber, leastPictureSize, viewPictureSize);
+    const int side = hasWords ? viewPictureSize : std::clamp(besideNumber, minPictureSize, viewPictureSize);
     list_->setIconSize({side, side});
     for (int i = 0; i < count; ++i) {
         fitItem(i, hasWords ? std::min(wordsWidthPx(i), room) : 0);

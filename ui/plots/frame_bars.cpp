@@ -292,10 +292,10 @@ void FrameBars::extendMask(int step)
 {
     const int last = static_cast<int>(curve_.opacification.size()) - 1;
     const int next = std::clamp(current_ + step, 0, last);
-    const bool goesOn = !masks_.empty() && (masks_.front() == current_ || masks_.back() == current_);
+    const bool shouldContinue = !masks_.empty() && (masks_.front() == current_ || masks_.back() == current_);
     int low = std::min(current_, next);
     int high = std::max(current_, next);
-    if (goesOn) {
+    if (shouldContinue) {
         low = std::min(low, masks_.front());
         high = std::max(high, masks_.back());
     }

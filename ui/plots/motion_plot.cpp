@@ -18,7 +18,7 @@ namespace {
 
 constexpr int motionLabelHeight = 18;
 constexpr double dotPx = 2.2;
-constexpr double leastHighestMm = 0.5;   // stillness looks still
+constexpr double minHighestMm = 0.5;   // stillness looks still
 
 }   // namespace
 
@@ -33,7 +33,7 @@ MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent)
 void MotionPlot::showMotion(const std::vector<FrameMotion>& motion)
 {
     motion_ = motion;
-    highestMm_ = leastHighestMm;
+    highestMm_ = minHighestMm;
     for (const FrameMotion& frame : motion_) {
         highestMm_ = std::max(highestMm_, frame.inPlaneMm);
     }

@@ -29,7 +29,7 @@ double referenceIn(const core::ProfileSample& sample)
     return sample.referenceMm;
 }
 
-double bendIn(const core::ProfileSample& sample)
+double deformationIn(const core::ProfileSample& sample)
 {
     return sample.curvaturePerMm;
 }
@@ -59,7 +59,7 @@ void ProfilePlot::showProfile(const core::BranchProfile& profile)
     pointedAt_.reset();
     highestMm_ = std::fmax(highestOf(profile_, diameterIn, 0.0),
                            profile_.narrowing ? highestOf(profile_, referenceIn, 0.0) : 0.0);
-    highestBend_ = highestOf(profile_, bendIn, leastHighestBend);
+    highestBend_ = highestOf(profile_, deformationIn, leastHighestBend);
     update();
 }
 
@@ -120,7 +120,7 @@ void ProfilePlot::paintEvent(QPaintEvent*)
     if (profile_.samples.size() < 2) {
         return;
     }
-    paintCurve(painter, bendIn, highestBend_, QPen(toQColor(tones.hint), 1.0));
+    paintCurve(painter, deformationIn, highestBend_, QPen(toQColor(tones.hint), 1.0));
     if (highestMm_ > 0.0) {
         paintCurve(painter, referenceIn, highestMm_, QPen(toQColor(tones.label), 1.2, Qt::DashLine));
         paintCurve(painter, diameterIn, highestMm_, QPen(toQColor(tones.accent), 1.6));

@@ -12,18 +12,18 @@ struct CutoutSpan {
 };
 
 /// Columns of row `y` inside the cutout.
-CutoutSpan spanOf(const Cutout& cutout, const Eigen::Vector2d& centre, double radius, int y, int width)
+CutoutSpan spanOf(const Cutout& cutout, const Eigen::Vector2d& center, double radius, int y, int width)
 {
     const auto column = [width](double x) { return static_cast<int>(std::clamp(std::round(x), 0.0, 1.0 * width)); };
     if (cutout.shape == Cutout::Shape::RightOf) {
-        return {column(centre.x()), width};
+        return {column(center.x()), width};
     }
-    const double height = y + 0.5 - centre.y();
+    const double height = y + 0.5 - center.y();
     const double half2 = radius * radius - height * height;
     if (half2 <= 0.0) {
         return {};
     }
-    return {column(centre.x() - std::sqrt(half2)), column(centre.x() + std::sqrt(half2))};
+    return {column(center.x() - std::sqrt(half2)), column(center.x() + std::sqrt(half2))};
 }
 
 }   // namespace
@@ -35,11 +35,11 @@ void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<s
         return;
     }
     const double scale = canvas.width / rect.width();
-    const Eigen::Vector2d centre((cutout.at.x() - rect.left) * scale,
+    const Eigen::Vector2d center((cutout.at.x() - rect.left) * scale,
                                  (cutout.at.y() - rect.top) * canvas.height / rect.height());
     const std::uint32_t edge = packed(palette(ThemeMode::Dark).label);
     for (int y = rows.from; y < rows.to; ++y) {
-        const CutoutSpan span = spanOf(cutout, centre, cutout.radiusPx * scale, y, canvas.width);
+        const CutoutSpan span = spanOf(cutout, center, cutout.radiusPx * scale, y, canvas.width);
         if (span.from >= span.to) {
             continue;
         }

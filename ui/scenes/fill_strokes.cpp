@@ -122,9 +122,9 @@ void fillTriangle(StrokeCorner a, StrokeCorner b, StrokeCorner c, Canvas canvas,
     }
     const Shade shade = shadeOf(a, b, c, doubleArea);
     for (int y = top; y < bottom; ++y) {
-        const float centre = static_cast<float>(y) + 0.5F;
-        const float one = crossing(a, c, centre);
-        const float other = centre < b.y ? crossing(a, b, centre) : crossing(b, c, centre);
+        const float center = static_cast<float>(y) + 0.5F;
+        const float one = crossing(a, c, center);
+        const float other = center < b.y ? crossing(a, b, center) : crossing(b, c, center);
         const int from = std::max(0, firstInside(std::min(one, other)));
         const int to = std::min(canvas.width, firstInside(std::max(one, other)));
         if (from < to) {

@@ -38,7 +38,7 @@ core::Image2d<std::uint8_t> bytesOf(const core::ImageF& shares)
 
 }   // namespace
 
-GreyTexture::GreyTexture()
+GrayTexture::GrayTexture()
 {
     texture_->SetColorModeToDirectScalars();
     texture_->InterpolateOff();
@@ -47,7 +47,7 @@ GreyTexture::GreyTexture()
     texture_->SetInputData(data_);
 }
 
-void GreyTexture::show(const core::Image2d<std::uint8_t>& picture, std::uint64_t revision)
+void GrayTexture::show(const core::Image2d<std::uint8_t>& picture, std::uint64_t revision)
 {
     shownRevision_ = revision;
     const bool isEmpty = picture.pixels.empty();
@@ -68,7 +68,7 @@ FrameLayer::FrameLayer() : ShaderActor(wholePicture(), frameShaders())
 void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
 {
     if (!frame_.shows(content.frame.revision())) {
-        frame_.show(content.frame.grey(), content.frame.revision());
+        frame_.show(content.frame.gray(), content.frame.revision());
     }
     if (!radiograph_.shows(content.radiograph.revision())) {
         radiograph_.show(bytesOf(content.radiograph.share()), content.radiograph.revision());
@@ -78,13 +78,13 @@ void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
     const std::array<float, 4> edges{static_cast<float>(part.left), static_cast<float>(part.right),
                                      static_cast<float>(part.top), static_cast<float>(part.bottom)};
     fragmentUniforms().SetUniform4f("part", edges.data());
-    showGrey(content);
+    showGray(content);
     showTint(content);
 }
 
-void FrameLayer::showGrey(const OverlayContent& content)
+void FrameLayer::showGray(const OverlayContent& content)
 {
-    const GreyFrame& frame = content.frame;
+    const GrayFrame& frame = content.frame;
     const std::array<float, 2> size{static_cast<float>(frame.width()), static_cast<float>(frame.height())};
     vtkUniforms& uniforms = fragmentUniforms();
     uniforms.SetUniform2f("frameSize", size.data());

@@ -9,9 +9,9 @@
 namespace angiopose::ui {
 
 /// A grey picture as a texture; sent to OpenGL when it changes.
-class GreyTexture {
+class GrayTexture {
 public:
-    GreyTexture();
+    GrayTexture();
     void show(const core::Image2d<std::uint8_t>& picture, std::uint64_t revision);
     bool shows(std::uint64_t revision) const { return shownRevision_ == revision; }
     vtkTexture* texture() { return texture_; }
@@ -29,11 +29,11 @@ public:
     void show(const OverlayContent& content, const PicturePlace& place);
 
 private:
-    void showGrey(const OverlayContent& content);
+    void showGray(const OverlayContent& content);
     void showTint(const OverlayContent& content);
 
-    GreyTexture frame_;
-    GreyTexture radiograph_;
+    GrayTexture frame_;
+    GrayTexture radiograph_;
 };
 
 }   // namespace angiopose::ui

@@ -15,18 +15,18 @@
 namespace angiopose::ui {
 namespace {
 
-using Grey = core::Image2d<std::uint8_t>;
+using Gray = core::Image2d<std::uint8_t>;
 
 /// Every 2 × 2 pixels become one; an odd last row or column counts twice.
-Grey halved(const Grey& grey)
+Gray halved(const Gray& gray)
 {
-    Grey half((grey.width + 1) / 2, (grey.height + 1) / 2);
+    Gray half((gray.width + 1) / 2, (gray.height + 1) / 2);
     auto mean = half.pixels.begin();
-    for (int y = 0; y < grey.height; y += 2) {
-        const int below = std::min(y + 1, grey.height - 1);
-        for (int x = 0; x < grey.width; x += 2) {
-            const int beside = std::min(x + 1, grey.width - 1);
-            const int sum = grey.at(x, y) + grey.at(beside, y) + grey.at(x, below) + grey.at(beside, below);
+    for (int y = 0; y < gray.height; y += 2) {
+        const int below = std::min(y + 1, gray.height - 1);
+        for (int x = 0; x < gray.width; x += 2) {
+            const int beside = std::min(x + 1, gray.width - 1);
+            const int sum = gray.at(x, y) + gray.at(beside, y) + gray.at(x, below) + gray.at(beside, below);
             *mean++ = static_cast<std::uint8_t>((sum + 2) / 4);
         }
     }
@@ -80,7 +80,7 @@ FrameQuad::FrameQuad()
     texture_->SetInputData(picture_);
 }
 
-void FrameQuad::show(const GreyFrame& frame, double devicePxPerImagePx)
+void FrameQuad::show(const GrayFrame& frame, double devicePxPerImagePx)
 {
     if (frame.width() == 0 || frame.height() == 0) {
         actor_->VisibilityOff();
@@ -96,22 +96,22 @@ void FrameQuad::show(const GreyFrame& frame, double devicePxPerImagePx)
     actor_->VisibilityOn();
 }
 
-void FrameQuad::showPicture(const GreyFrame& frame, int halvings)
+void FrameQuad::showPicture(const GrayFrame& frame, int halvings)
 {
-    Grey smaller;
+    Gray smaller;
     for (int i = 0; i < halvings; ++i) {
-        smaller = halved(i == 0 ? frame.grey() : smaller);
+        smaller = halved(i == 0 ? frame.gray() : smaller);
     }
-    const Grey& grey = halvings == 0 ? frame.grey() : smaller;
-    const int width = textureSize(grey.width);
-    const int height = textureSize(grey.height);
+    const Gray& gray = halvings == 0 ? frame.gray() : smaller;
+    const int width = textureSize(gray.width);
+    const int height = textureSize(gray.height);
     picture_->SetDimensions(width, height, 1);
     picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
     auto* texel = static_cast<std::uint8_t*>(picture_->GetScalarPointer());
     for (int y = 0; y < height; ++y) {
-        const std::uint8_t* row = grey.pixels.data() + grey.index(0, std::min(y, grey.height - 1));
-        texel = std::copy_n(row, grey.width, texel);
-        texel = std::fill_n(texel, width - grey.width, row[grey.width - 1]);
+        const std::uint8_t* row = gray.pixels.data() + gray.index(0, std::min(y, gray.height - 1));
+        texel = std::copy_n(row, gray.width, texel);
+        texel = std::fill_n(texel, width - gray.width, row[gray.width - 1]);
     }
     picture_->Modified();
 }

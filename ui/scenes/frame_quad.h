@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/scenes/grey_frame.h"
+#include "ui/scenes/gray_frame.h"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -17,11 +17,11 @@ namespace angiopose::ui {
 class FrameQuad {
 public:
     FrameQuad();
-    void show(const GreyFrame& frame, double devicePxPerImagePx);
+    void show(const GrayFrame& frame, double devicePxPerImagePx);
     vtkActor* actor() { return actor_; }
 
 private:
-    void showPicture(const GreyFrame& frame, int halvings);
+    void showPicture(const GrayFrame& frame, int halvings);
     void fitRectangle(int width, int height, int halvings);
 
     vtkNew<vtkImageData> picture_;

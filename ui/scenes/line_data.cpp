@@ -40,17 +40,17 @@ void LineData::clear()
     }
 }
 
-void LineData::addNeighbour(vtkFloatArray& place, vtkFloatArray& direction, const LinePoint* neighbour)
+void LineData::addNeighbor(vtkFloatArray& place, vtkFloatArray& direction, const LinePoint* neighbor)
 {
     constexpr double none = -1.0;   // instead of a radius
-    if (!neighbour) {
+    if (!neighbor) {
         place.InsertNextTuple4(0.0, 0.0, 0.0, none);
         direction.InsertNextTuple3(0.0, 0.0, 0.0);
         return;
     }
-    const Eigen::Vector3d& at = neighbour->at;
-    place.InsertNextTuple4(at.x(), at.y(), at.z(), neighbour->radiusMm);
-    direction.InsertNextTuple3(neighbour->direction.x(), neighbour->direction.y(), neighbour->direction.z());
+    const Eigen::Vector3d& at = neighbor->at;
+    place.InsertNextTuple4(at.x(), at.y(), at.z(), neighbor->radiusMm);
+    direction.InsertNextTuple3(neighbor->direction.x(), neighbor->direction.y(), neighbor->direction.z());
 }
 
 void LineData::add(const std::vector<LinePoint>& line, const LineLook& look)
@@ -64,9 +64,9 @@ void LineData::add(const std::vector<LinePoint>& line, const LineLook& look)
         cells_->InsertCellPoint(points_->InsertNextPoint(point.at.data()));
         arrays_[LineArray::Here]->InsertNextTuple4(point.direction.x(), point.direction.y(), point.direction.z(),
                                                    point.radiusMm);
-        addNeighbour(*arrays_[LineArray::Before], *arrays_[LineArray::BeforeDirection], i > 0 ? &line[i - 1] : nullptr);
-        addNeighbour(*arrays_[LineArray::After], *arrays_[LineArray::AfterDirection],
-                     i + 1 < line.size() ? &line[i + 1] : nullptr);
+        addNeighbor(*arrays_[LineArray::Before], *arrays_[LineArray::BeforeDirection], i > 0 ? &line[i - 1] : nullptr);
+        addNeighbor(*arrays_[LineArray::After], *arrays_[LineArray::AfterDirection],
+                    i + 1 < line.size() ? &line[i + 1] : nullptr);
         const std::array<double, 3> tone = point.tone.unit();
         arrays_[LineArray::Tone]->InsertNextTuple3(tone[0], tone[1], tone[2]);
         arrays_[LineArray::Look]->InsertNextTuple4(look.widthFactor, look.opacity, look.isDashed ? 1.0 : 0.0,

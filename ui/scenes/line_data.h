@@ -46,7 +46,7 @@ public:
     static const std::array<const char*, 9>& attributes();
 
 private:
-    void addNeighbour(vtkFloatArray& place, vtkFloatArray& direction, const LinePoint* neighbour);
+    void addNeighbor(vtkFloatArray& place, vtkFloatArray& direction, const LinePoint* neighbor);
 
     vtkNew<vtkPolyData> polyData_;
     vtkNew<vtkPoints> points_;

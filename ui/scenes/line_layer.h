@@ -9,8 +9,8 @@ namespace angiopose::ui {
 
 /// How one layer of lines is drawn; lengths in device px.
 struct LinePass {
-    enum class Shape { Centre, Edges, Inside };
-    Shape shape = Shape::Centre;   ///< edges and inside where radii are known
+    enum class Shape { Center, Edges, Inside };
+    Shape shape = Shape::Center;   ///< edges and inside where radii are known
     double lineWidthPx = 2.0;   ///< of a line whose width factor is 1
     double widthGain = 1.0;   ///< width = gain × line width × factor + extra
     double widthExtraPx = 0.0;

@@ -74,7 +74,7 @@ ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height)
     const Eigen::Vector3d toViewer = (position - screen.focalPoint).normalized();
     const Eigen::Vector3d right = Eigen::Vector3d(camera.GetViewUp()).cross(toViewer).normalized();
     screen.rotation << right.transpose(), toViewer.cross(right).transpose(), toViewer.transpose();
-    screen.centrePx = 0.5 * Eigen::Vector2d(width, height);
+    screen.centerPx = 0.5 * Eigen::Vector2d(width, height);
     screen.pxPerMm = 0.5 * height / camera.GetParallelScale();
     return screen;
 }
@@ -89,12 +89,12 @@ void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree
     for (const Eigen::Vector3d& point : landmarks(beam, tree, extent)) {
         box.extend(Eigen::Vector2d(right.dot(point - pivot), up.dot(point - pivot)));
     }
-    const Eigen::Vector3d centre = pivot + box.center().x() * right + box.center().y() * up;
+    const Eigen::Vector3d center = pivot + box.center().x() * right + box.center().y() * up;
     const double half = 0.5 * std::max(box.sizes().y(), box.sizes().x() / aspect) * (1.0 + 2.0 * marginShare);
-    const Eigen::Vector3d position = centre - 4.0 * half * sight;
+    const Eigen::Vector3d position = center - 4.0 * half * sight;
     camera.ParallelProjectionOn();
     camera.SetParallelScale(std::max(half, 1e-3));
-    camera.SetFocalPoint(centre.x(), centre.y(), centre.z());
+    camera.SetFocalPoint(center.x(), center.y(), center.z());
     camera.SetPosition(position.x(), position.y(), position.z());
     camera.SetViewUp(up.x(), up.y(), up.z());
 }

@@ -15,12 +15,12 @@ struct Beam;
 struct ScreenFromPatient {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();   ///< rows: right, up, towards the viewer
     Eigen::Vector3d focalPoint = Eigen::Vector3d::Zero();
-    Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
+    Eigen::Vector2d centerPx = Eigen::Vector2d::Zero();
     double pxPerMm = 1.0;
 
     Eigen::Vector2d operator*(const Eigen::Vector3d& point) const
     {
-        return centrePx + pxPerMm * (rotation * (point - focalPoint)).head<2>();
+        return centerPx + pxPerMm * (rotation * (point - focalPoint)).head<2>();
     }
     Eigen::Vector3d turned(const Eigen::Vector3d& direction) const { return rotation * direction; }
 };

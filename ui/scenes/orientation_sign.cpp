@@ -26,7 +26,7 @@ bool isTowardsViewer(const Eigen::Vector3d& onScreen)
 
 }   // namespace
 
-Eigen::Vector2d OrientationSign::centre() const
+Eigen::Vector2d OrientationSign::center() const
 {
     return {widthPx - marginPx * pixelScale, marginPx * pixelScale};
 }
@@ -35,9 +35,9 @@ void addOrientationSign(StrokeMesh& mesh, const OrientationSign& sign, const Pal
 {
     for (const PatientAxis& axis : patientAxes) {
         const Eigen::Vector3d onScreen = sign.toScreen.turned(axis.direction);
-        const Eigen::Vector2d tip = sign.centre() + armPx * sign.pixelScale * onScreen.head<2>();
+        const Eigen::Vector2d tip = sign.center() + armPx * sign.pixelScale * onScreen.head<2>();
         const Color tone = mixed(tones.field, tones.label, isTowardsViewer(onScreen) ? 0.9 : 0.45);
-        addLine(mesh, {{sign.centre(), tone}, {tip, tone}}, {1.4 * sign.pixelScale});
+        addLine(mesh, {{sign.center(), tone}, {tip, tone}}, {1.4 * sign.pixelScale});
     }
 }
 
@@ -50,7 +50,7 @@ std::vector<OrientationLetter> lettersOf(const OrientationSign& sign)
             continue;
         }
         const Eigen::Vector2d outward = onScreen.head<2>() * armPx + onScreen.head<2>().normalized() * 9.0;
-        const Eigen::Vector2d at = sign.centre() + sign.pixelScale * outward;
+        const Eigen::Vector2d at = sign.center() + sign.pixelScale * outward;
         const bool isFree = std::ranges::all_of(letters, [&](const OrientationLetter& other) {
             return (other.at - at).norm() > letterRoomPx * sign.pixelScale;
         });

@@ -15,7 +15,7 @@ struct OrientationSign {
     int widthPx = 0;   ///< of the picture, device px
     double pixelScale = 1.0;   ///< device px per px
 
-    Eigen::Vector2d centre() const;   ///< device px from the bottom left
+    Eigen::Vector2d center() const;   ///< device px from the bottom left
 };
 
 /// A letter of the sign (L, P, H) and where its centre goes, device px from the bottom left.

@@ -5,7 +5,7 @@
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/cutout.h"
-#include "ui/scenes/grey_frame.h"
+#include "ui/scenes/gray_frame.h"
 #include "ui/scenes/projected_tree.h"
 #include "ui/scenes/radiograph_tint.h"
 #include "ui/scenes/resample_frame.h"
@@ -44,7 +44,7 @@ struct DepthRange {
 
 /// What lies on the angiogram and how it looks: all that a renderer is told.
 struct OverlayContent {
-    GreyFrame frame;
+    GrayFrame frame;
     Interpolation interpolation = Interpolation::Smooth;
     RadiographTint radiograph;
     Cutout cutout;

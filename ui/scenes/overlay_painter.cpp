@@ -10,7 +10,7 @@ namespace angiopose::ui {
 const std::vector<std::uint32_t>& OverlayPainter::backdropOf(const OverlayContent& content, const ViewRect& part,
                                                              Canvas canvas)
 {
-    const GreyFrame& frame = content.frame;
+    const GrayFrame& frame = content.frame;
     const std::pair size{canvas.width, canvas.height};
     if (backdrop_.frameRevision == frame.revision() && backdrop_.rect == part && backdrop_.size == size &&
         backdrop_.interpolation == content.interpolation) {
@@ -23,7 +23,7 @@ const std::vector<std::uint32_t>& OverlayPainter::backdropOf(const OverlayConten
     const Color& around = palette(ThemeMode::Dark).canvas;
     backdrop_.pixels.assign(canvas.pixelCount(), packed(around));
     if (frame.width() > 0 && frame.height() > 0) {
-        resampleFrame(frame.grey(), part, content.interpolation, around,
+        resampleFrame(frame.gray(), part, content.interpolation, around,
                       {backdrop_.pixels.data(), canvas.width, canvas.height});
     }
     return backdrop_.pixels;

@@ -14,19 +14,19 @@ Eigen::Vector2d directionOf(double angleRad)
     return {std::cos(angleRad), std::sin(angleRad)};
 }
 
-StrokeLine arc(const Eigen::Vector2d& centre, double radius, double startRad, double sweepRad, const Color& color)
+StrokeLine arc(const Eigen::Vector2d& center, double radius, double startRad, double sweepRad, const Color& color)
 {
     StrokeLine line;
     const int steps = std::max(2, static_cast<int>(std::abs(sweepRad) * radius / 3.0));
     for (int k = 0; k <= steps; ++k) {
-        line.push_back({centre + radius * directionOf(startRad + sweepRad * k / steps), color});
+        line.push_back({center + radius * directionOf(startRad + sweepRad * k / steps), color});
     }
     return line;
 }
 
 StrokeLine arc(const PoseHandleLook& look, double startRad, double sweepRad, const Color& color)
 {
-    return arc(look.centre, look.radius, startRad, sweepRad, color);
+    return arc(look.center, look.radius, startRad, sweepRad, color);
 }
 
 void addWithShade(StrokeMesh& mesh, const StrokeLine& line, double widthPx)
@@ -52,7 +52,7 @@ void addRing(StrokeMesh& mesh, const PoseHandleLook& look)
         addWithShade(mesh, arc(look, look.rollStartRad, look.rollSweepRad, tones.attention), 3.5 * look.pixelScale);
         const Eigen::Vector2d grip(std::cos(look.rollStartRad + look.rollSweepRad),
                                    std::sin(look.rollStartRad + look.rollSweepRad));
-        addDot(mesh, {look.centre + look.radius * grip, tones.attention}, 5.0 * look.pixelScale, 1.0);
+        addDot(mesh, {look.center + look.radius * grip, tones.attention}, 5.0 * look.pixelScale, 1.0);
     } else if (look.hot == PoseHandle::Roll) {
         addWithShade(mesh, arc(look, look.rollStartRad - 0.22, 0.44, tones.attention), 3.0 * look.pixelScale);
     }
@@ -65,7 +65,7 @@ void addCross(StrokeMesh& mesh, const PoseHandleLook& look)
     const Color tone = isActive ? tones.attention : tones.textStrong;
     const double arm = crossArm * look.radius;
     for (const Eigen::Vector2d& direction : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, 1.0)}) {
-        addWithShade(mesh, {{look.centre - arm * direction, tone}, {look.centre + arm * direction, tone}},
+        addWithShade(mesh, {{look.center - arm * direction, tone}, {look.center + arm * direction, tone}},
                      (isActive ? 2.2 : 1.3) * look.pixelScale);
     }
 }
@@ -95,11 +95,11 @@ StrokeLine outerShaft(const PoseHandleLook& look, PoseHandle handle, const Color
     const double radius = look.radius + outerHandleGapPx * look.pixelScale;
     if (handle == PoseHandle::Depth) {
         const double half = radius * std::sin(outerHandleHalfRad);
-        return {{look.centre + Eigen::Vector2d(-radius, -half), tone},
-                {look.centre + Eigen::Vector2d(-radius, half), tone}};
+        return {{look.center + Eigen::Vector2d(-radius, -half), tone},
+                {look.center + Eigen::Vector2d(-radius, half), tone}};
     }
     const double middle = handle == PoseHandle::LaoRao ? below : 0.0;
-    return arc(look.centre, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
+    return arc(look.center, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
 }
 
 /// Where the knob of the active handle is: in the middle, moved by the drag as far as the shaft goes.
@@ -108,9 +108,9 @@ Eigen::Vector2d knobOf(const PoseHandleLook& look, PoseHandle handle)
     const double radius = look.radius + outerHandleGapPx * look.pixelScale;
     const double angle = std::clamp(look.slidePx / radius, -outerHandleHalfRad, outerHandleHalfRad);
     if (handle == PoseHandle::Depth) {
-        return look.centre + radius * Eigen::Vector2d(-1.0, std::sin(angle));
+        return look.center + radius * Eigen::Vector2d(-1.0, std::sin(angle));
     }
-    return look.centre + radius * directionOf(handle == PoseHandle::LaoRao ? angle - 0.5 * std::numbers::pi : angle);
+    return look.center + radius * directionOf(handle == PoseHandle::LaoRao ? angle - 0.5 * std::numbers::pi : angle);
 }
 
 void addOuterHandles(StrokeMesh& mesh, const PoseHandleLook& look)

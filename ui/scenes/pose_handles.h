@@ -12,7 +12,7 @@ inline constexpr double outerHandleHalfRad = 0.5;   ///< half of what each spans
 
 /// What the handles look like at this moment; lengths in device px, y up.
 struct PoseHandleLook {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;   ///< of the roll ring; 0 hides everything
     double pixelScale = 1.0;
     PoseHandle hot = PoseHandle::None;   ///< under the mouse

@@ -20,11 +20,11 @@ struct Taps {
     std::vector<float> weights;   ///< the shares of one target add up to 1
 };
 
-void addTarget(Taps& taps, double centre, double halfWidth, int sourceSize)
+void addTarget(Taps& taps, double center, double halfWidth, int sourceSize)
 {
     Taps::Target target{0, 0, taps.weights.size()};
-    if (centre >= -0.5 && centre <= sourceSize - 0.5) {
-        const double inside = std::clamp(centre, 0.0, sourceSize - 1.0);
+    if (center >= -0.5 && center <= sourceSize - 0.5) {
+        const double inside = std::clamp(center, 0.0, sourceSize - 1.0);
         target.first = std::max(0, static_cast<int>(std::floor(inside - halfWidth)) + 1);
         const int last = std::min(sourceSize - 1, static_cast<int>(std::ceil(inside + halfWidth)) - 1);
         double sum = 0.0;
@@ -44,25 +44,25 @@ Taps tapsOf(double from, double to, int targetSize, int sourceSize, Interpolatio
     Taps taps;
     const double step = (to - from) / targetSize;
     for (int k = 0; k < targetSize; ++k) {
-        const double centre = from + (k + 0.5) * step;
+        const double center = from + (k + 0.5) * step;
         if (interpolation == Interpolation::Nearest) {
-            addTarget(taps, centre >= -0.5 && centre <= sourceSize - 0.5 ? std::round(centre) : centre, 1e-3,
+            addTarget(taps, center >= -0.5 && center <= sourceSize - 0.5 ? std::round(center) : center, 1e-3,
                       sourceSize);
         } else {
-            addTarget(taps, centre, std::max(1.0, step), sourceSize);
+            addTarget(taps, center, std::max(1.0, step), sourceSize);
         }
     }
     return taps;
 }
 
 /// One row of the picture at the height of a target row: the source rows blended, as wide as the source.
-void blendRows(const core::Image2d<std::uint8_t>& grey, const Taps& down, const Taps::Target& target,
+void blendRows(const core::Image2d<std::uint8_t>& gray, const Taps& down, const Taps::Target& target,
                std::vector<float>& line)
 {
     std::fill(line.begin(), line.end(), 0.5F);   // rounds
     for (int k = 0; k < target.count; ++k) {
         const float share = down.weights[target.weights + static_cast<std::size_t>(k)];
-        const std::uint8_t* source = grey.pixels.data() + grey.index(0, target.first + k);
+        const std::uint8_t* source = gray.pixels.data() + gray.index(0, target.first + k);
         for (std::size_t x = 0; x < line.size(); ++x) {
             line[x] += share * static_cast<float>(source[x]);
         }
@@ -88,21 +88,21 @@ void blendColumns(const std::vector<float>& line, const Taps& across, std::uint3
 
 }   // namespace
 
-void resampleFrame(const core::Image2d<std::uint8_t>& grey, const ViewRect& rect, Interpolation interpolation,
+void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,
                    const Color& around, Canvas canvas)
 {
     const std::uint32_t outside = packed(around);
-    const Taps across = tapsOf(rect.left, rect.right, canvas.width, grey.width, interpolation);
-    const Taps down = tapsOf(rect.top, rect.bottom, canvas.height, grey.height, interpolation);
+    const Taps across = tapsOf(rect.left, rect.right, canvas.width, gray.width, interpolation);
+    const Taps down = tapsOf(rect.top, rect.bottom, canvas.height, gray.height, interpolation);
     forBands(canvas.height, [&](const Rows& rows) {
-        std::vector<float> line(static_cast<std::size_t>(grey.width));
+        std::vector<float> line(static_cast<std::size_t>(gray.width));
         for (int y = rows.from; y < rows.to; ++y) {
             const Taps::Target& target = down.targets[static_cast<std::size_t>(y)];
             if (target.count == 0) {
                 std::fill_n(canvas.row(y), canvas.width, outside);
                 continue;
             }
-            blendRows(grey, down, target, line);
+            blendRows(gray, down, target, line);
             blendColumns(line, across, outside, canvas.row(y));
         }
     });

@@ -13,7 +13,7 @@ enum class Interpolation { Smooth, Nearest };
 
 /// Fills the canvas with the part `rect` of a grey picture, `around` where the picture ends. Smooth is linear when it
 /// magnifies; when it shrinks, every source pixel counts (a tent as wide as a canvas pixel), so nothing flickers.
-void resampleFrame(const core::Image2d<std::uint8_t>& grey, const ViewRect& rect, Interpolation interpolation,
+void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,
                    const Color& around, Canvas canvas);
 
 }   // namespace angiopose::ui

@@ -19,13 +19,13 @@ template <class Draw>
 void forBands(int height, const Draw& draw)
 {
     constexpr int bandRows = 160;   // each looks at all triangles once
-    constexpr int mostThreads = 4;
+    constexpr int maxThreads = 4;
     const int bands = std::max(1, (height + bandRows - 1) / bandRows);
     const auto band = [&](std::size_t index) {
         const int from = static_cast<int>(index) * bandRows;
         draw(Rows{from, std::min(from + bandRows, height)});
     };
-    core::parallelFor(static_cast<std::size_t>(bands), std::min({bands, mostThreads, core::threadCount(0)}), band,
+    core::parallelFor(static_cast<std::size_t>(bands), std::min({bands, maxThreads, core::threadCount(0)}), band,
                       [](double) { return true; });
 }
 

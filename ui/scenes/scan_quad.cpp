@@ -56,7 +56,7 @@ void ScanQuad::show(const ScanPicture& picture)
     points->SetDataTypeToDouble();
     for (const Eigen::Vector3d& way : {Eigen::Vector3d(-right - up), Eigen::Vector3d(right - up),
                                        Eigen::Vector3d(right + up), Eigen::Vector3d(up - right)}) {
-        points->InsertNextPoint((sight.centreInPatient + way).eval().data());
+        points->InsertNextPoint((sight.centerInPatient + way).eval().data());
     }
     rectangle_->SetPoints(points);
     actor_->SetTexture(texture_);

@@ -56,16 +56,16 @@ void joinCrossSections(StrokeMesh& mesh, std::int32_t a, std::int32_t b)
 }
 
 /// A round sector from `startRad` over `sweepRad`, with the profile of the line it ends.
-void addSector(StrokeMesh& mesh, const StrokePoint& centre, double startRad, double sweepRad, const Profile& profile)
+void addSector(StrokeMesh& mesh, const StrokePoint& center, double startRad, double sweepRad, const Profile& profile)
 {
     const int steps =
         std::clamp(static_cast<int>(std::ceil(std::abs(sweepRad) * std::sqrt(profile.outer + 1.0))), 4, 48);
-    const std::int32_t middle = addVertex(mesh, centre.at, centre.color, profile.opacity);
+    const std::int32_t middle = addVertex(mesh, center.at, center.color, profile.opacity);
     for (int k = 0; k <= steps; ++k) {
         const double angle = startRad + sweepRad * k / steps;
         const Eigen::Vector2d ray(std::cos(angle), std::sin(angle));
-        const std::int32_t inner = addVertex(mesh, centre.at + profile.inner * ray, centre.color, profile.opacity);
-        const std::int32_t outer = addVertex(mesh, centre.at + profile.outer * ray, centre.color, 0.0);
+        const std::int32_t inner = addVertex(mesh, center.at + profile.inner * ray, center.color, profile.opacity);
+        const std::int32_t outer = addVertex(mesh, center.at + profile.outer * ray, center.color, 0.0);
         if (k > 0) {
             mesh.triangles.insert(mesh.triangles.end(),
                                   {middle, inner - 2, inner, inner - 2, outer - 2, inner, inner, outer - 2, outer});
@@ -179,13 +179,13 @@ void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen)
     addSector(mesh, line.back(), angleOf(leftOf(in)), -std::numbers::pi, profile);
 }
 
-void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double opacity)
+void addDot(StrokeMesh& mesh, const StrokePoint& center, double radiusPx, double opacity)
 {
     if (mesh.shapes) {
-        mesh.shapes->push_back({StrokeShape::Kind::Line, {centre}, {}, {2.0 * radiusPx, opacity, 1.0}});
+        mesh.shapes->push_back({StrokeShape::Kind::Line, {center}, {}, {2.0 * radiusPx, opacity, 1.0}});
         return;
     }
-    addSector(mesh, centre, 0.0, 2.0 * std::numbers::pi, profileOf({2.0 * radiusPx, opacity, 1.0}));
+    addSector(mesh, center, 0.0, 2.0 * std::numbers::pi, profileOf({2.0 * radiusPx, opacity, 1.0}));
 }
 
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity)

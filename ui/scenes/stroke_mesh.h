@@ -49,7 +49,7 @@ struct DashPattern {
 void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen);
 
 /// Adds a filled dot.
-void addDot(StrokeMesh& mesh, const StrokePoint& centre, double radiusPx, double opacity);
+void addDot(StrokeMesh& mesh, const StrokePoint& center, double radiusPx, double opacity);
 
 /// Fills the area between two lines of the same length, point by point, with the first line's colours.
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity);

@@ -66,8 +66,8 @@ struct TreeScene::Parts {
     FrameQuad detector;
     StrokeActor strokes;
     TreeTubes tubes;
-    GreyFrame frame;
-    GreyFrame detectorPicture;   // in place of the frame
+    GrayFrame frame;
+    GrayFrame detectorPicture;   // in place of the frame
     ScanQuad scan;
     std::optional<Eigen::AlignedBox3d> scanBox;
     core::VesselTree boxCorners;   // as points of a branch
@@ -77,7 +77,7 @@ struct TreeScene::Parts {
     Palette tones = palette(ThemeMode::Dark);
     double pixelScale = 1.0;
     bool isTreeStale = false;
-    bool isGreyStale = false;   // the range of grey values is that of another frame
+    bool isGrayStale = false;   // the range of grey values is that of another frame
     bool isViewStale = true;   // nothing was framed yet
     ViewExtent extent = ViewExtent::Everything;
     bool isTouched = false;   // turned, moved or zoomed since it was framed
@@ -122,7 +122,7 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
     if (isEmpty()) {
         return mesh;   // where a beam goes is seen by its vessels
     }
-    addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centrePx, pixelScale});
+    addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centerPx, pixelScale});
     addOrientationSign(mesh, sign(toScreen), tones);
     return mesh;
 }
@@ -135,7 +135,7 @@ const core::VesselTree& TreeScene::Parts::subject() const
 /// A picture of another resolution than the frame's covers the same part of the detector.
 void TreeScene::Parts::showDetector()
 {
-    const GreyFrame& shown = detectorPicture.width() > 0 ? detectorPicture : frame;
+    const GrayFrame& shown = detectorPicture.width() > 0 ? detectorPicture : frame;
     const bool isThere = beam.hasDetector() && shown.width() > 0;
     const double pxPerPx = !isThere || &shown == &frame ? 1.0 : beam.camera.width / (1.0 * shown.width());
     detector.show(shown, pxPerPx * detectorScale());
@@ -157,7 +157,7 @@ void TreeScene::Parts::update()
     if (std::exchange(isTreeStale, false)) {
         tubes.show(tree, marks, tones);
     }
-    if (std::exchange(isGreyStale, false)) {
+    if (std::exchange(isGrayStale, false)) {
         frame.setRange(core::displayRange(frame.pixels()));
     }
     const auto back = tones.field.unit();
@@ -241,7 +241,7 @@ void TreeScene::setPose(const core::RigidTransform& cameraFromPatient)
 void TreeScene::setFrame(const core::ImageF& frame)
 {
     parts_->frame.setPixels(frame);
-    parts_->isGreyStale = true;
+    parts_->isGrayStale = true;
 }
 
 void TreeScene::setDetectorPicture(const core::ImageF& picture)
@@ -267,18 +267,18 @@ void TreeScene::setScanPicture(const ScanPicture& picture)
     parts_->scan.show(picture);
 }
 
-core::ParallelSight TreeScene::sight(int mostPx) const
+core::ParallelSight TreeScene::sight(int maxPx) const
 {
     const ScreenFromPatient toScreen = parts_->screen();
     const int* size = parts_->ground->GetSize();
     const double wholePx = std::max(1.0, 1.0 * size[0] * size[1]);
-    const double share = std::min(1.0, std::sqrt(mostPx / wholePx));
+    const double share = std::min(1.0, std::sqrt(maxPx / wholePx));
     const auto sideOf = [share](int px) {   // never a power of two, for which OpenGL would make another program
         const int side = std::max(3, static_cast<int>(std::lround(share * px)));
         return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
     };
     core::ParallelSight sight;
-    sight.centreInPatient = toScreen.focalPoint;
+    sight.centerInPatient = toScreen.focalPoint;
     sight.right = toScreen.rotation.row(0);
     sight.up = toScreen.rotation.row(1);
     sight.mmPerPx = 1.0 / (share * toScreen.pxPerMm);
@@ -318,7 +318,7 @@ void TreeScene::nextView()
     parts_->showNext(showsAll ? ViewExtent::Vessels : ViewExtent::Everything);
 }
 
-void TreeScene::frameAnew()
+void TreeScene::frameAgain()
 {
     parts_->isViewStale = parts_->isViewStale || !parts_->isTouched;
 }

@@ -42,8 +42,8 @@ public:
     /// Where the scan lies: what there is to see where no tree is; nothing: no scan is shown.
     void setScanBox(const std::optional<Eigen::AlignedBox3d>& boxInPatient);
     void setScanPicture(const ScanPicture& picture);   ///< of `sight()`; empty: none
-    /// How the scene is seen now, in a picture of `mostPx` pixels at most.
-    core::ParallelSight sight(int mostPx) const;
+    /// How the scene is seen now, in a picture of `maxPx` pixels at most.
+    core::ParallelSight sight(int maxPx) const;
     void setMarks(const BranchMarks& marks);
     void setTones(const Palette& tones);
     void setPixelScale(double devicePxPerPx);   ///< line widths and the orientation sign grow with it
@@ -51,7 +51,7 @@ public:
 
     /// Looks along the beam from the side, source above: everything in view; where it is so already, the vessels alone.
     void nextView();
-    void frameAnew();   ///< what moved out of sight comes back, unless the user has turned or moved the view
+    void frameAgain();   ///< what moved out of sight comes back, unless the user has turned or moved the view
     void turnBy(double rightDeg, double downDeg);   ///< turns what is seen under the mouse
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);

@@ -103,10 +103,10 @@ void VtkOverlay::Parts::placeTraced(const OverlayContent& content)
 void VtkOverlay::Parts::showTree(const OverlayContent& content, const PicturePlace& place)
 {
     const bool isTube = content.mode == OverlayMode::Tube;
-    const bool isCentre = content.mode == OverlayMode::Centerline;
+    const bool isCenter = content.mode == OverlayMode::Centerline;
     LinePass pass;
-    pass.shape = isCentre ? LinePass::Shape::Centre : LinePass::Shape::Edges;
-    pass.lineWidthPx = (isCentre ? 1.0 : edgeWidth) * content.lineWidthPx;
+    pass.shape = isCenter ? LinePass::Shape::Center : LinePass::Shape::Edges;
+    pass.lineWidthPx = (isCenter ? 1.0 : edgeWidth) * content.lineWidthPx;
     pass.dashPx = {static_cast<float>(branchDashes[0] * content.lineWidthPx),
                    static_cast<float>(branchDashes[1] * content.lineWidthPx)};
     pass.opacity = content.opacity;

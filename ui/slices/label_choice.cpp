@@ -19,8 +19,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int mostLabelRows = 10;   // seen at a time
-constexpr int leastRows = 3;
+constexpr int maxLabelRows = 10;   // seen at a time
+constexpr int minRows = 3;
 constexpr int filteredFrom = 9;   // labels; fewer are seen at once
 constexpr int rowPadding = 8;
 constexpr int swatchPx = 10;
@@ -210,8 +210,8 @@ void LabelChoice::fill()
 void LabelChoice::fitHeight()
 {
     const int rowHeight = list_->fontMetrics().height() + rowPadding;
-    const int rows = std::clamp(static_cast<int>(rows_.size()), leastRows, mostLabelRows);
-    list_->setMinimumHeight(leastRows * rowHeight);
+    const int rows = std::clamp(static_cast<int>(rows_.size()), minRows, maxLabelRows);
+    list_->setMinimumHeight(minRows * rowHeight);
     list_->setMaximumHeight(rows * rowHeight);
 }
 

@@ -55,7 +55,7 @@ bool PathTool::click(const SlicePointer& pointer)
 void PathTool::hover(const SlicePointer& pointer)
 {
     if (from_) {
-        emit wayWished(*from_, pointer.pointInPatient);
+        emit pathRequested(*from_, pointer.pointInPatient);
     }
 }
 

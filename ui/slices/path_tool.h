@@ -25,7 +25,7 @@ public:
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
-    void wayWished(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< to be shown
+    void pathRequested(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< to be shown
     void chosen(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);
     void begun();   ///< the first click, or none any longer: ways of before mean nothing
 

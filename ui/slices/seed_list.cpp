@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int mostRows = 4;   // seen at once
+constexpr int maxRows = 4;   // seen at once
 
 QPushButton* switchButton(const Words& text, const Words& tip)
 {
@@ -123,7 +123,7 @@ void SeedList::fill()
         points_->addItem(pointText(tr("× avoid %1").arg(++number), point));
     }
     points_->setVisible(points_->count() > 0);
-    points_->setFixedHeight(std::min(points_->count(), mostRows) * std::max(points_->sizeHintForRow(0), 1));
+    points_->setFixedHeight(std::min(points_->count(), maxRows) * std::max(points_->sizeHintForRow(0), 1));
     remove_->setEnabled(false);
 }
 

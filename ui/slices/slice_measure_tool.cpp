@@ -17,7 +17,7 @@ using core::MeasurementKind;
 using core::SliceMeasurement;
 
 constexpr double measureReachPx = 8.0;
-constexpr std::size_t mostOutlinePoints = 1000;   // as many as a case keeps
+constexpr std::size_t maxOutlinePoints = 1000;   // as many as a case keeps
 
 double awayPx(const QPointF& a, const QPointF& b)
 {
@@ -144,7 +144,7 @@ bool SliceMeasureTool::click(const SlicePointer& pointer)
     }
     const std::size_t whole = kind_ == MeasurementKind::Length  ? 2
                               : kind_ == MeasurementKind::Angle ? 3
-                                                                : mostOutlinePoints;
+                                                                : maxOutlinePoints;
     if (closes || points.size() == whole) {
         finish();
     }

@@ -51,7 +51,7 @@ QString nameOf(core::BodyPlane plane)
     }
 }
 
-GreyWindow windowOfValues(const core::Volume& volume)
+GrayWindow windowOfValues(const core::Volume& volume)
 {
     const std::vector<double> values = sampledValues(volume);
     if (values.empty()) {
@@ -80,7 +80,7 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
     const core::VolumeGeometry* now = geometry();
     const bool isSamePlace = now && core::isSameGrid(kept, *now);
     if (now && !isSamePlace) {
-        crosshair_ = core::centreOf(*now);
+        crosshair_ = core::centerOf(*now);
     }
     if (isSamePlace && !isNewVolume) {
         emit maskChanged();   // who looks closely keeps his place
@@ -203,9 +203,9 @@ void SliceModel::setCrosshair(const Eigen::Vector3d& pointInPatient)
     }
 }
 
-void SliceModel::setWindow(const GreyWindow& window)
+void SliceModel::setWindow(const GrayWindow& window)
 {
-    const GreyWindow valid{std::max(window.width, 1.0), window.level};
+    const GrayWindow valid{std::max(window.width, 1.0), window.level};
     if (valid != window_) {
         window_ = valid;
         emit lookChanged();

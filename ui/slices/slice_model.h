@@ -68,7 +68,7 @@ public:
     void setMeasured(std::vector<MeasuredSlice> measured);
     void setTool(SliceTool* tool);   ///< what the left button does in all slices; null: the cross-hair
     void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< kept within the scan
-    void setWindow(const GreyWindow& window);
+    void setWindow(const GrayWindow& window);
     void setPreviewFrom(std::optional<double> threshold);   ///< tints what is not below it
 
     bool hasScan() const { return geometry() != nullptr; }
@@ -87,7 +87,7 @@ public:
     const std::vector<MeasuredSlice>& measured() const { return measured_; }
     SliceTool* tool() const { return tool_; }
     const Eigen::Vector3d& crosshair() const { return crosshair_; }
-    const GreyWindow& window() const { return window_; }
+    const GrayWindow& window() const { return window_; }
     std::optional<double> previewFrom() const { return previewFrom_; }
     bool isHounsfield() const { return isHounsfield_; }   ///< the values look like those of CT
 
@@ -113,7 +113,7 @@ private:
     std::vector<MeasuredSlice> measured_;
     SliceTool* tool_ = nullptr;
     Eigen::Vector3d crosshair_ = Eigen::Vector3d::Zero();
-    GreyWindow window_;
+    GrayWindow window_;
     std::optional<double> previewFrom_;
     bool isHounsfield_ = false;
 };
@@ -123,11 +123,11 @@ QString nameOf(core::BodyPlane plane);   ///< as a heading
 /// A named window of CT.
 struct WindowPreset {
     const char* name;   ///< to be translated in "ui::WindowPreset"
-    GreyWindow window;
+    GrayWindow window;
 };
 const std::vector<WindowPreset>& windowPresets();
 
 /// The window that shows most of a scan's values.
-GreyWindow windowOfValues(const core::Volume& volume);
+GrayWindow windowOfValues(const core::Volume& volume);
 
 }   // namespace angiopose::ui

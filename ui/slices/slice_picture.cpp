@@ -12,7 +12,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int bandRows = 64;   // painted at a time, several at the same time
-constexpr int mostThreads = 4;
+constexpr int maxThreads = 4;
 
 /// For each pixel of a line on the screen: between which two pixels of the slice it lies.
 struct Station {
@@ -49,18 +49,18 @@ public:
             const MaskTint tint = value == 0 ? MaskTint{{}, 0.0} : tints.mask[value - 1];
             for (const MaskTint& above : {MaskTint{{}, 0.0}, tints.preview}) {
                 auto& tones = tones_.emplace_back();
-                for (std::size_t grey = 0; grey < tones.size(); ++grey) {
-                    const auto level = static_cast<std::uint8_t>(grey);
+                for (std::size_t gray = 0; gray < tones.size(); ++gray) {
+                    const auto level = static_cast<std::uint8_t>(gray);
                     const Color below = mixed({level, level, level}, tint.color, tint.opacity);
-                    tones[grey] = rgb(mixed(below, above.color, above.opacity));
+                    tones[gray] = rgb(mixed(below, above.color, above.opacity));
                 }
             }
         }
     }
-    QRgb operator()(int grey, std::uint8_t mask, bool isPreview) const
+    QRgb operator()(int gray, std::uint8_t mask, bool isPreview) const
     {
         const std::size_t tint = std::min<std::size_t>(mask, lastTint_);
-        return tones_[2 * tint + (isPreview ? 1U : 0U)][static_cast<std::size_t>(grey)];
+        return tones_[2 * tint + (isPreview ? 1U : 0U)][static_cast<std::size_t>(gray)];
     }
 
 private:
@@ -110,13 +110,13 @@ struct RowPainter {
                 continue;
             }
             float value = std::numeric_limits<float>::quiet_NaN();
-            int grey = 0;
+            int gray = 0;
             if (values != nullptr) {
                 value = values[at.low] + at.share * (values[at.high] - values[at.low]);
                 const float scaled = value * scale + offset;
-                grey = scaled > 255.0F ? 255 : scaled > 0.0F ? static_cast<int>(scaled) : 0;   // NaN is black
+                gray = scaled > 255.0F ? 255 : scaled > 0.0F ? static_cast<int>(scaled) : 0;   // NaN is black
             }
-            pixels[x] = tones(grey, mask != nullptr ? mask[at.nearest] : std::uint8_t{0}, value >= previewFrom);
+            pixels[x] = tones(gray, mask != nullptr ? mask[at.nearest] : std::uint8_t{0}, value >= previewFrom);
         }
     }
 };
@@ -140,7 +140,7 @@ double unitMmOf(const core::SliceGrid& grid)
     return std::min(grid.columnStep.norm(), grid.rowStep.norm());
 }
 
-QImage slicePicture(const SliceContent& content, const GreyWindow& window, const SliceTints& tints,
+QImage slicePicture(const SliceContent& content, const GrayWindow& window, const SliceTints& tints,
                     const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx)
 {
     QImage picture(deviceSize, QImage::Format_RGB32);
@@ -150,7 +150,7 @@ QImage slicePicture(const SliceContent& content, const GreyWindow& window, const
 }
 
 void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const SliceContent& content,
-                      const GreyWindow& window, const SliceTints& tints, const ImageViewport& viewport,
+                      const GrayWindow& window, const SliceTints& tints, const ImageViewport& viewport,
                       double devicePxPerPx)
 {
     const core::SliceGrid& grid = content.grid;
@@ -177,7 +177,7 @@ void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const Sli
         }
     };
     core::parallelFor(
-        bands, std::min(mostThreads, core::threadCount(0)),
+        bands, std::min(maxThreads, core::threadCount(0)),
         [&](std::size_t band) {
             const int from = first + static_cast<int>(band) * bandRows;
             paintRows(from, std::min(from + bandRows, end));

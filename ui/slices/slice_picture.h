@@ -13,11 +13,11 @@
 namespace angiopose::ui {
 
 /// Which values of a scan are grey: below the lower end black, above the upper white. In the scan's values (HU).
-struct GreyWindow {
+struct GrayWindow {
     double width = 600.0;
     double level = 200.0;
 
-    bool operator==(const GreyWindow&) const = default;
+    bool operator==(const GrayWindow&) const = default;
 };
 
 /// What a slice holds; values and mask are empty where there is no scan or nothing was traced.
@@ -45,12 +45,12 @@ double unitMmOf(const core::SliceGrid& grid);
 
 /// The slice as seen through a viewport whose image px are `unitMmOf(grid)` wide, interpolated; `size` in device px,
 /// `viewport` in device-independent ones. Black outside the scan.
-QImage slicePicture(const SliceContent& content, const GreyWindow& window, const SliceTints& tints,
+QImage slicePicture(const SliceContent& content, const GrayWindow& window, const SliceTints& tints,
                     const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
 
 /// Paints some of its rows once more, the last one left out: the content changed there alone.
 void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const SliceContent& content,
-                      const GreyWindow& window, const SliceTints& tints, const ImageViewport& viewport,
+                      const GrayWindow& window, const SliceTints& tints, const ImageViewport& viewport,
                       double devicePxPerPx);
 
 }   // namespace angiopose::ui

@@ -86,7 +86,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
 /// Right widens, down darkens: what is looked at keeps its place in the range.
 void SliceView::changeWindow(const QPointF& step)
 {
-    const GreyWindow& now = model_.window();
+    const GrayWindow& now = model_.window();
     const double perPx = std::max(1.0, now.width / 300.0);
     model_.setWindow({now.width + perPx * step.x(), now.level + perPx * step.y()});
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int gapPx = 2;   // between the slices: tone, not lines
 constexpr int panelWidth = 300;   // room for names and volumes of labels
-constexpr int leastSlicesWidth = 260;   // narrower, and the slices show nothing beside a panel
+constexpr int minSlicesWidth = 260;   // narrower, and the slices show nothing beside a panel
 
 }   // namespace
 
@@ -84,7 +84,7 @@ void SlicesPage::placePanel()
     }
     const int scrollBar = panelArea_->verticalScrollBar()->sizeHint().width();
     const int least = std::max(panel_->minimumWidth(), panel_->minimumSizeHint().width()) + scrollBar;
-    const bool isBelow = width() < least + leastSlicesWidth;
+    const bool isBelow = width() < least + minSlicesWidth;
     parts_->setDirection(isBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     parts_->setStretchFactor(panelArea_, isBelow ? 2 : 0);
     panelArea_->setMinimumWidth(isBelow ? 0 : least);

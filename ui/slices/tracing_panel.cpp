@@ -16,7 +16,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int leastWidth = 250;
+constexpr int minWidth = 250;
 
 QLayout* labelled(const Words& text, QWidget* field)
 {
@@ -64,7 +64,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     contentLayout()->addWidget(note_);
     contentLayout()->addWidget(mask_);
     contentLayout()->addStretch(1);
-    setMinimumWidth(leastWidth);
+    setMinimumWidth(minWidth);
     reportThreshold();
     showOptions({});
     showRange(std::nullopt);

@@ -210,8 +210,8 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
                 const std::vector<QRectF>& taken)
 {
     painter.setFont(sized(painter.font(), 12));
-    const auto letter = [&painter](const QPointF& centre, const std::string& text) {
-        drawShadowedText(painter, QRectF(centre - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
+    const auto letter = [&painter](const QPointF& center, const std::string& text) {
+        drawShadowedText(painter, QRectF(center - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
                          QString::fromStdString(text), colorOf(annotationTones().textStrong));
     };
     constexpr double step = 8.0;

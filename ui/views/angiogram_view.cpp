@@ -17,7 +17,7 @@ double AngiogramView::Interaction::mmPerImagePx() const
 {
     const double depth = (cameraFromPatient * pivotInPatient).z();
     const bool isKnown = !core::findProblem(camera) && depth >= core::minProjectableDepthMm;
-    return isKnown ? core::millimetresPerPixel(camera, depth) : 0.0;
+    return isKnown ? core::millimetersPerPixel(camera, depth) : 0.0;
 }
 
 AngiogramView::AngiogramView(ImageRole role, QWidget* parent)

@@ -32,7 +32,7 @@ void ImageViewport::fit()
 {
     isFitted_ = true;
     zoom_ = std::min(widgetSize_.x() / std::max(1, imageWidth_), widgetSize_.y() / std::max(1, imageHeight_));
-    centre_ = 0.5 * Eigen::Vector2d(imageWidth_ - 1, imageHeight_ - 1);
+    center_ = 0.5 * Eigen::Vector2d(imageWidth_ - 1, imageHeight_ - 1);
 }
 
 void ImageViewport::show(const ViewRect& rect)
@@ -40,7 +40,7 @@ void ImageViewport::show(const ViewRect& rect)
     const double zoom =
         std::min(widgetSize_.x() / std::max(1.0, rect.width()), widgetSize_.y() / std::max(1.0, rect.height()));
     zoom_ = std::clamp(zoom, smallestZoom, largestZoom);
-    centre_ = 0.5 * Eigen::Vector2d(rect.left + rect.right, rect.top + rect.bottom);
+    center_ = 0.5 * Eigen::Vector2d(rect.left + rect.right, rect.top + rect.bottom);
     isFitted_ = false;
 }
 
@@ -48,13 +48,13 @@ void ImageViewport::zoomAt(const Eigen::Vector2d& position, double factor)
 {
     const Eigen::Vector2d anchor = imageFromWidget(position);
     zoom_ = std::clamp(zoom_ * factor, smallestZoom, largestZoom);
-    centre_ = anchor - turned(position - 0.5 * widgetSize_) / zoom_;
+    center_ = anchor - turned(position - 0.5 * widgetSize_) / zoom_;
     isFitted_ = false;
 }
 
 void ImageViewport::panBy(const Eigen::Vector2d& step)
 {
-    centre_ -= turned(step) / zoom_;
+    center_ -= turned(step) / zoom_;
     isFitted_ = false;
 }
 
@@ -77,12 +77,12 @@ ViewRect ImageViewport::imageRectOf(const Eigen::Vector2d& topLeft, const Eigen:
 
 Eigen::Vector2d ImageViewport::imageFromWidget(const Eigen::Vector2d& position) const
 {
-    return centre_ + turned(position - 0.5 * widgetSize_) / zoom_;
+    return center_ + turned(position - 0.5 * widgetSize_) / zoom_;
 }
 
 Eigen::Vector2d ImageViewport::widgetFromImage(const Eigen::Vector2d& imagePoint) const
 {
-    return 0.5 * widgetSize_ + turned(imagePoint - centre_) * zoom_;
+    return 0.5 * widgetSize_ + turned(imagePoint - center_) * zoom_;
 }
 
 }   // namespace angiopose::ui

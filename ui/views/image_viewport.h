@@ -27,7 +27,7 @@ private:
     int imageWidth_ = 512;
     int imageHeight_ = 512;
     Eigen::Vector2d widgetSize_{480.0, 360.0};
-    Eigen::Vector2d centre_{255.5, 255.5};   // image point in the middle of the widget
+    Eigen::Vector2d center_{255.5, 255.5};   // image point in the middle of the widget
     double zoom_ = 1.0;
     bool isFitted_ = true;
     bool mirrored_ = false;

@@ -28,7 +28,7 @@ QFont sized(QFont font, int px)
 namespace {
 
 constexpr double rimPx = 1.0;
-constexpr int mostKeptKiB = 2048;
+constexpr int maxKeptKiB = 2048;
 
 void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
                  const Color& rim)
@@ -62,7 +62,7 @@ QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flag
 QImage wordsWithRim(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
                     const QColor& color, const Color& rim)
 {
-    static QCache<QString, QImage> kept(mostKeptKiB);
+    static QCache<QString, QImage> kept(maxKeptKiB);
     const QString key = keyOfWords(font, size, ratio, flags, text, color, rim);
     if (const QImage* words = kept.object(key)) {
         return *words;

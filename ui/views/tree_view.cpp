@@ -146,7 +146,7 @@ void TreeView::prepareFrame()
 }
 
 /// Once it is drawn: framing is part of drawing.
-void TreeView::tellSight()
+void TreeView::reportSight()
 {
     constexpr int anyPx = 1'000'000'000;
     const core::ParallelSight sight = scene_.sight(anyPx);
@@ -167,7 +167,7 @@ void TreeView::paintAbsence(QPainter& painter) const
 
 void TreeView::paintAnnotations(QPainter& painter)
 {
-    tellSight();
+    reportSight();
     if (scene_.isEmpty()) {
         paintAbsence(painter);
         return;

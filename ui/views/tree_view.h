@@ -66,7 +66,7 @@ private:
     void hover(std::optional<int> branchId);
     void paintPlaces(QPainter& painter) const;
     void paintAbsence(QPainter& painter) const;
-    void tellSight();
+    void reportSight();
 
     TreeScene scene_;
     core::ParallelSight seen_;   ///< in the last picture

@@ -25,8 +25,8 @@ void setWords(QComboBox& box, const QStringList& choices)
     for (int i = 0; i < choices.size(); ++i) {
         box.setItemText(i, choices[i]);
     }
-    QEvent measuredAnew(QEvent::StyleChange);   // Qt keeps the least width that the words before needed
-    QApplication::sendEvent(&box, &measuredAnew);
+    QEvent measuredAgain(QEvent::StyleChange);   // Qt keeps the least width that the words before needed
+    QApplication::sendEvent(&box, &measuredAgain);
 }
 
 }   // namespace angiopose::ui

@@ -164,7 +164,7 @@ int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
             printMessage(plan.entries[i].name + ": " + says::batchRowMissing().text());
         }
     }
-    if (const auto status = writeTables(plan.folder, plan.entries, outcomes, {}, MissingRows::Told); !status) {
+    if (const auto status = writeTables(plan.folder, plan.entries, outcomes, {}, MissingRows::Reported); !status) {
         return failInput(status.error());
     }
     std::printf("written        %s\n", (fs::path(plan.folder) / "summary.csv").string().c_str());

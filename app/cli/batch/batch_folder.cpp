@@ -82,7 +82,7 @@ core::Status writeTables(const std::string& folder, const std::vector<io::BatchE
         if (outcomes[i]) {
             summary += summaryRow(entries[i], &*outcomes[i]);
             times += timesRow(entries[i], *outcomes[i]);
-        } else if (missing == MissingRows::Told) {
+        } else if (missing == MissingRows::Reported) {
             summary += summaryRow(entries[i], nullptr);
         }
     }

@@ -25,7 +25,7 @@ core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folde
 
 bool areAllThere(const BatchOutcomes& outcomes);
 
-enum class MissingRows { LeftOut, Told };
+enum class MissingRows { LeftOut, Reported };
 
 /// Writes summary.csv and times.csv of the rows of a shard, summary-I-of-N.csv and times-I-of-N.csv where there are
 /// others.

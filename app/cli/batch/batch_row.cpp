@@ -37,7 +37,7 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
     auto opened =
         job.casePath.empty()
             ? openTogether({job.vesselsPath, job.angiogramPath}, settings, warnings, goOnUnlessStopped)
-            : io::openCaseWith({settings, io::FullestFrame::NotNeeded}, job.casePath, warnings, goOnUnlessStopped);
+            : io::openCaseWith({settings, io::PeakFrame::NotNeeded}, job.casePath, warnings, goOnUnlessStopped);
     if (!opened) {
         return opened.error();
     }
@@ -45,13 +45,13 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
     if (!moved) {
         return moved.error();
     }
-    core::Case theCase = std::move(moved).value();
+    core::Case session = std::move(moved).value();
     RegisterArguments arguments;
     arguments.method = job.method;
-    if (const auto status = applyArguments(theCase, arguments); !status) {
+    if (const auto status = applyArguments(session, arguments); !status) {
         return status.error();
     }
-    return theCase;
+    return session;
 }
 
 /// The files that it came from: of one that could not be opened those that are named.
@@ -88,9 +88,9 @@ std::vector<WrittenFile> filesIn(const std::string& folder)
     return files;
 }
 
-core::Status registerOpened(BatchOutcome& outcome, const BatchJob& job, core::Case theCase)
+core::Status registerOpened(BatchOutcome& outcome, const BatchJob& job, core::Case session)
 {
-    auto registered = registerQuietly(std::move(theCase), {.readMs = outcome.times.readMs});
+    auto registered = registerQuietly(std::move(session), {.readMs = outcome.times.readMs});
     if (!registered) {
         return registered.error();
     }

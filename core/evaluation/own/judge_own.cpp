@@ -1,7 +1,7 @@
 #include "core/evaluation/own/judge_own.h"
 
 #include "core/evaluation/trial/run_record.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/support/quantile.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ void measurePairs(const OwnCase& own, const RigidTransform& pose, RunRecord& rec
     record.p95Px = shares[2];
     record.rmsPx = std::sqrt(std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0) /
                              static_cast<double>(distances.size()));
-    record.meanMm = record.meanPx * millimetresPerPixel(own.camera, meanDepthMm(own, pose));
+    record.meanMm = record.meanPx * millimetersPerPixel(own.camera, meanDepthMm(own, pose));
     const auto above = std::ranges::count_if(distances, [](double d) { return !(d <= grossPx); });
     record.shareAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
     record.mrpdMm = meanRayDistanceMm(own, pose);
@@ -71,21 +71,21 @@ Truth truthOf(const OwnCase& own)
 {
     return {own.tree, own.camera, *own.truth.cameraFromPatient,
             own.truth.landmarksInPatient.empty() ? targetsOf(own.tree) : own.truth.landmarksInPatient,
-            own.truth.bentTree.get()};
+            own.truth.deformedTree.get()};
 }
 
 /// The tree as the result shows it: bent, where it was found to be.
 VesselTree shownTree(const OwnCase& own, const RegistrationResult& result)
 {
-    const bool isShown = result.bent && isBent(*result.bent) && isOf(own.tree, *result.bent);
-    return isShown ? bentTreeAt(own.tree, *result.bent, result.cameraFromPatient) : own.tree;
+    const bool isShown = result.deformed && isDeformed(*result.deformed) && isOf(own.tree, *result.deformed);
+    return isShown ? deformedTreeAt(own.tree, *result.deformed, result.cameraFromPatient) : own.tree;
 }
 
 void measureErrors(const OwnCase& own, const RigidTransform& pose, const VesselTree& shown, RunRecord& record)
 {
     if (own.truth.cameraFromPatient) {
         measureStart(truthOf(own), own.startCameraFromPatient, record);
-        measureBent(truthOf(own), pose, shown, record);
+        measureDeformed(truthOf(own), pose, shown, record);
     } else {
         record.startMeanPx = meanOf(pixelDistances(own, own.startCameraFromPatient));
         measurePairs(own, pose, record);
@@ -94,9 +94,9 @@ void measureErrors(const OwnCase& own, const RigidTransform& pose, const VesselT
 
 }   // namespace
 
-bool isTruthOf(const VesselTree& bent, const VesselTree& tree)
+bool isTruthOf(const VesselTree& deformed, const VesselTree& tree)
 {
-    return std::ranges::equal(bent.branches, tree.branches, [](const VesselBranch& a, const VesselBranch& b) {
+    return std::ranges::equal(deformed.branches, tree.branches, [](const VesselBranch& a, const VesselBranch& b) {
         return a.id == b.id && a.pointsInPatient.size() == b.pointsInPatient.size();
     });
 }

@@ -22,11 +22,11 @@ struct OwnTruth {
     std::vector<Eigen::Vector3d> landmarksInPatient;   ///< targets of mTRE and mRPD; empty: the tree's, see targetsOf
     std::vector<PointPair> pairs;
     /// Beside a reference pose: where the vessels truly lay when they were no rigid body, see Truth.
-    std::shared_ptr<const VesselTree> bentTree;
+    std::shared_ptr<const VesselTree> deformedTree;
 };
 
 /// Whether the truth of bent vessels goes with a tree: the same branches with as many points each, in the same order.
-bool isTruthOf(const VesselTree& bent, const VesselTree& tree);
+bool isTruthOf(const VesselTree& deformed, const VesselTree& tree);
 
 /// A case whose answer is judged.
 struct OwnCase {

@@ -67,7 +67,7 @@ std::vector<ObserverMean> observerMeans(const std::vector<ObserverReading>& read
     std::map<std::pair<std::string, std::string>, std::vector<Measures>> groups;
     for (const ObserverReading& reading : readings) {
         const RigidTransform& reference =
-            references.try_emplace(reading.image, reading.centreCameraFromPatient).first->second;
+            references.try_emplace(reading.image, reading.centerCameraFromPatient).first->second;
         groups[{reading.image, reading.observer}].push_back(measuresOf(reading, reference));
     }
     std::vector<ObserverMean> means;

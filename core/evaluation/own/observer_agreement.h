@@ -15,7 +15,7 @@ struct ObserverReading {
     std::string observer;
     std::string image;   ///< trials of the same case, image and frame bear the same text
     RigidTransform cameraFromPatient;   ///< as the observer left it
-    RigidTransform centreCameraFromPatient;   ///< before the trial: what readings of the image are measured from
+    RigidTransform centerCameraFromPatient;   ///< before the trial: what readings of the image are measured from
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
 };
 

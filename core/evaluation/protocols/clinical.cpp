@@ -59,7 +59,7 @@ DsaOptions withMissing(double missingShare, double extraShare)
     return dsa;
 }
 
-DsaOptions bentBy(double stdMm)
+DsaOptions deformedBy(double stdMm)
 {
     DsaOptions dsa;
     dsa.nonRigidStdMm = stdMm;
@@ -70,7 +70,7 @@ const std::vector<TrustSetting>& trustSettings()
 {
     static const std::vector<TrustSetting> rows{
         {{"as-given", "start pose by the header"}, Mischief::None, {}},
-        {{"bent", "vessels deformed by 3 mm"}, Mischief::None, bentBy(3.0)},
+        {{"bent", "vessels deformed by 3 mm"}, Mischief::None, deformedBy(3.0)},
         {{"few-vessels", "most branches not filled, as many foreign ones"}, Mischief::None, withMissing(0.6, 0.6)},
         {{"half-outside", "half of the image cut off"}, Mischief::HalfOutside, {}},
         {{"far-start", "start 60–150 mm and 30–75° off"}, Mischief::FarStart, {}},

@@ -9,9 +9,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastErrorMm = 1e-4;
+constexpr double minErrorMm = 1e-4;
 constexpr double largestErrorMm = 100.0;
-constexpr double leastErrorPx = 1e-4;
+constexpr double minErrorPx = 1e-4;
 constexpr std::size_t startBins = 8;
 constexpr std::size_t fewestPerBin = 5;
 
@@ -38,9 +38,9 @@ PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, Ru
         return {method, {}, {}};
     }
     std::sort(errors.begin(), errors.end());
-    PlotSeries series{method, {{leastErrorMm, 0.0}}, {}};
+    PlotSeries series{method, {{minErrorMm, 0.0}}, {}};
     for (std::size_t k = 0; k < errors.size(); ++k) {
-        const double x = std::clamp(errors[k], leastErrorMm, 2.0 * largestErrorMm);
+        const double x = std::clamp(errors[k], minErrorMm, 2.0 * largestErrorMm);
         series.points.emplace_back(x, series.points.back().y());
         series.points.emplace_back(x, 100.0 * static_cast<double>(k + 1) / static_cast<double>(errors.size()));
     }
@@ -52,7 +52,7 @@ Plot cumulativePlot(const RunGroups& groups, const Condition& condition, const D
 {
     Plot plot{plotId(groups, error.id, condition.id),
               condition.title,
-              {error.label, leastErrorMm, largestErrorMm, true},
+              {error.label, minErrorMm, largestErrorMm, true},
               {"registrations at or below, %", 0.0, 100.0, false},
               {}};
     for (const std::string& method : groups.methods()) {
@@ -171,7 +171,7 @@ PlotSeries convergenceSeries(const std::string& method, const RunGroup& group)
             values.push_back((*history)[std::min(report, history->size() - 1)]);
         }
         const double median = quantile(std::move(values), 0.5);
-        series.points.emplace_back(static_cast<double>(report + 1), std::max(median, leastErrorPx));
+        series.points.emplace_back(static_cast<double>(report + 1), std::max(median, minErrorPx));
     }
     return series;
 }
@@ -181,7 +181,7 @@ Plot convergencePlot(const RunGroups& groups, const Condition& condition)
     Plot plot{plotId(groups, "convergence", condition.id),
               condition.title,
               {"iteration", 1.0, 10.0, true},
-              {"median projection distance, px", leastErrorPx, 10.0, true},
+              {"median projection distance, px", minErrorPx, 10.0, true},
               {}};
     for (const std::string& method : groups.methods()) {
         PlotSeries series = convergenceSeries(method, groups.of(condition, method));

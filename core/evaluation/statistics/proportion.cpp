@@ -39,11 +39,11 @@ Interval wilsonInterval(int successes, int count, double z)
     }
     const double n = count;
     const double share = successes / n;
-    const double centre = share + z * z / (2.0 * n);
+    const double center = share + z * z / (2.0 * n);
     const double spread = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
     const double scale = 1.0 + z * z / n;
     // The limits at the ends are exact; rounding must not leave them.
-    return {successes == 0 ? 0.0 : (centre - spread) / scale, successes == count ? 1.0 : (centre + spread) / scale};
+    return {successes == 0 ? 0.0 : (center - spread) / scale, successes == count ? 1.0 : (center + spread) / scale};
 }
 
 std::vector<double> holmAdjusted(const std::vector<double>& pValues)

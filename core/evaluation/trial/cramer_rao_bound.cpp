@@ -12,10 +12,10 @@ using PixelJacobian = Eigen::Matrix<double, 2, 6>;
 
 /// d(pixel)/d(rotation, shift) of a point turned about `centre` and shifted, camera axes.
 PixelJacobian pixelJacobian(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera,
-                            const Eigen::Vector3d& centre)
+                            const Eigen::Vector3d& center)
 {
     Eigen::Matrix<double, 3, 6> motion;
-    motion << -skew(pointInCamera - centre), Eigen::Matrix3d::Identity();
+    motion << -skew(pointInCamera - center), Eigen::Matrix3d::Identity();
     return projectionJacobian(camera, pointInCamera) * motion;
 }
 
@@ -32,13 +32,13 @@ double effectiveVariancePx2(const TracingNoise& noise)
 Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const ProjectionCamera& camera,
                         const RigidTransform& cameraFromPatient, const TracingNoise& noise)
 {
-    const Eigen::Vector3d centre = cameraFromPatient * centroidInPatient(tree);
+    const Eigen::Vector3d center = cameraFromPatient * centroidInPatient(tree);
     Matrix6d information = Matrix6d::Zero();
     for (const VesselBranch& branch : visible.branches) {
         for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
             const Eigen::Vector3d from = cameraFromPatient * branch.pointsInPatient[i - 1];
             const Eigen::Vector3d to = cameraFromPatient * branch.pointsInPatient[i];
-            information += pieceInformation(camera, from, to, centre);
+            information += pieceInformation(camera, from, to, center);
         }
     }
     return effectiveVariancePx2(noise) * inverseOf(information);
@@ -47,11 +47,11 @@ Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const
 double rmsProjectionPx(const VesselTree& tree, const ProjectionCamera& camera, const RigidTransform& cameraFromPatient,
                        const Matrix6d& covariance)
 {
-    const Eigen::Vector3d centre = cameraFromPatient * centroidInPatient(tree);
+    const Eigen::Vector3d center = cameraFromPatient * centroidInPatient(tree);
     double squares = 0.0;
     for (const VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            const PixelJacobian jacobian = pixelJacobian(camera, cameraFromPatient * point, centre);
+            const PixelJacobian jacobian = pixelJacobian(camera, cameraFromPatient * point, center);
             squares += (jacobian * covariance * jacobian.transpose()).trace();
         }
     }

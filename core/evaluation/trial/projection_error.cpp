@@ -78,7 +78,7 @@ ProjectionError projectionError(const ProjectionCamera& camera, const PlacedPoin
         sumOfSquares += distance * distance;
     }
     const std::vector<double> shares = quantiles(distances, {0.5, 0.75, 0.95});
-    const double mmPerPx = millimetresPerPixel(camera, depthMm);
+    const double mmPerPx = millimetersPerPixel(camera, depthMm);
 
     ProjectionError error;
     error.meanPx = sum / count;

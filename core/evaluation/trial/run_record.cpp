@@ -11,7 +11,7 @@ constexpr double grossPx = 5.0;
 /// Of the tree that was found; where it is not known how bent vessels lay, of the rigid one.
 PlacedPoints treePoints(const Truth& truth, const VesselTree& found, const PosePair& poses)
 {
-    return truth.bentTree ? placed(found, *truth.bentTree, poses) : placed(truth.tree, poses);
+    return truth.deformedTree ? placed(found, *truth.deformedTree, poses) : placed(truth.tree, poses);
 }
 
 double depthMm(const Truth& truth)
@@ -21,7 +21,7 @@ double depthMm(const Truth& truth)
 
 TargetError targetErrorOf(const Truth& truth, const PlacedPoints& points, const PosePair& poses)
 {
-    return truth.bentTree ? targetError(points) : targetError(truth.targetsInPatient, poses);
+    return truth.deformedTree ? targetError(points) : targetError(truth.targetsInPatient, poses);
 }
 
 void noteProjection(const Truth& truth, const PlacedPoints& points, RunRecord& record)
@@ -103,13 +103,13 @@ void measureStart(const Truth& truth, const RigidTransform& start, RunRecord& re
 
 void measurePose(const Truth& truth, const RigidTransform& found, RunRecord& record)
 {
-    measureBent(truth, found, truth.tree, record);
+    measureDeformed(truth, found, truth.tree, record);
 }
 
-void measureBent(const Truth& truth, const RigidTransform& found, const VesselTree& bent, RunRecord& record)
+void measureDeformed(const Truth& truth, const RigidTransform& found, const VesselTree& deformed, RunRecord& record)
 {
     const PosePair poses{found, truth.cameraFromPatient};
-    const PlacedPoints points = treePoints(truth, bent, poses);
+    const PlacedPoints points = treePoints(truth, deformed, poses);
     noteProjection(truth, points, record);
     const TargetError target = targetErrorOf(truth, points, poses);
     record.mtreMm = target.mtreMm;

@@ -79,7 +79,7 @@ struct Truth {
     std::vector<Eigen::Vector3d> targetsInPatient;   ///< of mTRE and mRPD
     /// Where vessels that are no rigid body truly lay, point for point those of `tree`, as seen with
     /// `cameraFromPatient`: then distances are measured to it, and its points are the targets. Null: as `tree`.
-    const VesselTree* bentTree = nullptr;
+    const VesselTree* deformedTree = nullptr;
 };
 
 /// Errors of the start pose.
@@ -90,7 +90,7 @@ void measurePose(const Truth& truth, const RigidTransform& found, RunRecord& rec
 
 /// The same of a tree that was bent, as seen with the pose that was found: distances and target errors are those of the
 /// bent tree where it is known how the vessels lay, else of the rigid one.
-void measureBent(const Truth& truth, const RigidTransform& found, const VesselTree& bent, RunRecord& record);
+void measureDeformed(const Truth& truth, const RigidTransform& found, const VesselTree& deformed, RunRecord& record);
 
 /// The normalised squared error of the pose by its reported covariance.
 void measureCovariance(const Truth& truth, const RegistrationResult& result, RunRecord& record);

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double toleranceScalePx = 2.0;   // ALGORITHMS §6.8: hypotheses are compared at this scale
 constexpr std::size_t pointStride = 2;
-constexpr std::size_t mostPoints = 4000;
+constexpr std::size_t maxPoints = 4000;
 constexpr int agreementCellPx = 3;
 
 // Of a tree that is filled in parts.
 constexpr double filledAgreement =
     0.35;   // pieces that agree less look empty: by chance it is 0.1, on vessels 0.6 to 1
 constexpr double changeCostMm = 6.0;   // as much vessel must speak for another state than the neighbours'
-constexpr double leastTerritoryMm = 15.0;
+constexpr double minTerritoryMm = 15.0;
 constexpr double costOfTerritory = 0.02;
 
 /// Of the points that lie along traced vessels.
@@ -37,11 +37,11 @@ double harmonicMean(double a, double b)
 
 AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetLines& target)
     : tree_(problem.tree),
-      stride_(std::max(pointStride, strideFor(problem.tree.size(), mostPoints))),
+      stride_(std::max(pointStride, strideFor(problem.tree.size(), maxPoints))),
       points_(alignmentPoints(problem.tree, stride_)),
       camera_(problem.camera),
       target_(&target),
-      lineStride_(strideFor(target.lines().size(), mostPoints)),
+      lineStride_(strideFor(target.lines().size(), maxPoints)),
       all_(points_, camera_, target),
       columns_(camera_.width / agreementCellPx + 1),
       rows_(camera_.height / agreementCellPx + 1)
@@ -87,18 +87,18 @@ FilledAgreement AgreementScore::ofFilled(const CentroidPose& pose)
         gain[piece] *= filling.lengthMm(piece) / std::max(1.0, count[piece]);
     }
     FilledAgreement found;
-    found.isFilled = filling.likeliest(gain, changeCostMm);
+    found.isOpacified = filling.likeliest(gain, changeCostMm);
     double agreeing = 0.0;
     double asked = 0.0;
     forgetCovered();
     for (std::size_t k = 0; k < points_.size(); ++k) {
-        if (found.isFilled[static_cast<std::size_t>(pieceOfPoint_[k])] != 0) {
+        if (found.isOpacified[static_cast<std::size_t>(pieceOfPoint_[k])] != 0) {
             agreeing += std::isnan(pointAgreement_[k]) ? 0.0 : pointAgreement_[k];
             asked += 1.0;
             coverAround(points_[k], pose);
         }
     }
-    const int territories = filling.emptyTerritories(found.isFilled, leastTerritoryMm);
+    const int territories = filling.emptyTerritories(found.isOpacified, minTerritoryMm);
     double treeShare = agreeing / std::max(1.0, asked);
     if (chosen_) {
         treeShare = std::min(treeShare, shareOn(*chosen_, pose));   // the user knows that these are filled
@@ -128,9 +128,9 @@ void AgreementScore::coverAround(const AlignmentPoint& point, const CentroidPose
     if (!(cell.minCoeff() >= 1.0 && cell.x() < columns_ - 2.0 && cell.y() < rows_ - 2.0)) {
         return;
     }
-    std::uint8_t* centre = &covered_[cellIndex(static_cast<int>(cell.y()), columns_, static_cast<int>(cell.x()))];
+    std::uint8_t* center = &covered_[cellIndex(static_cast<int>(cell.y()), columns_, static_cast<int>(cell.x()))];
     for (int row = -1; row <= 1; ++row) {
-        std::fill_n(centre + static_cast<std::ptrdiff_t>(row) * columns_ - 1, 3, std::uint8_t{1});
+        std::fill_n(center + static_cast<std::ptrdiff_t>(row) * columns_ - 1, 3, std::uint8_t{1});
     }
 }
 

@@ -11,7 +11,7 @@ namespace angiopose::core {
 /// How well a pose explains the image when parts of the tree may be empty.
 struct FilledAgreement {
     double agreement = 0.0;   ///< of the filled parts, lowered for every empty territory; 0…1
-    std::vector<std::uint8_t> isFilled;   ///< per piece of the tree, see AgreementScore::filling
+    std::vector<std::uint8_t> isOpacified;   ///< per piece of the tree, see AgreementScore::filling
 };
 
 /// How well a pose explains the image, both ways: the share of the tree that lies along traced vessels, and the share

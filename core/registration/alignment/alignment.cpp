@@ -146,7 +146,7 @@ void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreem
     addForward(scalePx, matched, agreement);
 }
 
-void Alignment::lookBothWays(const CentroidPose& pose, double scalePx, Agreement& agreement)
+void Alignment::searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement)
 {
     std::vector<SeenPoint>& seen = buffers_.reverse.seen();
     seen.resize(points_.size());

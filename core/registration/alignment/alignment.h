@@ -38,7 +38,7 @@ public:
 
     /// Likewise, and the other way round besides (ALGORITHMS §6.6 b): every line of the target is drawn to the branch
     /// that runs nearest beside it, so that all of the image counts, not only what is nearest to some tree point.
-    void lookBothWays(const CentroidPose& pose, double scalePx, Agreement& agreement);
+    void searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement);
 
     /// The loss alone.
     double loss(const CentroidPose& pose, double scalePx) const;

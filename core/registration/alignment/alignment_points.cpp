@@ -27,15 +27,15 @@ std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t
     return points;
 }
 
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx, double spacingPx)
+std::vector<AlignmentPoint> informativePoints(const TreeSamples& tree, double mmPerPx, double spacingPx)
 {
-    const double leastMm = spacingPx * mmPerPx;
+    const double minMm = spacingPx * mmPerPx;
     std::vector<AlignmentPoint> points;
     points.reserve(tree.size());
     std::size_t last = 0;
     for (std::size_t i = 0; i < tree.size(); ++i) {
         if (i == 0 || tree.branchIndex[i] != tree.branchIndex[last] ||
-            (tree.points[i] - tree.points[last]).squaredNorm() >= leastMm * leastMm) {
+            (tree.points[i] - tree.points[last]).squaredNorm() >= minMm * minMm) {
             points.push_back(alignmentPoint(tree, i));
             last = i;
         }

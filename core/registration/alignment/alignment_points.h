@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/alignment/seen_point.h"
+#include "core/registration/alignment/projected_point.h"
 #include "core/registration/problem/registration_problem.h"
 
 #include <cstddef>
@@ -14,11 +14,12 @@ std::size_t strideFor(std::size_t count, std::size_t wanted);
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);
 
-/// The tree points that can tell something: none of a branch nearer than `tellingSpacingPx` to the one before. The
+/// The tree points that can tell something: none of a branch nearer than `informativeSpacingPx` to the one before. The
 /// target is sampled every pixel or so; between such points it holds nothing more, and neighbours would count the same
 /// displacement many times.
-inline constexpr double tellingSpacingPx = 1.5;
-std::vector<AlignmentPoint> tellingPoints(const TreeSamples& tree, double mmPerPx, double spacingPx = tellingSpacingPx);
+inline constexpr double informativeSpacingPx = 1.5;
+std::vector<AlignmentPoint> informativePoints(const TreeSamples& tree, double mmPerPx,
+                                              double spacingPx = informativeSpacingPx);
 
 /// The tree points with these numbers.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, const std::vector<int>& numbers);

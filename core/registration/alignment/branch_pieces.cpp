@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastPiecePoints = 3;   // a cut nearer to the branch's end is at the end
+constexpr std::size_t minPiecePoints = 3;   // a cut nearer to the branch's end is at the end
 
 /// Points by cubes as wide as the reach.
 class PointCubes {
@@ -147,8 +147,8 @@ private:
         std::size_t begun = span.from;
         std::vector<int> atBegin;
         for (auto cut = first; cut != cuts_.end() && cut->at < span.to; ++cut) {
-            const bool isAtBegin = cut->at < begun + leastPiecePoints;
-            const bool isAtEnd = cut->at + leastPiecePoints >= span.to;
+            const bool isAtBegin = cut->at < begun + minPiecePoints;
+            const bool isAtEnd = cut->at + minPiecePoints >= span.to;
             if (!isAtBegin && !isAtEnd) {
                 add(begun, cut->at);
                 std::ranges::for_each(atBegin, join);

@@ -13,14 +13,14 @@ constexpr Eigen::Index perCamera = 3;
 
 // Where the cameras are right the gain stays below 9 (one view) and 11.4 (two), 80 runs each on made-up trees
 // (wrong_geometry_table --family development).
-double leastGain(std::size_t cameras)
+double minGain(std::size_t cameras)
 {
     return 10.0 + 2.0 * static_cast<double>(cameras);
 }
 
-constexpr double tellingSigmas = 2.5;   // of an error that is named
-constexpr double leastFocalShare = 0.01;   // smaller errors matter to nobody
-constexpr double leastPrincipalPx = 4.0;
+constexpr double informativeSigmas = 2.5;   // of an error that is named
+constexpr double minFocalShare = 0.01;   // smaller errors matter to nobody
+constexpr double minPrincipalPx = 4.0;
 
 }   // namespace
 
@@ -67,17 +67,17 @@ CameraEvidence CameraInfluence::evidence(std::size_t camera) const
 Messages contradictionsOf(const CameraEvidence& evidence, const ProjectionCamera& camera, std::size_t cameras)
 {
     Messages messages;
-    if (evidence.gain < leastGain(cameras)) {
+    if (evidence.gain < minGain(cameras)) {
         return messages;
     }
     const double focalShare = std::expm1(evidence.error[0]);
-    if (std::abs(evidence.error[0]) > std::max(leastFocalShare, tellingSigmas * evidence.std[0])) {
+    if (std::abs(evidence.error[0]) > std::max(minFocalShare, informativeSigmas * evidence.std[0])) {
         const Quantity percent{100.0 * std::abs(focalShare), 1, "%"};
         messages.push_back(focalShare > 0.0 ? says::cameraFocalLonger(percent) : says::cameraFocalShorter(percent));
     }
     const Eigen::Vector2d shift = evidence.error.tail<2>();
     const Eigen::Vector2d sigmas = shift.cwiseQuotient(evidence.std.tail<2>().eval());
-    if (sigmas.cwiseAbs().maxCoeff() > tellingSigmas && shift.norm() > leastPrincipalPx) {
+    if (sigmas.cwiseAbs().maxCoeff() > informativeSigmas && shift.norm() > minPrincipalPx) {
         const Eigen::Vector2d there = shift + Eigen::Vector2d(camera.cx, camera.cy);
         messages.push_back(says::cameraPrincipalPointOff(Quantity{shift.norm(), 0, "px"},
                                                          static_cast<int>(std::lround(there.x())),

@@ -134,7 +134,7 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
 {
     assert(points.size() <= maxPoints);
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
-    const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
+    const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
     const double radiusPx =
         std::min(reach.radiusMm * pxPerMm, beyondHalfImage * std::max(camera_.width, camera_.height));
     Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)), reach.freedom);

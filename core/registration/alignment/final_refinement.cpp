@@ -30,9 +30,9 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     RefinementResult result = core::refine(few_, prior_, pose, fewSchedule);
     if (!all_) {
         const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
-        const double mmPerPx = millimetresPerPixel(problem_.camera, depthMm);
-        spaced_.emplace(tellingPoints(problem_.tree, mmPerPx, spacedPx), problem_.camera, target_);
-        all_.emplace(tellingPoints(problem_.tree, mmPerPx), problem_.camera, target_);
+        const double mmPerPx = millimetersPerPixel(problem_.camera, depthMm);
+        spaced_.emplace(informativePoints(problem_.tree, mmPerPx, spacedPx), problem_.camera, target_);
+        all_.emplace(informativePoints(problem_.tree, mmPerPx), problem_.camera, target_);
     }
     spaced_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);

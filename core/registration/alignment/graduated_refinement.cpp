@@ -29,7 +29,7 @@ public:
     bool look(const CentroidPose& pose, Agreement& agreement) const
     {
         if (bothWays_) {
-            alignment_.lookBothWays(pose, scalePx_, agreement);
+            alignment_.searchBothDirections(pose, scalePx_, agreement);
         } else {
             alignment_.look(pose, scalePx_, agreement);
         }

@@ -22,7 +22,7 @@ constexpr double implausibleSigmas = 4.0;   // of a correction, in any direction
 double mmPerPx(const RegistrationProblem& problem)
 {
     const double depthMm = std::max(minProjectableDepthMm, (problem.start * problem.tree.centroid).z());
-    return millimetresPerPixel(problem.camera, depthMm);
+    return millimetersPerPixel(problem.camera, depthMm);
 }
 
 /// What all images tell at one pose.
@@ -123,7 +123,7 @@ std::vector<double> jointScalesPx()
 JointView::JointView(RegistrationProblem given)
     : problem(std::move(given)),
       lines(problem.target, problem.camera),
-      alignment(tellingPoints(problem.tree, mmPerPx(problem)), problem.camera, lines),
+      alignment(informativePoints(problem.tree, mmPerPx(problem)), problem.camera, lines),
       score(problem, lines)
 {
 }

@@ -21,17 +21,17 @@ constexpr double shortestBasePx = 50.0;
 constexpr double largestZoom = 1.25;   // a start 160 mm off along the ray
 constexpr int sectors = 64;
 constexpr int spreadSectors = 6;   // directions within 34° are alike
-constexpr int leastLikeWays = 2;   // of the three at a bifurcation
+constexpr int minLikeWays = 2;   // of the three at a bifurcation
 constexpr double endOn = 0.3;   // ways nearly along the ray say nothing in the image
 constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
-constexpr std::size_t mostBaseTrials = 60'000'000;   // bases compared and nodes looked up: well below a second
-constexpr std::size_t mostJunctions = 200;   // between which bases are laid
+constexpr std::size_t maxBaseTrials = 60'000'000;   // bases compared and nodes looked up: well below a second
+constexpr std::size_t maxJunctions = 200;   // between which bases are laid
 constexpr std::size_t fitsPerTilt = 6;
 constexpr std::size_t usedJunctionPoints = 90;
 constexpr double closenessPx = 11.0;
 constexpr double tiltStepDeg = 10.0;
-constexpr double leastRollDeg = 5.0;   // junctions lie beside their vessels by some px: no fit is exactly upright
+constexpr double minRollDeg = 5.0;   // junctions lie beside their vessels by some px: no fit is exactly upright
 constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
 
 /// Near the golden section of the count, so that any first part of the walk is spread evenly.
@@ -140,7 +140,7 @@ void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
 
 void JunctionSearch::listBases()
 {
-    const auto stride = static_cast<int>(strideFor(junctions_.size(), mostJunctions));
+    const auto stride = static_cast<int>(strideFor(junctions_.size(), maxJunctions));
     for (int from = 0; from < static_cast<int>(junctions_.size()); from += stride) {
         for (int to = 0; to < static_cast<int>(junctions_.size()); to += stride) {
             if (from != to) {
@@ -192,7 +192,7 @@ std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& 
 {
     const Place& a = nodes[static_cast<std::size_t>(base.from)];
     const Place& b = nodes[static_cast<std::size_t>(base.to)];
-    const double leastCosine = std::cos(longestRoll);
+    const double minCosine = std::cos(longestRoll);
     auto other = std::lower_bound(bases_.begin(), bases_.end(), base.lengthPx / largestZoom,
                                   [](const Base& one, double length) { return one.lengthPx < length; });
     std::size_t cost = 0;
@@ -201,14 +201,14 @@ std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& 
         const auto roll = static_cast<int>(std::lrint(other->sectors - base.sectors));
         const Place& i = junctions_[static_cast<std::size_t>(other->from)];
         const Place& j = junctions_[static_cast<std::size_t>(other->to)];
-        if (std::popcount(std::rotl(a.ways, roll) & i.ways) < leastLikeWays ||
-            std::popcount(std::rotl(b.ways, roll) & j.ways) < leastLikeWays) {
+        if (std::popcount(std::rotl(a.ways, roll) & i.ways) < minLikeWays ||
+            std::popcount(std::rotl(b.ways, roll) & j.ways) < minLikeWays) {
             continue;
         }
         Fit fit;
         fit.zoom = other->lengthPx / base.lengthPx;
         fit.turn = turned(other->along, {base.along.x(), -base.along.y()});
-        if (fit.turn.x() < leastCosine) {
+        if (fit.turn.x() < minCosine) {
             continue;
         }
         fit.centroidPx = 0.5 * (i.px + j.px - fit.zoom * turned(a.px + b.px, fit.turn));
@@ -277,11 +277,11 @@ std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, con
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const Eigen::Matrix3d startView = towards(start.centroidInCamera).transpose() * start.rotation;
     const double rollDeg = reach.freedom.isLocked(PoseAxis::Roll) ? 0.0 : reach.rollDeg;
-    const double longestRoll = std::max(rollDeg, leastRollDeg) * radiansPerDegree;
+    const double longestRoll = std::max(rollDeg, minRollDeg) * radiansPerDegree;
     const std::vector<Eigen::Vector3d> tilts = tiltsWithin(reach);
     for (std::size_t k = 0; k < tilts.size(); ++k) {
         const Eigen::Matrix3d view = expSo3(tilts[k]) * startView;
-        for (const Fit& fit : fitsOf(nodesSeen(view, depthMm), longestRoll, mostBaseTrials / tilts.size())) {
+        for (const Fit& fit : fitsOf(nodesSeen(view, depthMm), longestRoll, maxBaseTrials / tilts.size())) {
             const CentroidPose pose = reach.freedom.held(poseOf(fit, view, depthMm));
             const Eigen::Vector3d shift = pose.centroidInCamera - start.centroidInCamera;
             if (shift.head<2>().norm() <= reach.radiusMm) {

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastWays = 3;
+constexpr std::size_t minWays = 3;
 
 template <int Dimension>
 class Meetings {
@@ -33,7 +33,7 @@ public:
             for (const std::size_t nearest : meetingAt(place)) {
                 addWays(nearest, junction);
             }
-            if (junction.directions.size() >= leastWays) {
+            if (junction.directions.size() >= minWays) {
                 found.push_back(std::move(junction));
             }
         }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t remembered = 30;   // frames, about two seconds of fluoroscopy
 constexpr std::size_t enoughForAxis = 4;
-constexpr double leastAxisMm = 0.3;   // rms of the steps; slower motion has no direction worth learning
+constexpr double minAxisMm = 0.3;   // rms of the steps; slower motion has no direction worth learning
 
 }   // namespace
 
@@ -32,7 +32,7 @@ Vector6d MotionModel::alongBreathing(const Vector6d& step) const
     }
     const Axes<6> axes = axesOf(scatter);
     const Vector6d axis = axes.directions.col(5);
-    const bool isClear = axes.values[5] > leastAxisMm * leastAxisMm;
+    const bool isClear = axes.values[5] > minAxisMm * minAxisMm;
     return isClear ? Vector6d(axis.dot(step) * axis) : Vector6d::Zero();
 }
 

@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usedRankingPoints = 200;
-constexpr std::size_t mostHypotheses = 64;   // no search finds as many
+constexpr std::size_t maxHypotheses = 64;   // no search finds as many
 constexpr double perUnitOfPrior = 0.01;   // a start off by 2σ in all six parameters costs a fifth of the score
 constexpr double wholeTreeEnough = 0.65;   // what is conclusive needs no part left out
 constexpr double clearlyBetter = 0.1;
@@ -30,7 +30,7 @@ PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& 
       points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedRankingPoints)), problem.camera, target),
       agreement_(problem, target)
 {
-    ranked_.reserve(mostHypotheses);
+    ranked_.reserve(maxHypotheses);
     distances_.reserve(points_.size());
 }
 
@@ -61,9 +61,9 @@ ScoredPose PoseRanking::scored(const CentroidPose& pose, StopReason stopReason)
         const FilledAgreement filled = agreement_.ofFilled(pose);
         if (filled.agreement > scored.agreement + clearlyBetter) {
             scored.agreement = filled.agreement;
-            scored.filledForks = agreement_.filling().forks(filled.isFilled);
+            scored.filledForks = agreement_.filling().forks(filled.isOpacified);
             for (const int piece : agreement_.filling().pieceOfPoint()) {
-                scored.isFilled.push_back(filled.isFilled[static_cast<std::size_t>(piece)]);
+                scored.isOpacified.push_back(filled.isOpacified[static_cast<std::size_t>(piece)]);
             }
         }
     }

@@ -10,7 +10,7 @@ struct ScoredPose {
     double score = 0.0;   ///< agreement both ways, lowered by distance from the start pose; 0…1
     double agreement = 0.0;   ///< not lowered; of the filled parts where these explain the image clearly better
     StopReason stopReason = StopReason::Converged;
-    std::vector<std::uint8_t> isFilled{};   ///< per tree point; empty: all of the tree is looked for
+    std::vector<std::uint8_t> isOpacified{};   ///< per tree point; empty: all of the tree is looked for
     int filledForks = 0;   ///< places where three filled pieces or more meet
 };
 

@@ -104,7 +104,7 @@ std::vector<CentroidPose> PoseSearch::ofAuxiliary(const CentroidPose& start, con
                    auxiliaryCandidates);
 }
 
-CentroidPose PoseSearch::recentred(const CentroidPose& start) const
+CentroidPose PoseSearch::recentered(const CentroidPose& start) const
 {
     Eigen::Vector2d middlePx = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& point : problem_.target.points) {

@@ -31,7 +31,7 @@ public:
     std::vector<CentroidPose> ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// The start pose shifted so that the tree's centroid meets the middle of the traced vessels (ALGORITHMS §5.4).
-    CentroidPose recentred(const CentroidPose& start) const;
+    CentroidPose recentered(const CentroidPose& start) const;
 
 private:
     const RegistrationProblem& problem_;

@@ -15,10 +15,10 @@ void ProjectedPoints::reserve(std::size_t count)
 void ProjectedPoints::restart(int width, int height, double reachPx)
 {
     reachPx_ = reachPx;
-    cellPx_ = std::max(leastCellPx, reachPx);
+    cellPx_ = std::max(minCellPx, reachPx);
     columns_ = static_cast<int>(width / cellPx_) + 1;
     rows_ = static_cast<int>(height / cellPx_) + 1;
-    first_.reserve(static_cast<std::size_t>((width / leastCellPx + 1.0) * (height / leastCellPx + 1.0)));
+    first_.reserve(static_cast<std::size_t>((width / minCellPx + 1.0) * (height / minCellPx + 1.0)));
     first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1);
     next_.clear();
     points_.clear();

@@ -26,10 +26,10 @@ public:
     const ProjectedPoint* nearest(double u, double v) const;
 
 private:
-    static constexpr double leastCellPx = 4.0;
+    static constexpr double minCellPx = 4.0;
 
-    double reachPx_ = leastCellPx;
-    double cellPx_ = leastCellPx;
+    double reachPx_ = minCellPx;
+    double cellPx_ = minCellPx;
     int columns_ = 0;
     int rows_ = 0;
     std::vector<int> first_;   ///< of each cell, −1 for none

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/registration/alignment/projected_point.h"
 #include "core/registration/alignment/projected_points.h"
-#include "core/registration/alignment/seen_point.h"
 #include "core/registration/matching/target_lines.h"
 
 namespace angiopose::core {

@@ -13,7 +13,7 @@ constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, p
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
 constexpr int maxShapeSteps = 8;
 constexpr double settledShapeSigmas = 0.1;   // the steps after are smaller still
-constexpr double leastShapeDamping = 1e-9;
+constexpr double minShapeDamping = 1e-9;
 // Vessels within about 6° (rms) of one direction: traced directions scatter by as much and say nothing of a slide.
 constexpr double oneLineShare = 0.01;
 
@@ -134,7 +134,7 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
     for (int k = 0; k < maxShapeSteps; ++k) {
         NormalEquations equations = alignment.look(settled, scalePx).equations;
         prior.add(settled, rowVariance, equations);
-        const Vector6d step = shifts.dampedStep(equations, leastShapeDamping, settled);
+        const Vector6d step = shifts.dampedStep(equations, minShapeDamping, settled);
         settled = shifts.moved(settled, step);
         if (isSettled(step, equations, rowVariance)) {
             break;
@@ -158,7 +158,7 @@ CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prio
     for (int k = 0; k < maxShapeSteps; ++k) {
         NormalEquations equations = ShapeField(rows, noise.rowVariance()).equations(offsetPx);
         prior.add(refined, 1.0, equations);
-        const Vector6d step = prior.freedom.dampedStep(equations, leastShapeDamping, refined);
+        const Vector6d step = prior.freedom.dampedStep(equations, minShapeDamping, refined);
         refined = prior.freedom.moved(refined, step);
         if (isSettled(step, equations, 1.0)) {
             break;

@@ -13,7 +13,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int leastCellPx = 8;
+constexpr int minCellPx = 8;
 constexpr int cellsAcrossImage = 128;   // larger images are seen coarser
 constexpr int stampReach = 3;   // cells
 constexpr double stampScale = 1.4;   // cells
@@ -29,7 +29,7 @@ constexpr std::size_t keptPerTurn = 3;
 constexpr double apartCells = 3.0;   // of the places kept for one turn
 constexpr double basinCells = 3.0;
 constexpr double basinOfStep = 0.75;
-constexpr double mostOfImage = 0.6;   // of the image's side
+constexpr double maxOfImage = 0.6;   // of the image's side
 
 /// Unit directions 0°, 45°, 90°, 135°.
 const std::array<Eigen::Vector2d, 4> channelDirections{
@@ -65,7 +65,7 @@ struct TerritorySearch::Shifts {
 
 TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLines& target,
                                  std::span<const double> radiusPx)
-    : camera_(camera), cellPx_(std::max(leastCellPx, std::max(camera.width, camera.height) / cellsAcrossImage))
+    : camera_(camera), cellPx_(std::max(minCellPx, std::max(camera.width, camera.height) / cellsAcrossImage))
 {
     const std::vector<TargetLines::Line>& lines = target.lines();
     const std::size_t count = std::min(askedPlaces, lines.size());
@@ -226,8 +226,8 @@ std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoin
         return found;
     }
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
-    const double pxPerMm = 1.0 / millimetresPerPixel(camera_, depthMm);
-    const double radiusPx = std::min(reach.radiusMm * pxPerMm, mostOfImage * std::max(camera_.width, camera_.height));
+    const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
+    const double radiusPx = std::min(reach.radiusMm * pxPerMm, maxOfImage * std::max(camera_.width, camera_.height));
     const int half = static_cast<int>(std::ceil(radiusPx / cellPx_));
     Shifts shifts(half, reach.freedom);
     layOut(half);

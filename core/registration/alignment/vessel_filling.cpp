@@ -77,30 +77,30 @@ std::vector<std::uint8_t> VesselFilling::likeliest(std::span<const double> fille
     return state;
 }
 
-int VesselFilling::forks(std::span<const std::uint8_t> isFilled) const
+int VesselFilling::forks(std::span<const std::uint8_t> isOpacified) const
 {
     std::vector<int> filled(at(parts_.junctionCount), 0);
     for (const PieceAtJunction& joint : parts_.joints) {
-        filled[at(joint.junction)] += isFilled[at(joint.piece)] != 0 ? 1 : 0;
+        filled[at(joint.junction)] += isOpacified[at(joint.piece)] != 0 ? 1 : 0;
     }
     return static_cast<int>(std::ranges::count_if(filled, [](int pieces) { return pieces >= 3; }));
 }
 
-int VesselFilling::emptyTerritories(std::span<const std::uint8_t> isFilled, double leastMm) const
+int VesselFilling::emptyTerritories(std::span<const std::uint8_t> isOpacified, double minMm) const
 {
     const std::size_t pieceCount = parts_.pieces.size();
     std::vector<double> emptyMm(order_.size(), 0.0);   // of a stretch, where it hangs on nothing empty
     std::vector<int> top(order_.size());
     for (const Node& node : order_) {
         const bool isPiece = at(node.number) < pieceCount;
-        const bool isEmpty = !isPiece || isFilled[at(node.number)] == 0;
+        const bool isEmpty = !isPiece || isOpacified[at(node.number)] == 0;
         // A filled piece parts what hangs on either side of it.
         const bool continues =
-            node.above >= 0 && isEmpty && (at(node.above) >= pieceCount || isFilled[at(node.above)] == 0);
+            node.above >= 0 && isEmpty && (at(node.above) >= pieceCount || isOpacified[at(node.above)] == 0);
         top[at(node.number)] = continues ? top[at(node.above)] : node.number;
         emptyMm[at(top[at(node.number)])] += isPiece && isEmpty ? lengthMm_[at(node.number)] : 0.0;
     }
-    return static_cast<int>(std::ranges::count_if(emptyMm, [&](double mm) { return mm >= leastMm; }));
+    return static_cast<int>(std::ranges::count_if(emptyMm, [&](double mm) { return mm >= minMm; }));
 }
 
 }   // namespace angiopose::core

@@ -21,11 +21,11 @@ public:
     /// the unit of `changeCost`, mm of vessel). Exact: dynamic programme over the tree.
     std::vector<std::uint8_t> likeliest(std::span<const double> filledGain, double changeCost) const;
 
-    /// Connected empty stretches of at least `leastMm`.
-    int emptyTerritories(std::span<const std::uint8_t> isFilled, double leastMm) const;
+    /// Connected empty stretches of at least `minMm`.
+    int emptyTerritories(std::span<const std::uint8_t> isOpacified, double minMm) const;
 
     /// Junctions at which at least three filled pieces meet.
-    int forks(std::span<const std::uint8_t> isFilled) const;
+    int forks(std::span<const std::uint8_t> isOpacified) const;
 
     double lengthMm(std::size_t piece) const { return lengthMm_[piece]; }
 

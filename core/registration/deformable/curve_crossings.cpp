@@ -80,7 +80,7 @@ void CurveCrossings::sortIntoCells(const ProjectionCamera& camera)
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
 }
 
-void CurveCrossings::meet(const Piece& piece, const CrossingQuery& query, double leastCosine,
+void CurveCrossings::meet(const Piece& piece, const CrossingQuery& query, double minCosine,
                           std::vector<CurveCrossing>& crossings) const
 {
     // place + s normal = from + f along
@@ -95,7 +95,7 @@ void CurveCrossings::meet(const Piece& piece, const CrossingQuery& query, double
     }
     const double offset = (apart + fraction * piece.along).dot(query.normal);
     const double cosine = std::abs(query.normal.x() * piece.direction.y() - query.normal.y() * piece.direction.x());
-    if (std::abs(offset) > query.reachPx || cosine < leastCosine) {
+    if (std::abs(offset) > query.reachPx || cosine < minCosine) {
         return;
     }
     for (CurveCrossing& known : crossings) {
@@ -110,7 +110,7 @@ void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::
                           std::vector<CurveCrossing>& crossings) const
 {
     crossings.clear();
-    const double leastCosine = std::cos(greatestTurn);
+    const double minCosine = std::cos(greatestTurn);
     // Bands of cells along the longer axis of the line; pieces reach at most one cell beyond their own.
     const bool isSteep = std::abs(query.normal.y()) > std::abs(query.normal.x());
     const int bands = isSteep ? rows_ : columns_;
@@ -129,7 +129,7 @@ void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::
         for (int lane = fromLane; lane <= toLane; ++lane) {
             const std::size_t cell = isSteep ? cellIndex(band, columns_, lane) : cellIndex(lane, columns_, band);
             for (std::int32_t k = starts_[cell]; k < starts_[cell + 1]; ++k) {
-                meet(pieces_[static_cast<std::size_t>(k)], query, leastCosine, crossings);
+                meet(pieces_[static_cast<std::size_t>(k)], query, minCosine, crossings);
             }
         }
     }

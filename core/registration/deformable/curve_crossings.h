@@ -45,7 +45,7 @@ private:
     };
 
     void sortIntoCells(const ProjectionCamera& camera);
-    void meet(const Piece& piece, const CrossingQuery& query, double leastCosine,
+    void meet(const Piece& piece, const CrossingQuery& query, double minCosine,
               std::vector<CurveCrossing>& crossings) const;
 
     std::vector<Piece> pieces_;   ///< by cell

@@ -1,9 +1,9 @@
 #include "core/registration/deformable/deform_vessels.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/registration/deformable/bend_fit.h"
-#include "core/registration/deformable/bend_problem.h"
-#include "core/registration/deformable/bend_words.h"
+#include "core/registration/deformable/deformation_fit.h"
+#include "core/registration/deformable/deformation_problem.h"
+#include "core/registration/deformable/deformation_words.h"
 #include "core/registration/deformable/evidence_gain.h"
 #include "core/registration/deformable/motion_of_tree.h"
 #include "core/support/random.h"
@@ -30,11 +30,11 @@ constexpr double startTurnDeg = 0.5;   // the runs start this far from the rigid
 constexpr double startShiftMm = 1.0;
 
 /// Tells the observer of every step of every run.
-class BendProgress {
+class DeformationProgress {
 public:
-    explicit BendProgress(const IterationObserver& observe) : observe_(observe) {}
+    explicit DeformationProgress(const IterationObserver& observe) : observe_(observe) {}
 
-    Verdict report(const BendFit& fit, double annealingPx)
+    Verdict report(const DeformationFit& fit, double annealingPx)
     {
         IterationReport report;
         report.stage = "bending";
@@ -42,7 +42,7 @@ public:
         report.progress = static_cast<double>(iterations_) / allSteps;
         report.scalePx = annealingPx;
         report.medianDistancePx = fit.medianResidualPx();
-        report.cameraFromPatient = fit.bentTree().cameraFromPatient;
+        report.cameraFromPatient = fit.deformedTree().cameraFromPatient;
         isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
         return isStopped_ ? Verdict::Stop : Verdict::Continue;
     }
@@ -62,9 +62,9 @@ double annealingMm(int step)
     return firstAnnealingMm * std::pow(lastAnnealingMm / firstAnnealingMm, share);
 }
 
-BendState startOf(const BendProblem& problem, std::size_t run, int seed)
+DeformationState startOf(const DeformationProblem& problem, std::size_t run, int seed)
 {
-    BendState state = startOfRun(problem, strainsTried[run]);
+    DeformationState state = startOfRun(problem, strainsTried[run]);
     if (run > 0) {
         CounterRandom random = CounterRandom(static_cast<std::uint64_t>(seed)).fork(run);
         for (Eigen::Index k = 0; k < 6; ++k) {
@@ -74,10 +74,10 @@ BendState startOf(const BendProblem& problem, std::size_t run, int seed)
     return state;
 }
 
-BendFit annealed(const BendProblem& problem, std::size_t run, int seed, BendProgress& progress)
+DeformationFit annealed(const DeformationProblem& problem, std::size_t run, int seed, DeformationProgress& progress)
 {
-    BendFit fit(problem, startOf(problem, run, seed));
-    const double mmPerPx = millimetresPerPixel(problem.views.front().camera, problem.start.centroidInCamera.z());
+    DeformationFit fit(problem, startOf(problem, run, seed));
+    const double mmPerPx = millimetersPerPixel(problem.views.front().camera, problem.start.centroidInCamera.z());
     for (int k = 0; k < annealingSteps && !progress.isStopped(); ++k) {
         fit.step({annealingMm(k), strainsTried[run], k >= learningFrom, annealingMm(k) > coarseAboveMm});
         progress.report(fit, annealingMm(k) / mmPerPx);
@@ -86,7 +86,7 @@ BendFit annealed(const BendProblem& problem, std::size_t run, int seed, BendProg
 }
 
 /// Variances are learned slowly where there is little motion to learn from.
-void settleVariances(BendFit& fit, double strain, BendProgress& progress)
+void settleVariances(DeformationFit& fit, double strain, DeformationProgress& progress)
 {
     for (int k = 0; k < settlingSteps && !progress.isStopped(); ++k) {
         fit.step({lastAnnealingMm, strain, true, false});
@@ -94,7 +94,7 @@ void settleVariances(BendFit& fit, double strain, BendProgress& progress)
     }
 }
 
-double rmsApartMm(const BendProblem& problem, const BendFit& a, const BendFit& b)
+double rmsApartMm(const DeformationProblem& problem, const DeformationFit& a, const DeformationFit& b)
 {
     const KnotPlaces here = placesInCamera(problem, a);
     const KnotPlaces there = placesInCamera(problem, b);
@@ -106,16 +106,16 @@ double rmsApartMm(const BendProblem& problem, const BendFit& a, const BendFit& b
 }
 
 /// Further runs would say the same.
-bool areEnough(const BendProblem& problem, const std::vector<BendFit>& runs)
+bool areEnough(const DeformationProblem& problem, const std::vector<DeformationFit>& runs)
 {
     return runs.size() == 1 ? logEvidenceGain(problem, runs.front()) < clearlyRigidGain
                             : rmsApartMm(problem, runs[0], runs[1]) < runsAgreeMm;
 }
 
 /// The run under which all that was seen is likeliest: rows by their evidence, knots without a row as anywhere.
-std::size_t likeliest(const std::vector<BendFit>& runs)
+std::size_t likeliest(const std::vector<DeformationFit>& runs)
 {
-    const auto best = std::ranges::max_element(runs, {}, &BendFit::logLikelihood);
+    const auto best = std::ranges::max_element(runs, {}, &DeformationFit::logLikelihood);
     return static_cast<std::size_t>(best - runs.begin());
 }
 
@@ -125,13 +125,13 @@ Result<DeformableResult> deformVessels(std::span<const DeformableView> views, co
                                        const IterationObserver& observe)
 {
     Stopwatch stopwatch;
-    const auto made = makeBendProblem(views, options);
+    const auto made = makeDeformationProblem(views, options);
     if (!made) {
         return made.error();
     }
-    const BendProblem& problem = made.value();
-    BendProgress progress(observe);
-    std::vector<BendFit> runs;
+    const DeformationProblem& problem = made.value();
+    DeformationProgress progress(observe);
+    std::vector<DeformationFit> runs;
     for (std::size_t run = 0; run < strainsTried.size() && !progress.isStopped(); ++run) {
         runs.push_back(annealed(problem, run, options.randomSeed, progress));
         if (!progress.isStopped() && areEnough(problem, runs)) {
@@ -145,11 +145,11 @@ Result<DeformableResult> deformVessels(std::span<const DeformableView> views, co
         result = rigidResult(views);
         result.stopReason = StopReason::StoppedByUser;
     } else {
-        result = bentResult(views, problem, runs, best);
+        result = deformedResult(views, problem, runs, best);
         result.logEvidenceGain = logEvidenceGain(problem, runs[best]);
     }
     result.iterations = progress.iterations();
-    judgeBend(views, result);
+    judgeDeformation(views, result);
     result.timeMs = stopwatch.lapMs();
     return result;
 }

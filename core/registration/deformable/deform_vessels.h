@@ -19,7 +19,7 @@ struct DeformableOptions {
     double geometryDeg = 0.0;   ///< 1-σ per axis of the geometry from view to view
     double geometryMm = 0.0;   ///< likewise of its shift
     double knotSpacingMm = 5.0;   ///< of the places whose motion is found; between them it is interpolated
-    int mostKnots = 450;   ///< larger trees get fewer knots per length
+    int maxKnots = 450;   ///< larger trees get fewer knots per length
     int randomSeed = 1;   ///< of what the runs start from
 };
 
@@ -32,7 +32,7 @@ struct DeformableView {
 
 /// Rigid: nothing speaks for a bend, the rigid pose stays as it is. Unsure: bent, but runs from different starts
 /// differ, too little of the tree is seen, or the vessels still lie beside it.
-enum class BendVerdict { Rigid, Bent, Unsure };
+enum class DeformationVerdict { Rigid, Deformed, Unsure };
 
 /// How the points of one branch moved beyond any rigid motion.
 struct BranchMotion {
@@ -57,7 +57,7 @@ struct RigidOffset {
 };
 
 struct DeformableResult {
-    BendVerdict verdict = BendVerdict::Rigid;
+    DeformationVerdict verdict = DeformationVerdict::Rigid;
     RigidTransform cameraFromPatient;   ///< of the first view: the rigid pose nearest to the bent tree
     std::vector<RigidTransform> viewPoses;   ///< likewise of each view
     std::vector<BranchMotion> branches;   ///< all branches of the tree, in its order
@@ -83,6 +83,6 @@ Result<DeformableResult> deformVessels(std::span<const DeformableView> views, co
                                        const IterationObserver& observe = {});
 
 /// "rigid", "bent", "unsure".
-std::string_view toText(BendVerdict verdict);
+std::string_view toText(DeformationVerdict verdict);
 
 }   // namespace angiopose::core

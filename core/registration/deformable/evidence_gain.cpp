@@ -24,7 +24,7 @@ public:
         const Eigen::Index size = 6 + 6 * static_cast<Eigen::Index>(lastView);
         const Matrix6d poseRoot = prior.pose.llt().matrixL();
         const Vector6d geometryRoot = prior.geometry.diagonal().cwiseSqrt();
-        told_ = Eigen::MatrixXd::Zero(size, size);
+        reported_ = Eigen::MatrixXd::Zero(size, size);
         pull_ = Eigen::VectorXd::Zero(size);
         for (const MotionRow& row : rows) {
             Eigen::VectorXd steps = Eigen::VectorXd::Zero(size);   // scaled by the roots of their prior
@@ -32,7 +32,7 @@ public:
             if (row.view > 0) {
                 steps.segment<6>(6 * static_cast<Eigen::Index>(row.view)) = geometryRoot.cwiseProduct(row.byGeometry);
             }
-            told_.selfadjointView<Eigen::Lower>().rankUpdate(steps, 1.0 / row.variance);
+            reported_.selfadjointView<Eigen::Lower>().rankUpdate(steps, 1.0 / row.variance);
             pull_ += row.valueMm / row.variance * steps;
             squares_ += row.valueMm * row.valueMm / row.variance;
             logNoise_ += std::log(2.0 * std::numbers::pi * row.variance);
@@ -44,7 +44,7 @@ public:
     double logEvidence(double factor) const
     {
         const double f2 = factor * factor;
-        Eigen::MatrixXd inner = told_.selfadjointView<Eigen::Lower>();
+        Eigen::MatrixXd inner = reported_.selfadjointView<Eigen::Lower>();
         inner /= f2;
         inner.diagonal().array() += 1.0;
         const Eigen::LLT<Eigen::MatrixXd> llt(inner);
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    Eigen::MatrixXd told_;
+    Eigen::MatrixXd reported_;
     Eigen::VectorXd pull_;
     double squares_ = 0.0;
     double logNoise_ = 0.0;
@@ -63,7 +63,7 @@ private:
 
 }   // namespace
 
-double logEvidenceGain(const BendProblem& problem, const BendFit& fit)
+double logEvidenceGain(const DeformationProblem& problem, const DeformationFit& fit)
 {
     if (!fit.posterior()) {
         return 0.0;

@@ -225,14 +225,14 @@ LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen:
         }
     }
     // What rows say of the functions by motion, of the pose, and their values; whitened.
-    Eigen::Matrix<float, Eigen::Dynamic, 13> told(rowAt(rows_.size()), 13);
+    Eigen::Matrix<float, Eigen::Dynamic, 13> reported(rowAt(rows_.size()), 13);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        told.row(rowAt(r))
+        reported.row(rowAt(r))
             << (withMotion.middleCols<3>(3 * rowAt(rows_[r].knot)) * basis_.motion.col(rowAt(r))).transpose(),
             rows_[r].byPose.cast<float>().transpose(), static_cast<float>(rows_[r].valueMm);
     }
-    told = inverseFactor_.triangularView<Eigen::Lower>() * told;
-    const Eigen::MatrixXd whitened = told.cast<double>();
+    reported = inverseFactor_.triangularView<Eigen::Lower>() * reported;
+    const Eigen::MatrixXd whitened = reported.cast<double>();
     const Eigen::MatrixXd squares = whitened.transpose() * whitened;
     const Matrix6d motionByPose = squares.block<6, 6>(0, 6);
     const Matrix6d known = pose.covariance.inverse();

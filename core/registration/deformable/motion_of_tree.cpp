@@ -1,6 +1,6 @@
 #include "core/registration/deformable/motion_of_tree.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/deformable/rigid_offset.h"
 #include "core/vessel/polyline.h"
 
@@ -31,9 +31,10 @@ std::vector<std::size_t> everyOther(const TreeKnots& knots)
     return asked;
 }
 
-std::vector<Eigen::Matrix3d> covariancesOf(const BendProblem& problem, const BendFit& fit, const KnotPlaces& places)
+std::vector<Eigen::Matrix3d> covariancesOf(const DeformationProblem& problem, const DeformationFit& fit,
+                                           const KnotPlaces& places)
 {
-    const RigidTransform pose = fit.bentTree().cameraFromPatient;
+    const RigidTransform pose = fit.deformedTree().cameraFromPatient;
     const Eigen::Vector3d centroid = pose * problem.centroidInPatient;
     const std::vector<std::size_t> asked = everyOther(problem.knots);
     std::vector<Eigen::Matrix<double, 3, 6>> byPose(asked.size());
@@ -52,8 +53,8 @@ std::vector<Eigen::Matrix3d> covariancesOf(const BendProblem& problem, const Ben
 }
 
 /// Mean over the runs of d dᵀ, d from the best one.
-std::vector<Eigen::Matrix3d> spreadOfRuns(const std::vector<KnotPlaces>& places, const std::vector<BendFit>& runs,
-                                          std::size_t best)
+std::vector<Eigen::Matrix3d> spreadOfRuns(const std::vector<KnotPlaces>& places,
+                                          const std::vector<DeformationFit>& runs, std::size_t best)
 {
     std::vector<Eigen::Matrix3d> spread(places[best].size(), Eigen::Matrix3d::Zero());
     const std::vector<double> shares = sharesOfRuns(runs, best);
@@ -97,7 +98,7 @@ std::vector<Value> atPoints(const VesselBranch& branch, const Value* first, std:
     return values;
 }
 
-std::vector<double> seenShares(const BendProblem& problem, const BendFit& fit)
+std::vector<double> seenShares(const DeformationProblem& problem, const DeformationFit& fit)
 {
     std::vector<std::uint8_t> isSeen(problem.knots.size(), 0);
     for (const MotionRow& row : fit.rows()) {
@@ -124,22 +125,22 @@ double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, s
 
 }   // namespace
 
-KnotPlaces placesInCamera(const BendProblem& problem, const BendFit& fit)
+KnotPlaces placesInCamera(const DeformationProblem& problem, const DeformationFit& fit)
 {
-    const BentTree bent = fit.bentTree();
+    const DeformedTree deformed = fit.deformedTree();
     KnotPlaces places;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) {
-        places.push_back(bent.cameraFromPatient *
-                         (problem.knots.places[k] + bent.motionMm.col(static_cast<Eigen::Index>(k))));
+        places.push_back(deformed.cameraFromPatient *
+                         (problem.knots.places[k] + deformed.motionMm.col(static_cast<Eigen::Index>(k))));
     }
     return places;
 }
 
-std::vector<double> sharesOfRuns(const std::vector<BendFit>& runs, std::size_t best)
+std::vector<double> sharesOfRuns(const std::vector<DeformationFit>& runs, std::size_t best)
 {
     std::vector<double> shares;
     double total = 0.0;
-    for (const BendFit& run : runs) {
+    for (const DeformationFit& run : runs) {
         shares.push_back(std::exp((run.logLikelihood() - runs[best].logLikelihood()) / rivalLogLikelihood));
         total += shares.back();
     }
@@ -149,7 +150,7 @@ std::vector<double> sharesOfRuns(const std::vector<BendFit>& runs, std::size_t b
     return shares;
 }
 
-double inflationOf(const BendFit& fit)
+double inflationOf(const DeformationFit& fit)
 {
     return std::max(1.0, fit.state().noisePx / tracingNoisePx);
 }
@@ -195,16 +196,16 @@ DeformableResult rigidResult(std::span<const DeformableView> views)
     return result;
 }
 
-DeformableResult bentResult(std::span<const DeformableView> views, const BendProblem& problem,
-                            const std::vector<BendFit>& runs, std::size_t best)
+DeformableResult deformedResult(std::span<const DeformableView> views, const DeformationProblem& problem,
+                                const std::vector<DeformationFit>& runs, std::size_t best)
 {
     DeformableResult result = rigidResult(views);
-    const BendFit& fit = runs[best];
+    const DeformationFit& fit = runs[best];
     if (!fit.posterior()) {
         return result;
     }
     std::vector<KnotPlaces> places;
-    for (const BendFit& run : runs) {
+    for (const DeformationFit& run : runs) {
         places.push_back(placesInCamera(problem, run));
     }
     const TreeKnots& knots = problem.knots;

@@ -10,8 +10,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::array<double, 7> cutsTried{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
-constexpr double mostLeftOver = 0.35;   // of the squares of the motion, by two rigid parts
-constexpr double leastPartShiftMm = 2.0;
+constexpr double maxLeftOver = 0.35;   // of the squares of the motion, by two rigid parts
+constexpr double minPartShiftMm = 2.0;
 constexpr double samplesMm = 5.0;
 
 /// Places before and after, evenly spaced.
@@ -55,7 +55,7 @@ MovedSamples movedSamplesOf(const VesselTree& tree, const DeformableResult& resu
 std::optional<MovedPart> movedPart(const VesselTree& tree, const DeformableResult& result)
 {
     const MovedSamples all = movedSamplesOf(tree, result);
-    double least = mostLeftOver * all.leftOver(all.rigid());
+    double least = maxLeftOver * all.leftOver(all.rigid());
     std::optional<MovedPart> found;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         std::vector<double> heights;
@@ -90,7 +90,7 @@ std::optional<MovedPart> movedPart(const VesselTree& tree, const DeformableResul
             found = moved;
         }
     }
-    return found && found->shift.norm() >= leastPartShiftMm ? found : std::nullopt;
+    return found && found->shift.norm() >= minPartShiftMm ? found : std::nullopt;
 }
 
 }   // namespace angiopose::core

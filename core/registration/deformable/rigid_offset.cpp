@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastBranchMm = 10.0;   // shorter ones are not named
+constexpr double minBranchMm = 10.0;   // shorter ones are not named
 // Share of a motion that the model does not follow: sliding along vessels, second order, other forms than its own.
 // Measured on made-up trees (bent_trust_table --family development).
 constexpr double notFollowedShare = 0.06;
@@ -24,7 +24,7 @@ StepsOfPlace byStep(const Eigen::Vector3d& fromCentroid)
 }
 
 /// The rigid tree in the camera of the first view, from its centroid.
-std::vector<Eigen::Vector3d> rigidArms(const BendProblem& problem)
+std::vector<Eigen::Vector3d> rigidArms(const DeformationProblem& problem)
 {
     std::vector<Eigen::Vector3d> arms;
     for (const Eigen::Vector3d& place : problem.knots.places) {
@@ -48,7 +48,7 @@ StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::ve
 }
 
 /// Of the nearest step under the rows of a run, from the start pose's prior instead of the fit's own.
-LinearBelief beliefAboutStep(const BendProblem& problem, const BendFit& fit, const StepOfPlaces& nearest)
+LinearBelief beliefAboutStep(const DeformationProblem& problem, const DeformationFit& fit, const StepOfPlaces& nearest)
 {
     MotionPrior prior = problem.prior;
     prior.pose.setZero();
@@ -62,14 +62,14 @@ LinearBelief beliefAboutStep(const BendProblem& problem, const BendFit& fit, con
 }
 
 /// In the image plane of the only view, at the depth of the places, or in space.
-double shiftMm(const BendProblem& problem, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+double shiftMm(const DeformationProblem& problem, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     return problem.views.size() > 1 ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
 }
 
 /// Sizes of the offset, from where the rigid pose has the knots to where they are.
-void measureShifts(const VesselTree& tree, const BendProblem& problem, const KnotPlaces& from, const KnotPlaces& to,
-                   RigidOffset& offset)
+void measureShifts(const VesselTree& tree, const DeformationProblem& problem, const KnotPlaces& from,
+                   const KnotPlaces& to, RigidOffset& offset)
 {
     const TreeKnots& knots = problem.knots;
     double sum = 0.0;
@@ -81,7 +81,7 @@ void measureShifts(const VesselTree& tree, const BendProblem& problem, const Kno
             ofBranch += knots.lengthMm[k] * shiftMm(problem, from[k], to[k]);
             lengthMm += knots.lengthMm[k];
         }
-        if (lengthMm >= leastBranchMm && ofBranch / lengthMm > offset.farthestMm) {
+        if (lengthMm >= minBranchMm && ofBranch / lengthMm > offset.farthestMm) {
             offset.farthestMm = ofBranch / lengthMm;
             offset.farthestBranchId = tree.branches[b].id;
         }
@@ -93,8 +93,8 @@ void measureShifts(const VesselTree& tree, const BendProblem& problem, const Kno
 
 }   // namespace
 
-RigidOffset rigidOffset(const VesselTree& tree, const BendProblem& problem, const std::vector<BendFit>& runs,
-                        std::size_t best)
+RigidOffset rigidOffset(const VesselTree& tree, const DeformationProblem& problem,
+                        const std::vector<DeformationFit>& runs, std::size_t best)
 {
     RigidOffset offset;
     if (!runs[best].posterior()) {

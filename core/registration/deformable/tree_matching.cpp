@@ -27,7 +27,7 @@ StateLikelihoods ownLikelihoods(const KnotChoice& choice)
 
 /// Likelihood of every pair of states: rows of the parent, columns of the child.
 Eigen::MatrixXd pairLikelihoods(const KnotChoice& parent, const KnotChoice& child, double lengthMm,
-                                const NeighbourModel& model)
+                                const NeighborModel& model)
 {
     const auto rows = static_cast<Eigen::Index>(parent.candidates.size()) + 1;
     const auto columns = static_cast<Eigen::Index>(child.candidates.size()) + 1;
@@ -56,7 +56,7 @@ Eigen::MatrixXd pairLikelihoods(const KnotChoice& parent, const KnotChoice& chil
 
 }   // namespace
 
-void matchAlongTree(const TreeKnots& knots, const NeighbourModel& model, std::vector<KnotChoice>& choices)
+void matchAlongTree(const TreeKnots& knots, const NeighborModel& model, std::vector<KnotChoice>& choices)
 {
     std::vector<StateLikelihoods> beliefs;
     for (const KnotChoice& choice : choices) {

@@ -22,13 +22,13 @@ struct KnotChoice {
 };
 
 /// How alike the offsets of neighbours are.
-struct NeighbourModel {
+struct NeighborModel {
     double noiseMm = 0.1;   ///< 1-σ of one offset
     double strain = 0.15;   ///< 1-σ of the change per mm along the tree
 };
 
 /// Who belongs to whom, by sum-product along the tree (ALGORITHMS §11.3): for every knot the probabilities of its
 /// candidates; what is left to 1 is the probability that the image does not show it. Exact, as the links are a forest.
-void matchAlongTree(const TreeKnots& knots, const NeighbourModel& model, std::vector<KnotChoice>& choices);
+void matchAlongTree(const TreeKnots& knots, const NeighborModel& model, std::vector<KnotChoice>& choices);
 
 }   // namespace angiopose::core

@@ -5,10 +5,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastSeenShare = 0.25;   // of a vessel's length: what runs along the ray has no direction in the image
+constexpr double minSeenShare = 0.25;   // of a vessel's length: what runs along the ray has no direction in the image
 
 /// Tangent of the bent branch at a knot, patient axes; not unit.
-Eigen::Vector3d bentTangent(const TreeKnots& knots, const BentTree& bent, std::size_t branch, std::size_t knot)
+Eigen::Vector3d deformedTangent(const TreeKnots& knots, const DeformedTree& deformed, std::size_t branch,
+                                std::size_t knot)
 {
     const std::size_t before = std::max(knot, knots.firstOfBranch[branch] + 1) - 1;
     const std::size_t after = std::min(knot + 1, knots.firstOfBranch[branch + 1] - 1);
@@ -16,32 +17,33 @@ Eigen::Vector3d bentTangent(const TreeKnots& knots, const BentTree& bent, std::s
     if (!(apart > 0.5)) {
         return knots.tangents[knot];
     }
-    return knots.tangents[knot] + (bent.motionMm.col(static_cast<Eigen::Index>(after)) -
-                                   bent.motionMm.col(static_cast<Eigen::Index>(before))) /
+    return knots.tangents[knot] + (deformed.motionMm.col(static_cast<Eigen::Index>(after)) -
+                                   deformed.motionMm.col(static_cast<Eigen::Index>(before))) /
                                       apart;
 }
 
 }   // namespace
 
-std::vector<std::optional<KnotLook>> lookAt(const TreeKnots& knots, const BentTree& bent, const DeformableSight& sight)
+std::vector<std::optional<KnotLook>> lookAt(const TreeKnots& knots, const DeformedTree& deformed,
+                                            const DeformableSight& sight)
 {
-    const RigidTransform viewFromPatient = sight.cameraFromFirst * bent.cameraFromPatient;
-    const Eigen::Vector3d centroidInFirst = bent.cameraFromPatient * sight.centroidInPatient;
+    const RigidTransform viewFromPatient = sight.cameraFromFirst * deformed.cameraFromPatient;
+    const Eigen::Vector3d centroidInFirst = deformed.cameraFromPatient * sight.centroidInPatient;
     const Eigen::Vector3d centroidInView = viewFromPatient * sight.centroidInPatient;
     std::vector<std::optional<KnotLook>> looks(knots.size());
     for (std::size_t branch = 0; branch + 1 < knots.firstOfBranch.size(); ++branch) {
         for (std::size_t k = knots.firstOfBranch[branch]; k < knots.firstOfBranch[branch + 1]; ++k) {
-            const Eigen::Vector3d moved = knots.places[k] + bent.motionMm.col(static_cast<Eigen::Index>(k));
+            const Eigen::Vector3d moved = knots.places[k] + deformed.motionMm.col(static_cast<Eigen::Index>(k));
             const Eigen::Vector3d inView = viewFromPatient * moved;
             const auto pixel = project(sight.camera, inView);
             if (knots.isUsed[k] == 0 || !pixel) {
                 continue;
             }
-            const double mmPerPx = millimetresPerPixel(sight.camera, inView.z());
+            const double mmPerPx = millimetersPerPixel(sight.camera, inView.z());
             const Eigen::Matrix<double, 2, 3> pixelByPlace = projectionJacobian(sight.camera, inView);
             const Eigen::Vector2d seen =
-                mmPerPx * pixelByPlace * (viewFromPatient.rotation * bentTangent(knots, bent, branch, k));
-            if (seen.norm() < leastSeenShare) {
+                mmPerPx * pixelByPlace * (viewFromPatient.rotation * deformedTangent(knots, deformed, branch, k));
+            if (seen.norm() < minSeenShare) {
                 continue;
             }
             KnotLook look;
@@ -53,7 +55,7 @@ std::vector<std::optional<KnotLook>> lookAt(const TreeKnots& knots, const BentTr
             const Eigen::RowVector3d byPlace = mmPerPx * look.normal.transpose() * pixelByPlace;
             const Eigen::RowVector3d byPlaceInFirst = byPlace * sight.cameraFromFirst.rotation;
             look.byMotion = (byPlace * viewFromPatient.rotation).transpose();
-            look.byPose << (bent.cameraFromPatient * moved - centroidInFirst).cross(byPlaceInFirst.transpose()),
+            look.byPose << (deformed.cameraFromPatient * moved - centroidInFirst).cross(byPlaceInFirst.transpose()),
                 byPlaceInFirst.transpose();
             look.byGeometry << (inView - centroidInView).cross(byPlace.transpose()), byPlace.transpose();
             looks[k] = look;

@@ -24,7 +24,7 @@ struct KnotLook {
 };
 
 /// The bent tree as it is for the moment.
-struct BentTree {
+struct DeformedTree {
     RigidTransform cameraFromPatient;   ///< of the first view
     Eigen::Matrix3Xd motionMm;   ///< of each knot, patient axes
 };
@@ -38,6 +38,7 @@ struct DeformableSight {
 };
 
 /// Nothing for a knot of an excluded branch, behind the source, or whose vessel runs along the ray.
-std::vector<std::optional<KnotLook>> lookAt(const TreeKnots& knots, const BentTree& bent, const DeformableSight& sight);
+std::vector<std::optional<KnotLook>> lookAt(const TreeKnots& knots, const DeformedTree& deformed,
+                                            const DeformableSight& sight);
 
 }   // namespace angiopose::core

@@ -69,7 +69,7 @@ const BranchInformation* best(const std::vector<BranchInformation>& branches, co
 }   // namespace
 
 Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
-                          const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centreInCamera)
+                          const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera)
 {
     const auto fromPx = project(camera, fromInCamera);
     const auto toPx = project(camera, toInCamera);
@@ -81,7 +81,7 @@ Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d&
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()) / lengthPx;
     const Eigen::Vector3d middle = 0.5 * (fromInCamera + toInCamera);
     Eigen::Matrix<double, 3, 6> motion;
-    motion << -skew(middle - centreInCamera), Eigen::Matrix3d::Identity();
+    motion << -skew(middle - centerInCamera), Eigen::Matrix3d::Identity();
     const Vector6d row = (projectionJacobian(camera, middle) * motion).transpose() * normal;
     return lengthPx * row * row.transpose();
 }
@@ -90,18 +90,18 @@ std::vector<BranchInformation> branchInformation(const VesselTree& tree, const P
                                                  const RigidTransform& cameraFromPatient)
 {
     std::vector<BranchInformation> branches;
-    const Eigen::Vector3d centre = cameraFromPatient * centroidInPatient(tree);
+    const Eigen::Vector3d center = cameraFromPatient * centroidInPatient(tree);
     for (const VesselBranch& branch : tree.branches) {
-        BranchInformation told{branch.id, 0.0, Matrix6d::Zero()};
+        BranchInformation reported{branch.id, 0.0, Matrix6d::Zero()};
         for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
             const Eigen::Vector3d from = cameraFromPatient * branch.pointsInPatient[i - 1];
             const Eigen::Vector3d to = cameraFromPatient * branch.pointsInPatient[i];
             if (const double lengthPx = visibleLengthPx(camera, from, to); lengthPx > 0.0) {
-                told.lengthPx += lengthPx;
-                told.information += pieceInformation(camera, from, to, centre) / unitVariancePx2;
+                reported.lengthPx += lengthPx;
+                reported.information += pieceInformation(camera, from, to, center) / unitVariancePx2;
             }
         }
-        branches.push_back(told);
+        branches.push_back(reported);
     }
     return branches;
 }
@@ -136,8 +136,8 @@ std::vector<int> branchesThatPin(const std::vector<BranchInformation>& branches,
     return chosen;
 }
 
-std::vector<int> mostInformativeBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
-                                         double tolerance)
+std::vector<int> bestInformedBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
+                                      double tolerance)
 {
     Matrix6d known = priorInformation(priorStd);
     const Vector6d wanted = tolerance * stdOf(known + sumOf(branches));

@@ -8,11 +8,11 @@
 
 namespace angiopose::core {
 
-/// Fisher information of a traced piece of vessel about steps (rotation rad, shift mm) about `centreInCamera` in camera
+/// Fisher information of a traced piece of vessel about steps (rotation rad, shift mm) about `centerInCamera` in camera
 /// axes: one point per px that tells its distance across the vessel only, noise 1 px (ALGORITHMS §6.10). Zero where the
 /// piece does not project.
 Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
-                          const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centreInCamera);
+                          const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera);
 
 /// What the image can learn from one branch at a pose.
 struct BranchInformation {
@@ -37,7 +37,7 @@ std::vector<int> branchesThatPin(const std::vector<BranchInformation>& branches,
 
 /// The fewest branches, best first, that leave every σ within `tolerance` (≥ 1) times that of all branches: greedy
 /// D-optimal design (largest determinant of the information at each choice).
-std::vector<int> mostInformativeBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
-                                         double tolerance = 1.3);
+std::vector<int> bestInformedBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
+                                      double tolerance = 1.3);
 
 }   // namespace angiopose::core

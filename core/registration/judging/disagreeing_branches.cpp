@@ -10,18 +10,18 @@ namespace {
 constexpr double disagreeingMm = 1.0;
 constexpr double seenEnough = 0.5;   ///< of a branch's length
 
-bool isCalledUnfilled(const RegistrationResult& result, int branchId)
+bool isReportedUnopacified(const RegistrationResult& result, int branchId)
 {
-    return std::ranges::find(result.unfilled, branchId, &UnfilledBranch::branchId) != result.unfilled.end();
+    return std::ranges::find(result.unopacified, branchId, &UnopacifiedBranch::branchId) != result.unopacified.end();
 }
 
 /// Whether the vessels were found bent, and this branch of them in the image.
-bool isExplainedByBending(const RegistrationResult& result, int branchId)
+bool isExplainedByDeformation(const RegistrationResult& result, int branchId)
 {
-    if (!result.bent || result.bent->verdict != BendVerdict::Bent) {
+    if (!result.deformed || result.deformed->verdict != DeformationVerdict::Deformed) {
         return false;
     }
-    return std::ranges::any_of(result.bent->branches, [branchId](const BranchMotion& motion) {
+    return std::ranges::any_of(result.deformed->branches, [branchId](const BranchMotion& motion) {
         return motion.branchId == branchId && motion.seenShare >= seenEnough;
     });
 }
@@ -34,13 +34,13 @@ bool isBesideWire(const RegistrationResult& result, int branchId)
 
 }   // namespace
 
-DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetresPerPixel)
+DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetersPerPixel)
 {
     DisagreeingBranches found;
     for (const BranchResidual& residual : result.branches) {
-        const double medianMm = residual.medianPx * millimetresPerPixel;
+        const double medianMm = residual.medianPx * millimetersPerPixel;
         const int id = residual.branchId;
-        if (medianMm > disagreeingMm && !isCalledUnfilled(result, id) && !isExplainedByBending(result, id) &&
+        if (medianMm > disagreeingMm && !isReportedUnopacified(result, id) && !isExplainedByDeformation(result, id) &&
             !isBesideWire(result, id)) {
             found.branchIds.push_back(id);
             found.worstMm = std::max(found.worstMm, medianMm);

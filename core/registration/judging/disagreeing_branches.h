@@ -14,6 +14,6 @@ struct DisagreeingBranches {
 
 /// Those with a median above 1 mm that the run does not call unfilled, that no bend explains and that lie on the way of
 /// a wire, where there is one: perhaps unfilled all the same, or moved. A pose may be right beside them, and trusted.
-DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetresPerPixel);
+DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetersPerPixel);
 
 }   // namespace angiopose::core

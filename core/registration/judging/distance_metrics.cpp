@@ -111,7 +111,7 @@ DistanceMetrics distanceMetrics(const RegistrationProblem& problem, const RigidT
                                 const ProjectedTree& projected)
 {
     const double depthMm = std::max(minProjectableDepthMm, (cameraFromPatient * problem.tree.centroid).z());
-    const double mmPerPx = millimetresPerPixel(problem.camera, depthMm);
+    const double mmPerPx = millimetersPerPixel(problem.camera, depthMm);
     const std::vector<double> shares = quantiles(projected.distancePx, {0.5, 0.75, 0.95});
     const std::vector<double> reverse = reverseDistancesPx(problem, projected);
 

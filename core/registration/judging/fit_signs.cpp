@@ -3,8 +3,8 @@
 #include "core/registration/alignment/agreement_score.h"
 #include "core/registration/alignment/branch_pieces.h"
 #include "core/registration/judging/followed_vessels.h"
+#include "core/registration/judging/observed_diameter.h"
 #include "core/registration/judging/pose_shift.h"
-#include "core/registration/judging/seen_calibre.h"
 
 #include <algorithm>
 
@@ -22,7 +22,7 @@ double agreementOf(const PoseInImage& seen, const RigidTransform& pose)
     return AgreementScore(seen.problem, seen.target).of(aboutCentroid(pose, seen.problem.tree.centroid));
 }
 
-constexpr int mostOfPath = 4;   // branches: a tree of which more is followed is no single path
+constexpr int maxOfPath = 4;   // branches: a tree of which more is followed is no single path
 
 /// Whether what lies on vessels of a connected tree forks nowhere: a wire, a catheter, one vessel.
 bool isSinglePath(const PoseInImage& seen)
@@ -64,10 +64,10 @@ FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, c
     for (const Hypothesis& other : solution.alternatives) {
         signs.rivalMm = std::max(signs.rivalMm, meanShiftMm(seen.problem.tree, pose, other.cameraFromPatient));
     }
-    signs.isFilledInParts = std::ranges::count(solution.isFilled, std::uint8_t{1}) > 0;
+    signs.isPartlyOpacified = std::ranges::count(solution.isOpacified, std::uint8_t{1}) > 0;
     signs.filledForks = solution.filledForks;
-    signs.isLumen = isLumen(seenCalibre(seen.problem, seen.target, pose, seen.projected));
-    signs.isSinglePath = followed.branchesFollowed <= mostOfPath && isSinglePath(seen);
+    signs.isLumen = isLumen(observedDiameter(seen.problem, seen.target, pose, seen.projected));
+    signs.isSinglePath = followed.branchesFollowed <= maxOfPath && isSinglePath(seen);
     return signs;
 }
 

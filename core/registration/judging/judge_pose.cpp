@@ -15,9 +15,9 @@ namespace {
 
 constexpr double settledMm = 0.3;   // a pose that slides farther says nothing about its camera
 
-bool anyIsFilled(const MethodSolution& solution)
+bool anyIsOpacified(const MethodSolution& solution)
 {
-    return std::ranges::count(solution.isFilled, std::uint8_t{1}) > 0;
+    return std::ranges::count(solution.isOpacified, std::uint8_t{1}) > 0;
 }
 
 }   // namespace
@@ -26,7 +26,7 @@ RegistrationResult judgePose(const RegistrationProblem& whole, const Registratio
                              const MethodSolution& solution)
 {
     const std::optional<RegistrationProblem> filled =
-        anyIsFilled(solution) ? std::optional(partOf(whole, solution.isFilled)) : std::nullopt;
+        anyIsOpacified(solution) ? std::optional(partOf(whole, solution.isOpacified)) : std::nullopt;
     const RegistrationProblem& problem = filled ? *filled : whole;
     const RigidTransform& pose = solution.cameraFromPatient;
     const auto lines = solution.targetLines ? solution.targetLines
@@ -52,9 +52,10 @@ RegistrationResult judgePose(const RegistrationProblem& whole, const Registratio
     Trust trust = judgeTrust(problem, result);
     result.trustworthy = trust.isTrustworthy;
     if (filled) {
-        result.unfilled = unfilledBranches(whole.tree, solution.isFilled, projectedWhole.isInView);
-        const Messages told = wordsOf(result.unfilled, shareFilled(solution.isFilled), whole.tree.branchIds.size());
-        trust.warnings.insert(trust.warnings.end(), told.begin(), told.end());
+        result.unopacified = unopacifiedBranches(whole.tree, solution.isOpacified, projectedWhole.isInView);
+        const Messages reported =
+            wordsOf(result.unopacified, shareFilled(solution.isOpacified), whole.tree.branchIds.size());
+        trust.warnings.insert(trust.warnings.end(), reported.begin(), reported.end());
     }
     result.warnings = whole.notes;
     result.warnings.insert(result.warnings.end(), solution.warnings.begin(), solution.warnings.end());

@@ -14,10 +14,10 @@ namespace angiopose::core {
 
 namespace {
 
-Alignment tellingAlignment(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose)
+Alignment informativeAlignment(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose)
 {
     const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
-    return {tellingPoints(problem.tree, millimetresPerPixel(problem.camera, depthMm)), problem.camera, target};
+    return {informativePoints(problem.tree, millimetersPerPixel(problem.camera, depthMm)), problem.camera, target};
 }
 
 /// Inverse among the free steps, zero across them.
@@ -41,7 +41,7 @@ PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLine
                             const RigidTransform& cameraFromPatient, const StartPrior& prior)
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
-    const Alignment alignment = tellingAlignment(problem, target, pose);
+    const Alignment alignment = informativeAlignment(problem, target, pose);
     if (problem.cameraSpread.isExact()) {
         const Matrix6d information = tolerantInformation(alignment, prior, pose).hessian;
         return {poseUncertainty(problem, information, Matrix6d::Zero(), prior, pose), std::nullopt};
@@ -102,7 +102,7 @@ PoseSigmas sigmasOf(const Matrix6d& covariance)
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                          const StartPrior& prior)
 {
-    return tolerantInformation(tellingAlignment(problem, target, pose), prior, pose).hessian +
+    return tolerantInformation(informativeAlignment(problem, target, pose), prior, pose).hessian +
            prior.informationAt(pose);
 }
 

@@ -15,7 +15,7 @@ constexpr double minAgreement = 0.37;   // harmonic mean of the shares of tree a
 // The same of the parts of a tree that look filled: chosen by agreement, they must agree better. Measured on made-up
 // trees (foreign_targets_table --family development).
 constexpr double minFilledAgreement = 0.55;
-constexpr int leastFilledForks = 2;   // a catheter or a single vessel fits in many places
+constexpr int minFilledForks = 2;   // a catheter or a single vessel fits in many places
 constexpr double maxSettlingMm = 1.3;
 constexpr double maxExpectedErrorMm = 1.2;
 constexpr double maxRivalMm = 2.0;   // nearer alternatives change nothing for the user
@@ -57,8 +57,8 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
             reasons.push_back(littleAgreement(signs.treeShare, coverage));
         }
     }
-    const bool forksTooLittle = signs.filledForks < leastFilledForks && !(signs.isSinglePath && signs.isLumen);
-    if (signs.isFilledInParts && (signs.agreement < minFilledAgreement || forksTooLittle)) {
+    const bool forksTooLittle = signs.filledForks < minFilledForks && !(signs.isSinglePath && signs.isLumen);
+    if (signs.isPartlyOpacified && (signs.agreement < minFilledAgreement || forksTooLittle)) {
         reasons.push_back(says::trustFilledDoubtful());
     }
     if (signs.isSinglePath && !signs.isLumen) {

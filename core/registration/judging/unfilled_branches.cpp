@@ -7,70 +7,71 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostlyUnfilled = 0.5;
+constexpr double mainlyUnopacified = 0.5;
 constexpr std::size_t namedBranches = 8;
 
 }   // namespace
 
-std::vector<UnfilledBranch> unfilledBranches(const TreeSamples& tree, const std::vector<std::uint8_t>& isFilled,
-                                             const std::vector<std::uint8_t>& isInView)
+std::vector<UnopacifiedBranch> unopacifiedBranches(const TreeSamples& tree,
+                                                   const std::vector<std::uint8_t>& isOpacified,
+                                                   const std::vector<std::uint8_t>& isInView)
 {
     std::vector<double> seen(tree.branchIds.size(), 0.0);
     std::vector<double> empty(tree.branchIds.size(), 0.0);
     for (std::size_t i = 0; i < tree.size(); ++i) {
         const auto branch = static_cast<std::size_t>(tree.branchIndex[i]);
         seen[branch] += isInView[i] != 0 ? 1.0 : 0.0;
-        empty[branch] += isInView[i] != 0 && isFilled[i] == 0 ? 1.0 : 0.0;
+        empty[branch] += isInView[i] != 0 && isOpacified[i] == 0 ? 1.0 : 0.0;
     }
-    std::vector<UnfilledBranch> unfilled;
+    std::vector<UnopacifiedBranch> unopacified;
     for (std::size_t branch = 0; branch < seen.size(); ++branch) {
-        if (empty[branch] > mostlyUnfilled * seen[branch]) {
-            unfilled.push_back({tree.branchIds[branch], empty[branch] / seen[branch]});
+        if (empty[branch] > mainlyUnopacified * seen[branch]) {
+            unopacified.push_back({tree.branchIds[branch], empty[branch] / seen[branch]});
         }
     }
-    return unfilled;
+    return unopacified;
 }
 
-double shareFilled(const std::vector<std::uint8_t>& isFilled)
+double shareFilled(const std::vector<std::uint8_t>& isOpacified)
 {
-    const auto filled = std::ranges::count(isFilled, std::uint8_t{1});
-    return static_cast<double>(filled) / static_cast<double>(std::max<std::size_t>(1, isFilled.size()));
+    const auto filled = std::ranges::count(isOpacified, std::uint8_t{1});
+    return static_cast<double>(filled) / static_cast<double>(std::max<std::size_t>(1, isOpacified.size()));
 }
 
 double judgedShare(const RegistrationResult& result)
 {
     for (const Message& said : result.warnings) {
-        const bool tells =
+        const bool shows =
             said.is(says::trustPartFilled) || said.is(says::trustFewFilled) || said.is(says::trustPiecesFilled);
-        const Quantity* const percent = tells ? std::get_if<Quantity>(&said.arguments().front()) : nullptr;
+        const Quantity* const percent = shows ? std::get_if<Quantity>(&said.arguments().front()) : nullptr;
         if (percent) {
             return 0.01 * percent->value;
         }
     }
     double all = 0.0, filled = 0.0;   // of a result whose words another version stored
     for (const BranchResidual& branch : result.branches) {
-        const bool isEmpty =
-            std::ranges::find(result.unfilled, branch.branchId, &UnfilledBranch::branchId) != result.unfilled.end();
+        const bool isEmpty = std::ranges::find(result.unopacified, branch.branchId, &UnopacifiedBranch::branchId) !=
+                             result.unopacified.end();
         all += branch.pointCount;
         filled += isEmpty ? 0.0 : branch.pointCount;
     }
     return all > 0.0 ? filled / all : 1.0;
 }
 
-Messages wordsOf(const std::vector<UnfilledBranch>& unfilled, double filledShare, std::size_t branchCount)
+Messages wordsOf(const std::vector<UnopacifiedBranch>& unopacified, double filledShare, std::size_t branchCount)
 {
     const Quantity shown{100.0 * filledShare, 0, "%"};
-    if (unfilled.empty()) {
+    if (unopacified.empty()) {
         return {};
     }
-    if (unfilled.size() == branchCount) {
+    if (unopacified.size() == branchCount) {
         return {says::trustPiecesFilled(shown)};
     }
-    if (unfilled.size() > namedBranches) {
-        return {says::trustFewFilled(shown, unfilled.size(), branchCount)};
+    if (unopacified.size() > namedBranches) {
+        return {says::trustFewFilled(shown, unopacified.size(), branchCount)};
     }
     std::vector<std::string> names;
-    for (const UnfilledBranch& branch : unfilled) {
+    for (const UnopacifiedBranch& branch : unopacified) {
         names.push_back(std::to_string(branch.branchId));
     }
     return {says::trustPartFilled(shown, names)};

@@ -22,15 +22,15 @@ double logCount(int count)
     return std::log1p(static_cast<double>(std::max(0, count)));
 }
 
-bool isBent(const RegistrationResult& result)
+bool isDeformed(const RegistrationResult& result)
 {
-    return result.bent && result.bent->verdict != BendVerdict::Rigid;
+    return result.deformed && result.deformed->verdict != DeformationVerdict::Rigid;
 }
 
 /// Where bending was not asked, or found nothing, the rigid tree stands.
-double bendOffMm(const RegistrationResult& result)
+double deformationOffMm(const RegistrationResult& result)
 {
-    return isBent(result) ? std::hypot(result.bent->rigid.meanMm, result.bent->placeStdMm) : 0.0;
+    return isDeformed(result) ? std::hypot(result.deformed->rigid.meanMm, result.deformed->placeStdMm) : 0.0;
 }
 
 /// How surely the bent vessels lie beside the rigid ones by as much as it is asked about, 0…1.
@@ -90,10 +90,10 @@ const std::array<std::string_view, signCount>& signNames()
 
 std::array<double, signCount> signVector(const RegistrationResult& result)
 {
-    constexpr double mostOffMm = 5.0;
+    constexpr double maxOffMm = 5.0;
     const FitSigns& signs = result.signs;
-    const double offMm = bendOffMm(result);
-    const bool isUnsure = isBent(result) && result.bent->verdict == BendVerdict::Unsure;
+    const double offMm = deformationOffMm(result);
+    const bool isUnsure = isDeformed(result) && result.deformed->verdict == DeformationVerdict::Unsure;
     return {signs.agreement,
             signs.treeShare,
             std::isfinite(result.metrics.coverage) ? result.metrics.coverage : 0.0,
@@ -104,9 +104,9 @@ std::array<double, signCount> signVector(const RegistrationResult& result)
             logMm(signs.rivalMm, 0.3),
             logMm(result.metrics.medianMm, 0.05),
             logMm(result.metrics.p95Mm, 0.2),
-            signs.isFilledInParts ? 1.0 : 0.0,
-            signs.isFilledInParts ? logCount(signs.filledForks) : 0.0,
-            std::min(offMm, mostOffMm),
+            signs.isPartlyOpacified ? 1.0 : 0.0,
+            signs.isPartlyOpacified ? logCount(signs.filledForks) : 0.0,
+            std::min(offMm, maxOffMm),
             isUnsure ? 1.0 : 0.0,
             surelyOff(offMm)};
 }

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int mostCellsAcross = 1024;
+constexpr int maxCellsAcross = 1024;
 
 }   // namespace
 
@@ -23,7 +23,7 @@ void BinGrid::fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx)
         low = high = Eigen::Vector2d::Zero();
     }
     origin_ = low;
-    cellPx_ = std::max(cellPx, (high - low).maxCoeff() / mostCellsAcross);
+    cellPx_ = std::max(cellPx, (high - low).maxCoeff() / maxCellsAcross);
     columns_ = static_cast<int>((high - low).x() / cellPx_) + 1;
     rows_ = static_cast<int>((high - low).y() / cellPx_) + 1;
 

@@ -131,9 +131,9 @@ void AngioPose::searchFurther()
         search(&PoseSearch::wide, start_, 0.1);
     }
     if (options_.angiopose.search && ranking_.isLost()) {
-        search(&PoseSearch::wide, search_.recentred(start_), 0.2);
+        search(&PoseSearch::wide, search_.recentered(start_), 0.2);
     }
-    for (const CentroidPose& middle : {start_, search_.recentred(start_)}) {
+    for (const CentroidPose& middle : {start_, search_.recentered(start_)}) {
         if (options_.angiopose.search && ranking_.isLost()) {
             search(&PoseSearch::byJunctions, middle, 0.25);
         }
@@ -203,10 +203,10 @@ ScoredPose AngioPose::refineFinely(const ScoredPose& candidate, FinalRefinement&
         return report("refine", roughEnds + step.progress * (1.0 - roughEnds), step.scalePx);
     };
     RefinementResult result;
-    if (candidate.isFilled.empty()) {
+    if (candidate.isOpacified.empty()) {
         result = ofWholeTree.refine(candidate.pose, observe);
     } else {
-        const RegistrationProblem filled = partOf(problem_, candidate.isFilled);
+        const RegistrationProblem filled = partOf(problem_, candidate.isOpacified);
         result = FinalRefinement(filled, *target_, prior_, options_).refine(candidate.pose, observe);
     }
     return ranking_.scored(result.pose, result.stopReason);
@@ -238,7 +238,7 @@ const CentroidPose& AngioPose::bestPose() const
 
 std::vector<std::uint8_t> AngioPose::filledPoints() const
 {
-    return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isFilled;
+    return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isOpacified;
 }
 
 /// Where branches are chosen, they are solved once more; the result says what the fit of all was.
@@ -250,7 +250,7 @@ Messages AngioPose::fitChosen()
     }
     ScoredPose& best = refined_.front();
     const std::optional<RegistrationProblem> filled =
-        best.isFilled.empty() ? std::nullopt : std::optional(partOf(problem_, best.isFilled));
+        best.isOpacified.empty() ? std::nullopt : std::optional(partOf(problem_, best.isOpacified));
     const RegistrationProblem& problem = filled ? *filled : problem_;
     if (!problem.auxiliaryIsChosen) {   // they look empty
         return {};
@@ -282,9 +282,9 @@ std::vector<Hypothesis> AngioPose::alternatives() const
         return result;
     }
     const ScoredPose& best = refined_.front();
-    const Matrix6d information = best.isFilled.empty()
+    const Matrix6d information = best.isOpacified.empty()
                                      ? poseInformation(problem_, *target_, best.pose, prior_)
-                                     : poseInformation(partOf(problem_, best.isFilled), *target_, best.pose, prior_);
+                                     : poseInformation(partOf(problem_, best.isOpacified), *target_, best.pose, prior_);
     for (std::size_t k = 1; k < refined_.size(); ++k) {
         const Vector6d step = stepBetween(best.pose, refined_[k].pose);
         if (refined_[k].score >= nearlyAsGood * best.score &&
@@ -320,7 +320,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.alternatives = run.alternatives();
     solution.targetLines = run.target();
     solution.agreement = run.agreement();
-    solution.isFilled = run.filledPoints();
+    solution.isOpacified = run.filledPoints();
     solution.filledForks = run.filledForks();
     solution.isSettled = !progress.isStopped() && !run.isMovedByChoice();
     solution.wantsCare = !progress.isStopped();

@@ -28,7 +28,7 @@ struct MaskStage {
 constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.05, 0.3}, {0.0, 0.01, 0.7}}};
 constexpr double maskDepthStdMm = 30.0;
 constexpr std::size_t fewestPixels = 2000;
-constexpr double leastGain = 1e-3;   // of the correlation, by a simplex
+constexpr double minGain = 1e-3;   // of the correlation, by a simplex
 constexpr double settledSimplex = 0.005;   // of the first simplex: 0.02°, 0.04 mm
 
 /// Numbers of the pixels that something covers, and a margin around them.
@@ -119,7 +119,7 @@ struct SimplexDescent {
 bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const SimplexDescent& descent,
              PoseTrials& search)
 {
-    MinimiseOptions simplex;
+    MinimizeOptions simplex;
     simplex.tolerance = settledSimplex;
     simplex.firstStep = descent.firstStep;
     int left = descent.budget;
@@ -138,8 +138,8 @@ bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, c
             return value;
         };
         simplex.maxEvaluations = left;
-        minimise(cost, parameters.origin(), simplex, [&] { return search.isStopped(); });
-        if (costAtFirst - search.bestCost() < leastGain) {
+        minimize(cost, parameters.origin(), simplex, [&] { return search.isStopped(); });
+        if (costAtFirst - search.bestCost() < minGain) {
             return true;
         }
         simplex.firstStep *= 0.7;

@@ -60,7 +60,7 @@ FlowStep flowStep(const RegistrationProblem& problem, const KernelFlow& flow, co
     }
     const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
     const double longestPx = longestFlowStep * scalePx;
-    const Vector6d longest = longestPx * millimetresPerPixel(problem.camera, depthMm) / lengthMm * direction;
+    const Vector6d longest = longestPx * millimetersPerPixel(problem.camera, depthMm) / lengthMm * direction;
     const double share = firstTop(flow.along(longest));
     return {share * longest, share * longestPx};
 }

@@ -14,7 +14,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int evaluationsPerRound = 60;   // six line searches of about ten
-constexpr double leastGradientCosine = 0.7071;   // 45°
+constexpr double minGradientCosine = 0.7071;   // 45°
 constexpr double unknownWallRadiusMm = 1.0;
 
 /// Agreement of wall directions and image gradients. Both walls of every vessel as the detector sees it.
@@ -44,13 +44,13 @@ double WallAgreement::of(const RigidTransform& pose) const
         const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownWallRadiusMm;
         const double weight = std::clamp(radiusMm, 0.5, 3.0);
         weights += 2.0 * weight;
-        const Eigen::Vector3d centre = pose * tree.points[i];
-        const Eigen::Vector3d across = centre.cross(pose.rotation * tree.tangents[i]);
-        if (centre.z() < minProjectableDepthMm || across.norm() < 0.1 * centre.norm()) {
+        const Eigen::Vector3d center = pose * tree.points[i];
+        const Eigen::Vector3d across = center.cross(pose.rotation * tree.tangents[i]);
+        if (center.z() < minProjectableDepthMm || across.norm() < 0.1 * center.norm()) {
             continue;   // behind the source, or seen end-on: no walls
         }
         const Eigen::Vector3d normal = across.normalized();
-        sum += weight * (atWall(centre + radiusMm * normal, -normal) + atWall(centre - radiusMm * normal, normal));
+        sum += weight * (atWall(center + radiusMm * normal, -normal) + atWall(center - radiusMm * normal, normal));
     }
     return sum / weights;
 }
@@ -66,7 +66,7 @@ double WallAgreement::atWall(const Eigen::Vector3d& wall, const Eigen::Vector3d&
     const Eigen::Vector2d gradient = gradientAt(picture_, *pixel);
     const double inwardsPart = direction.dot(gradient);
     const double strength = gradient.norm();
-    if (inwardsPart < leastGradientCosine * strength || strength <= 0.0) {
+    if (inwardsPart < minGradientCosine * strength || strength <= 0.0) {
         return 0.0;
     }
     const double cosine = inwardsPart / strength;
@@ -86,12 +86,12 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
     PoseTrials search(problem, budget, progress);
     search.changeCost("walls", options.gradient.scalePx, std::numeric_limits<double>::infinity());
     const PoseParameters parameters(search.start(), clinicalUnits(1.0, 2.0, 2.0, 10.0), problem.freedom);
-    MinimiseOptions powell;
-    powell.minimiser = Minimiser::Powell;
+    MinimizeOptions powell;
+    powell.minimizer = Minimizer::Powell;
     powell.firstStep = 1.0;
     powell.tolerance = 1e-3;
     powell.maxEvaluations = budget;
-    const Minimum minimum = minimise(
+    const Minimum minimum = minimize(
         [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
             const CentroidPose pose = parameters.pose(x);
             return search.note(pose, -agreement.of(search.inPatient(pose)));

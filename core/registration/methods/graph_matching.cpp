@@ -14,12 +14,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t mostRootTrials = 20000;
-constexpr std::size_t mostRoots = 24;
+constexpr std::size_t maxRootTrials = 20000;
+constexpr std::size_t maxRoots = 24;
 constexpr std::size_t pairsPerBranch = 12;
 constexpr double branchHeadingMm = 12.0;
 constexpr double pathHeadingPx = 20.0;
-constexpr double leastLikeCosine = 0.5;   // 60°
+constexpr double minLikeCosine = 0.5;   // 60°
 constexpr double undirectedPx = 3.0;   // a branch this short in the image runs any way
 constexpr double graphRotationStd = 0.15;   // rad
 constexpr double graphShiftStdMm = 30.0;
@@ -171,14 +171,14 @@ std::vector<GraphSearch::Root> GraphSearch::roots()
         }
     }
     std::ranges::stable_sort(near, {}, &Near::gapPx);
-    near.resize(std::min(near.size(), mostRootTrials));
+    near.resize(std::min(near.size(), maxRootTrials));
     std::vector<Root> found;
     for (const Near& pair : near) {
         const CentroidPose pose = laidOn(pair.node, pair.tracedNode);
         found.push_back({score_.of(pose), pair.node, pair.tracedNode, pose});
     }
     std::ranges::stable_sort(found, std::ranges::greater{}, &Root::score);
-    found.resize(std::min(found.size(), mostRoots));
+    found.resize(std::min(found.size(), maxRoots));
     return found;
 }
 
@@ -206,7 +206,7 @@ bool GraphSearch::runAlike(const EdgeEnd& branch, const TracedPath& path, const 
     }
     const Eigen::Vector2d heading = *to - *from;
     const Eigen::Vector2d other = placeAlong(path.points, pathHeadingPx) - path.points.front();
-    return heading.norm() < undirectedPx || heading.dot(other) > leastLikeCosine * heading.norm() * other.norm();
+    return heading.norm() < undirectedPx || heading.dot(other) > minLikeCosine * heading.norm() * other.norm();
 }
 
 /// One branch more, on the way that leaves its node; nothing where they run differently.

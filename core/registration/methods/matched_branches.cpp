@@ -2,7 +2,7 @@
 
 #include "core/messages/says.h"
 #include "core/registration/methods/pose_trials.h"
-#include "core/registration/pnp/pair_bend.h"
+#include "core/registration/pnp/pair_deformation.h"
 #include "core/registration/pose/minimise.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/support/stopwatch.h"
@@ -17,7 +17,7 @@ constexpr double branchReachDecay = 0.8;
 constexpr double shortestBranchReachPx = 5.0;
 constexpr int evaluationsPerFit = 60;
 constexpr int usualEvaluations = 15;   // for the progress
-constexpr std::size_t leastBranchPairs = 6;
+constexpr std::size_t minBranchPairs = 6;
 constexpr double settledBranchesMm = 1e-3;
 
 /// Mean square of the pairs' distances, px², and its gradient for steps about the pose.
@@ -47,8 +47,8 @@ double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair
 /// The pose that lays the pairs onto each other, Euler angles and shift by L-BFGS; `search` keeps it.
 void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, PoseTrials& search)
 {
-    MinimiseOptions lbfgs;
-    lbfgs.minimiser = Minimiser::Lbfgs;
+    MinimizeOptions lbfgs;
+    lbfgs.minimizer = Minimizer::Lbfgs;
     lbfgs.tolerance = 1e-6;
     lbfgs.relativeTolerance = 1e-10;
     lbfgs.maxEvaluations = evaluationsPerFit;
@@ -60,13 +60,14 @@ void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& 
         gradient = parameters.gradient(x, stepGradient);
         return search.note(pose, meanSquare);
     };
-    minimise(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); });
+    minimize(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); });
 }
 
-Message whatMoved(const PairBend& bend)
+Message whatMoved(const PairDeformation& deformation)
 {
-    return says::matchedBranchesMoved(inMm(bend.rmsMm, 2), inMm(bend.largestMm, 2), Quantity{bend.medianPx, 2, "px"},
-                                      Quantity{bend.medianBeforePx, 2, "px"})
+    return says::matchedBranchesMoved(inMm(deformation.rmsMm, 2), inMm(deformation.largestMm, 2),
+                                      Quantity{deformation.medianPx, 2, "px"},
+                                      Quantity{deformation.medianBeforePx, 2, "px"})
         .as(Severity::Note);
 }
 
@@ -78,9 +79,9 @@ Messages lettingMove(const RegistrationProblem& problem, const BranchMatching& m
         search.tick();
         return search.isStopped();
     };
-    const PairBend bend =
-        bendOntoPairs(problem, matching.tree(), search.best(), matching.pairs(search.best(), reachPx), isStopped);
-    return bend.largestMm > 0.0 && !search.isStopped() ? Messages{whatMoved(bend)} : Messages();
+    const PairDeformation deformation =
+        deformOntoPairs(problem, matching.tree(), search.best(), matching.pairs(search.best(), reachPx), isStopped);
+    return deformation.largestMm > 0.0 && !search.isStopped() ? Messages{whatMoved(deformation)} : Messages();
 }
 
 }   // namespace
@@ -91,14 +92,14 @@ MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const Re
     Stopwatch stopwatch;
     const BranchMatching matching(problem);
     const double targetMs = stopwatch.lapMs();
-    PoseTrials search(problem, usualEvaluations * options.branches.rounds + bendEvaluations, progress);
+    PoseTrials search(problem, usualEvaluations * options.branches.rounds + deformationEvaluations, progress);
     StopReason reason = StopReason::IterationLimit;
     double reachPx = std::max(options.branches.reachPx, shortestBranchReachPx);
     for (int round = 0; round < options.branches.rounds && !search.isStopped(); ++round) {
         const CentroidPose before = search.best();
         const std::vector<BranchPair> pairs = matching.pairs(before, reachPx);
         search.tick();
-        if (pairs.size() < leastBranchPairs) {
+        if (pairs.size() < minBranchPairs) {
             reason = StopReason::NoImprovement;
             break;
         }

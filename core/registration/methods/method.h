@@ -17,7 +17,7 @@ using MethodSolver = MethodSolution(const RegistrationProblem& problem, const Re
 struct Method {
     MethodInfo info;
     MethodSolver* solve = nullptr;
-    bool heedsLocks = true;   ///< can leave locked degrees of freedom as they are
+    bool respectsLocks = true;   ///< can leave locked degrees of freedom as they are
 };
 
 /// Every method that runs, the default first.

@@ -14,7 +14,7 @@ std::optional<Message> findProblem(const PoseLocks& locks, const Method& method)
     if (std::find(locks.begin(), locks.end(), false) == locks.end()) {
         return says::allLocked();
     }
-    if (isAnyLocked(locks) && !method.heedsLocks) {
+    if (isAnyLocked(locks) && !method.respectsLocks) {
         return says::methodCannotLock(method.info.label);
     }
     return {};

@@ -44,7 +44,7 @@ double meanMotionPx(const RegistrationProblem& problem, const CentroidPose& pose
 {
     const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
     const double motionMm = step.tail<3>().norm() + problem.tree.spreadMm * step.head<3>().norm();
-    return motionMm / millimetresPerPixel(problem.camera, depthMm);
+    return motionMm / millimetersPerPixel(problem.camera, depthMm);
 }
 
 /// Steps against the pull until they are too small to see; true when they are.

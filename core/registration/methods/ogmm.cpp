@@ -27,8 +27,8 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
     MixtureOptions mixtureOptions{std::max(options.ogmm.startScalePx, options.ogmm.finalScalePx),
                                   options.ogmm.orientation, options.ogmm.selfWeight};
     const double ratio = std::pow(options.ogmm.finalScalePx / mixtureOptions.scalePx, 1.0 / (levels - 1));
-    MinimiseOptions lbfgs;
-    lbfgs.minimiser = Minimiser::Lbfgs;
+    MinimizeOptions lbfgs;
+    lbfgs.minimizer = Minimizer::Lbfgs;
     lbfgs.tolerance = settledMixtureMm;
     lbfgs.relativeTolerance = settledMixtureShare;
     lbfgs.maxEvaluations = evaluationsPerLevel;
@@ -44,7 +44,7 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
             gradient = parameters.gradient(x, stepGradient);
             return search.note(pose, distance);
         };
-        isConverged = minimise(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); }).isConverged;
+        isConverged = minimize(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); }).isConverged;
         mixtureOptions.scalePx *= ratio;
     }
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);

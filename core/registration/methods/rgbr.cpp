@@ -18,7 +18,7 @@ constexpr double stepMm = 0.25;
 constexpr double reachDecay = 0.7;
 constexpr double shortestReachMm = 1.0;
 constexpr double settledGradientMm = 0.01;
-constexpr std::size_t mostSites = 5000;
+constexpr std::size_t maxSites = 5000;
 constexpr std::size_t scoringSites = 600;
 constexpr double gradientDepthStdMm = 30.0;   // one view leaves the depth to this
 constexpr double lateralStdMm = 30.0;
@@ -36,7 +36,7 @@ public:
           freedom_(problem.freedom),
           spreadMm_(problem.tree.spreadMm),
           gradients_(vesselPicture(problem), problem.camera, blurPx),
-          sites_(wallSites(problem.tree, mostSites)),
+          sites_(wallSites(problem.tree, maxSites)),
           fewSites_(wallSites(problem.tree, scoringSites)),
           random_(static_cast<std::uint64_t>(options.randomSeed)),
           search_(problem, options.rgbr.rounds * (1 + options.rgbr.hypotheses), progress)
@@ -161,7 +161,7 @@ double Rgbr::distanceMm(const Correspondence& pair, const CentroidPose& pose) co
 {
     const Eigen::Vector3d place = pose.rotation * pair.place + pose.centroidInCamera;
     const auto pixel = project(gradients_.camera(), place);
-    return pixel ? (*pixel - pair.pixel).norm() * millimetresPerPixel(gradients_.camera(), place.z())
+    return pixel ? (*pixel - pair.pixel).norm() * millimetersPerPixel(gradients_.camera(), place.z())
                  : std::numeric_limits<double>::infinity();
 }
 

@@ -87,10 +87,11 @@ std::vector<OptionField> geometryFields()
         onlyFor(ours, toggle<&Options::geometry, &GeometryOptions::otherFrames>(
                           {"otherFrames", "Mirrored and turned images",
                            "Where a fit is in doubt, tells whether the image looks mirrored or turned."})),
-        choice<&Options::bending>({"deformable", "Bent vessels",
-                                   "Whether the vessels are bent onto the image after the rigid registration: never, "
-                                   "where the fit looks as if they were bent (angiopose, nothing locked), or always."},
-                                  {"never", "auto", "always"}),
+        choice<&Options::deformation>(
+            {"deformable", "Bent vessels",
+             "Whether the vessels are bent onto the image after the rigid registration: never, "
+             "where the fit looks as if they were bent (angiopose, nothing locked), or always."},
+            {"never", "auto", "always"}),
     };
 }
 

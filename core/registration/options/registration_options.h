@@ -28,7 +28,7 @@ enum class Decay {
 };
 
 /// Which target points pull a tree point (Δ of the seed, ALGORITHMS §2, decision 18).
-enum class Neighbours {
+enum class Neighbors {
     Closest,
     Five,   ///< the five nearest
     Radius   ///< all within three kernel widths, the nearest 64 at most
@@ -43,7 +43,7 @@ struct SeedOptions {
     IndexKind index = IndexKind::KdTree;
     StartScale startScale = StartScale::LargestSquared;
     Decay decay = Decay::Halving;
-    Neighbours neighbours = Neighbours::Closest;   ///< how many target points pull each tree point
+    Neighbors neighbors = Neighbors::Closest;   ///< how many target points pull each tree point
     AuxiliarySet auxiliary = AuxiliarySet::Chosen;
     int auxiliaryCount = 60;   ///< points of AuxiliarySet::Random
 
@@ -209,7 +209,7 @@ struct GeometryOptions {
 };
 
 /// Whether the vessels are bent onto the image after a rigid registration (ALGORITHMS §11).
-enum class Bending {
+enum class Deformation {
     Off,
     Auto,   ///< where a fit of angiopose without locks looks as if they were bent (§11.5)
     Always
@@ -226,7 +226,7 @@ struct RegistrationOptions {
     double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
     int randomSeed = 1;   ///< of the methods that draw lots
 
-    Bending bending = Bending::Auto;
+    Deformation deformation = Deformation::Auto;
 
     GeometryOptions geometry{};
     AngioPoseOptions angiopose{};

@@ -51,7 +51,7 @@ std::vector<OptionField> seedFields()
 std::vector<OptionField> alternatingFields()
 {
     return {
-        onlyFor(kernels, choice<&Options::seed, &SeedOptions::neighbours>(
+        onlyFor(kernels, choice<&Options::seed, &SeedOptions::neighbors>(
                              {"neighbours", "Neighbours",
                               "Image points that pull each tree point: the nearest, the "
                               "five nearest, or all within three kernel widths."},

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double wideningShare = 1.5;   // of the radius: the mask reaches a little beyond the vessel
 constexpr double unknownTubeRadiusMm = 1.5;
-constexpr std::size_t mostBodyVoxels = 700'000;
+constexpr std::size_t maxBodyVoxels = 700'000;
 constexpr double airHu = -1000.0;
-constexpr double leastAirHu = -500.0;   // a scan that reaches below has air in it, so its values are HU
-constexpr double leastDenseHu = 300.0;   // above air: less is the lung's, and a scan of it has many such voxels
+constexpr double minAirHu = -500.0;   // a scan that reaches below has air in it, so its values are HU
+constexpr double minDenseHu = 300.0;   // above air: less is the lung's, and a scan of it has many such voxels
 constexpr double tissueHu = 150.0;   // what is denser holds contrast medium
 
 /// Adds to the four pixels around a place, by how near they are.
@@ -85,7 +85,7 @@ ImageF XrayedVoxels::from(const ProjectionCamera& camera, const RigidTransform& 
         if (!pixel) {
             continue;
         }
-        const double sizePx = spacingMm / millimetresPerPixel(camera, point.z());
+        const double sizePx = spacingMm / millimetersPerPixel(camera, point.z());
         const int parts = std::clamp(static_cast<int>(std::ceil(sizePx)), 1, 8);
         const auto share = voxel.brightness / static_cast<float>(parts * parts);
         for (int part = 0; part < parts * parts; ++part) {
@@ -103,18 +103,18 @@ BodyRadiograph::BodyRadiograph(const Volume& scan, const ProjectionCamera& camer
     while (std::max(camera_.width, camera_.height) > longestSidePx) {
         camera_ = halved(camera_);
     }
-    const auto body = reduced(scan, voxelsIn(scan.geometry, {}), mostBodyVoxels, [] { return true; });
+    const auto body = reduced(scan, voxelsIn(scan.geometry, {}), maxBodyVoxels, [] { return true; });
     if (!body) {
         return;
     }
     const auto [darkest, brightest] = std::ranges::minmax(body->voxels);
     const double low = body->slope * darkest + body->intercept;
-    const double air = low < leastAirHu ? airHu : low;
+    const double air = low < minAirHu ? airHu : low;
     body_.spacingMm = body->geometry.spacingMm.maxCoeff();
     const Eigen::Affine3d patientFromVoxel = body->geometry.patientFromVoxel();
     for (std::size_t i = 0; i < body->voxels.size(); ++i) {
         const double dense = body->value(i) - air;
-        if (dense > leastDenseHu) {
+        if (dense > minDenseHu) {
             const Eigen::Vector3d voxel = body->geometry.voxelAt(i).cast<double>();
             body_.voxels.push_back({patientFromVoxel * voxel, static_cast<float>(dense)});
         }

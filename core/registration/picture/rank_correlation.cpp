@@ -9,22 +9,22 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t greyBins = 256;
+constexpr std::size_t grayBins = 256;
 
 /// Mean ranks, less the mean of all ranks.
-std::vector<double> centredRanks(const std::vector<float>& values)
+std::vector<double> centerdRanks(const std::vector<float>& values)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const double scale = *high > *low ? (greyBins - 1) / static_cast<double>(*high - *low) : 0.0;
+    const double scale = *high > *low ? (grayBins - 1) / static_cast<double>(*high - *low) : 0.0;
     std::vector<std::size_t> bin(values.size());
-    std::array<double, greyBins> count{};
+    std::array<double, grayBins> count{};
     for (std::size_t i = 0; i < values.size(); ++i) {
         bin[i] = static_cast<std::size_t>(scale * static_cast<double>(values[i] - *low));
         count[bin[i]] += 1.0;
     }
-    std::array<double, greyBins> meanRank{};
+    std::array<double, grayBins> meanRank{};
     double below = 0.0;
-    for (std::size_t b = 0; b < greyBins; ++b) {
+    for (std::size_t b = 0; b < grayBins; ++b) {
         meanRank[b] = below + 0.5 * count[b] - 0.5 * static_cast<double>(values.size());
         below += count[b];
     }
@@ -43,8 +43,8 @@ double rankCorrelation(const std::vector<float>& a, const std::vector<float>& b)
     if (a.empty()) {
         return 0.0;
     }
-    const std::vector<double> ranksA = centredRanks(a);
-    const std::vector<double> ranksB = centredRanks(b);
+    const std::vector<double> ranksA = centerdRanks(a);
+    const std::vector<double> ranksB = centerdRanks(b);
     double ab = 0.0;
     double aa = 0.0;
     double bb = 0.0;

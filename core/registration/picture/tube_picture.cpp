@@ -69,7 +69,7 @@ ImageF pictureOf(const TreeSamples& tree, const ProjectionCamera& camera, const 
         const std::optional<Eigen::Vector2d> pixel = project(camera, point);
         if (pixel) {
             const double radiusMm = tree.radiusMm[i] > 0.0 ? tree.radiusMm[i] : unknownPictureRadiusMm;
-            drawTube(image, before.value_or(*pixel), *pixel, radiusMm / millimetresPerPixel(camera, point.z()));
+            drawTube(image, before.value_or(*pixel), *pixel, radiusMm / millimetersPerPixel(camera, point.z()));
         }
         before = pixel;
     }

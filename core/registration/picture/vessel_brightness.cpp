@@ -31,19 +31,19 @@ VesselBrightness::VesselBrightness(const RegistrationProblem& problem) : camera_
         weightSum_ += points_.back().weight;
     }
     const ImageF picture = vesselPicture(problem);
-    ImageF centre = blurred(picture, finestPx);
+    ImageF center = blurred(picture, finestPx);
     for (std::size_t level = 0; level < levelCount; ++level) {
         ImageF around = blurred(picture, finestPx * std::exp2(static_cast<double>(level) + 1.0));
-        std::transform(centre.pixels.begin(), centre.pixels.end(), around.pixels.begin(), centre.pixels.begin(),
+        std::transform(center.pixels.begin(), center.pixels.end(), around.pixels.begin(), center.pixels.begin(),
                        [](float inner, float outer) { return inner - outer; });
-        levels_.push_back(std::move(centre));
-        centre = std::move(around);
+        levels_.push_back(std::move(center));
+        center = std::move(around);
     }
 }
 
 VesselBrightness::Level VesselBrightness::levelOf(const Eigen::Vector3d& pointInCamera, double radiusMm) const
 {
-    const double widthPx = radiusMm / millimetresPerPixel(camera_, pointInCamera.z());
+    const double widthPx = radiusMm / millimetersPerPixel(camera_, pointInCamera.z());
     const double exponent = std::log(widthPx / finestPx) / std::log(coarsestPx / finestPx);
     const double place = std::clamp(exponent, 0.0, 1.0) * (levelCount - 1);
     const auto finer = std::min(static_cast<std::size_t>(place), levelCount - 2);

@@ -1,6 +1,6 @@
 #include "core/registration/picture/vessel_picture.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/registration/picture/tube_picture.h"
 #include "core/tracing/angiogram/frame/field_mask.h"

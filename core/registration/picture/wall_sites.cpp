@@ -12,7 +12,7 @@ namespace {
 
 constexpr int sitesAround = 8;
 constexpr double unknownSiteRadiusMm = 1.0;
-constexpr double leastWallCosine = 0.5;   // 60°
+constexpr double minWallCosine = 0.5;   // 60°
 
 }   // namespace
 
@@ -53,7 +53,7 @@ double BackprojectedGradients::agreement(const Eigen::Vector3d& place, const Eig
     const Eigen::Vector3d carriedBack = inDetector - ray * ray.dot(inDetector);
     const double strength = carriedBack.norm();
     const double cosine = strength > 0.0 ? std::abs(normal.dot(carriedBack)) / strength : 0.0;
-    return cosine < leastWallCosine ? 0.0 : strength * cosine * cosine;
+    return cosine < minWallCosine ? 0.0 : strength * cosine * cosine;
 }
 
 double BackprojectedGradients::score(const std::vector<WallSite>& sites, const CentroidPose& pose) const

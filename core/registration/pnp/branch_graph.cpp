@@ -53,9 +53,9 @@ std::vector<Eigen::Vector3d> endsOf(const std::vector<BranchPiece>& pieces, cons
 {
     std::vector<Eigen::Vector3d> ends;
     for (const BranchPiece& piece : pieces) {
-        const bool goesOn = piece.to < points.size() && curveIndex[piece.to] == piece.branchIndex;
+        const bool shouldContinue = piece.to < points.size() && curveIndex[piece.to] == piece.branchIndex;
         ends.push_back(points[piece.from]);
-        ends.push_back(points[goesOn ? piece.to : piece.to - 1]);
+        ends.push_back(points[shouldContinue ? piece.to : piece.to - 1]);
     }
     return ends;
 }

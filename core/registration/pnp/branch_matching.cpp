@@ -8,29 +8,29 @@ namespace {
 
 constexpr std::size_t samplesPerEdge = 24;
 constexpr double visitedReaches = 2.5;
-constexpr double leastCloseness = 0.05;   // of a candidate, 0…1
-constexpr std::size_t mostCurvesPerEdge = 6;
+constexpr double minCloseness = 0.05;   // of a candidate, 0…1
+constexpr std::size_t maxCurvesPerEdge = 6;
 constexpr double closenessOfNone = 0.1;   // a curve must run nearer than this to be preferred to none
 constexpr int relaxations = 8;
 constexpr double ownSay = 0.25;   // of an edge beside its neighbours
 constexpr double supportOfNone = 0.25;
 constexpr double pairedReaches = 3.0;
-constexpr double leastPairCosine = 0.5;
+constexpr double minPairCosine = 0.5;
 constexpr double shortestSeen = 1e-3;   // of the length across the ray: seen end-on
 
-std::vector<std::vector<int>> neighboursIn(const BranchGraph& graph)
+std::vector<std::vector<int>> neighborsIn(const BranchGraph& graph)
 {
-    std::vector<std::vector<int>> neighbours(graph.edges.size());
+    std::vector<std::vector<int>> neighbors(graph.edges.size());
     for (const std::vector<EdgeEnd>& ends : graph.nodes) {
         for (const EdgeEnd& a : ends) {
             for (const EdgeEnd& b : ends) {
                 if (a.edge != b.edge) {
-                    neighbours[static_cast<std::size_t>(a.edge)].push_back(b.edge);
+                    neighbors[static_cast<std::size_t>(a.edge)].push_back(b.edge);
                 }
             }
         }
     }
-    return neighbours;
+    return neighbors;
 }
 
 std::set<std::pair<int, int>> meetingsIn(const BranchGraph& graph)
@@ -52,7 +52,7 @@ std::set<std::pair<int, int>> meetingsIn(const BranchGraph& graph)
 BranchMatching::BranchMatching(const RegistrationProblem& problem)
     : problem_(problem),
       tree_(graphOf(problem.tree)),
-      neighbours_(neighboursIn(tree_)),
+      neighbors_(neighborsIn(tree_)),
       meetings_(meetingsIn(graphOf(problem.target)))
 {
     const std::vector<int>& index = problem.target.curveIndex;
@@ -108,12 +108,12 @@ BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closen
 {
     std::vector<std::pair<double, int>> ranked;   // the nearest first
     for (const auto& [curve, mean] : closeness) {
-        if (mean >= leastCloseness) {
+        if (mean >= minCloseness) {
             ranked.emplace_back(-mean, curve);
         }
     }
     std::ranges::sort(ranked);
-    ranked.resize(std::min(ranked.size(), mostCurvesPerEdge));
+    ranked.resize(std::min(ranked.size(), maxCurvesPerEdge));
     double whole = closenessOfNone;
     for (const auto& [negative, curve] : ranked) {
         whole -= negative;
@@ -127,22 +127,22 @@ BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closen
 
 /// Mean over the neighbours of how likely each is shown by a curve that meets this one; unseen, it says as much as for
 /// none.
-double BranchMatching::supportOf(int curve, const std::vector<int>& neighbours,
+double BranchMatching::supportOf(int curve, const std::vector<int>& neighbors,
                                  const std::vector<Candidates>& candidates) const
 {
-    if (neighbours.empty()) {
+    if (neighbors.empty()) {
         return supportOfNone;
     }
     double support = 0.0;
-    for (const int neighbour : neighbours) {
+    for (const int neighbor : neighbors) {
         double unseen = 1.0;
-        for (const auto& [other, likely] : candidates[static_cast<std::size_t>(neighbour)]) {
+        for (const auto& [other, likely] : candidates[static_cast<std::size_t>(neighbor)]) {
             unseen -= likely;
             support += meet(curve, other) ? likely : 0.0;
         }
         support += std::max(0.0, unseen) * supportOfNone;
     }
-    return support / static_cast<double>(neighbours.size());
+    return support / static_cast<double>(neighbors.size());
 }
 
 void BranchMatching::relax(std::vector<Candidates>& candidates) const
@@ -154,7 +154,7 @@ void BranchMatching::relax(std::vector<Candidates>& candidates) const
             double whole = 0.0;
             for (auto& [curve, probability] : candidates[e]) {
                 none -= probability;
-                probability *= ownSay + supportOf(curve, neighbours_[e], before);
+                probability *= ownSay + supportOf(curve, neighbors_[e], before);
                 whole += probability;
             }
             whole += std::max(0.0, none) * (ownSay + supportOfNone);
@@ -205,7 +205,7 @@ std::optional<Eigen::Vector2d> BranchMatching::partnerOf(const Seen& seen, const
     const double along = std::abs(gap.dot(target.tangents[nearest]));
     const bool isEnd = nearest == curve.from || nearest + 1 == curve.to;
     if (gap.norm() > pairedReaches * reachPx ||
-        std::abs(target.tangents[nearest].dot(seen.direction)) < leastPairCosine ||
+        std::abs(target.tangents[nearest].dot(seen.direction)) < minPairCosine ||
         (isEnd && along > std::max(1.0, 0.5 * gap.norm()))) {
         return {};
     }

@@ -48,14 +48,14 @@ private:
     std::optional<Seen> look(std::size_t point, const CentroidPose& pose) const;
     Candidates closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx, const BinGrid& near) const;
     static Candidates candidatesOf(const Candidates& closeness);
-    double supportOf(int curve, const std::vector<int>& neighbours, const std::vector<Candidates>& candidates) const;
+    double supportOf(int curve, const std::vector<int>& neighbors, const std::vector<Candidates>& candidates) const;
     void relax(std::vector<Candidates>& candidates) const;
     bool meet(int a, int b) const { return a == b || meetings_.contains({a, b}); }
     std::optional<Eigen::Vector2d> partnerOf(const Seen& seen, const Stretch& curve, double reachPx) const;
 
     const RegistrationProblem& problem_;
     BranchGraph tree_;
-    std::vector<std::vector<int>> neighbours_;   ///< edges that share a node with each edge
+    std::vector<std::vector<int>> neighbors_;   ///< edges that share a node with each edge
     std::set<std::pair<int, int>> meetings_;   ///< of curves
     std::map<int, Stretch> curves_;
 };

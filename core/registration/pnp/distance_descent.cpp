@@ -149,12 +149,12 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
         }
         return loss;
     };
-    MinimiseOptions options;
-    options.minimiser = Minimiser::Lbfgs;
+    MinimizeOptions options;
+    options.minimizer = Minimizer::Lbfgs;
     options.tolerance = 1e-6;
     options.relativeTolerance = settledDescentShare;
     options.maxEvaluations = options_.maxIterations;
-    const Minimum minimum = minimise(cost, parameters.origin(), options, [&] { return isStopped; });
+    const Minimum minimum = minimize(cost, parameters.origin(), options, [&] { return isStopped; });
     result.stopReason = isStopped             ? StopReason::StoppedByUser
                         : minimum.isConverged ? StopReason::Converged
                                               : StopReason::IterationLimit;

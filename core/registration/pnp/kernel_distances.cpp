@@ -34,8 +34,8 @@ void addPair(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamer
     addRow(poseRow(pointInCamera, jacobian.row(1).transpose()), weight, residualPx.y(), equations);
 }
 
-constexpr std::size_t fewNeighbours = 5;
-constexpr std::size_t mostNeighbours = 64;
+constexpr std::size_t fewNeighbors = 5;
+constexpr std::size_t maxNeighbors = 64;
 constexpr double radiusInScales = 3.0;
 
 /// Partners besides the nearest, by the problem's rule.
@@ -44,10 +44,10 @@ public:
     FurtherSearch(const KernelProblem& problem, double scalePx)
         : search_(problem.fixedPartnersPx.empty() ? problem.search : nullptr)
     {
-        const bool isRadius = problem.neighbours == Neighbours::Radius;
-        count_ = isRadius ? mostNeighbours : fewNeighbours;
+        const bool isRadius = problem.neighbors == Neighbors::Radius;
+        count_ = isRadius ? maxNeighbors : fewNeighbors;
         radiusPx_ = isRadius ? radiusInScales * scalePx : std::numeric_limits<double>::infinity();
-        if (problem.neighbours == Neighbours::Closest || radiusPx_ == 0.0) {
+        if (problem.neighbors == Neighbors::Closest || radiusPx_ == 0.0) {
             search_ = nullptr;
         }
     }
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    const NeighbourSearch* search_;
+    const NeighborSearch* search_;
     std::size_t count_ = 0;
     double radiusPx_ = 0.0;
     std::vector<Eigen::Vector2d> foundPx_;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/projection_camera.h"
-#include "core/registration/matching/neighbour_search.h"
+#include "core/registration/matching/neighbor_search.h"
 #include "core/registration/matching/point_index.h"
 #include "core/registration/options/registration_options.h"
 #include "core/registration/pnp/source_freedom.h"
@@ -17,8 +17,8 @@ struct KernelProblem {
     ProjectionCamera camera;
     const PointIndex* target = nullptr;   ///< every look matches anew with the nearest target point
     std::span<const Eigen::Vector2d> fixedPartnersPx;   ///< not empty: one partner per point, held whatever the pose
-    const NeighbourSearch* search = nullptr;   ///< for further partners by the rule below; unused with fixed ones
-    Neighbours neighbours = Neighbours::Closest;
+    const NeighborSearch* search = nullptr;   ///< for further partners by the rule below; unused with fixed ones
+    Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom{};   ///< of the pose
 };
 

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastKernel = 6e-4;   // of the source: pairs below it are left out
+constexpr double minKernel = 6e-4;   // of the source: pairs below it are left out
 constexpr double flowReachInScales = 3.8517;   // √(−2 ln 6e-4)
 constexpr double flowSamplesPerScale = 4.0;
 constexpr double endOnInFlow = 1e-3;   // of the length that the vessel would have across the ray
@@ -75,7 +75,7 @@ KernelFlow::Slope KernelFlow::at(const CentroidPose& pose)
         grid_.visitNear(seen.pixel, [&](std::size_t j) {
             const Eigen::Vector2d gap = seen.pixel - places_[j];
             const double kernel = std::exp(-0.5 * perSquare * gap.squaredNorm());
-            if (kernel < leastKernel) {
+            if (kernel < minKernel) {
                 return;
             }
             const double label = labelOf(seen, j);

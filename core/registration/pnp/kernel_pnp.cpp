@@ -85,11 +85,11 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
             return;
         }
         atScale.setScale(scalePx);
-        if (problem_.neighbours == Neighbours::Radius) {
+        if (problem_.neighbors == Neighbors::Radius) {
             descent.lookAgain();
         } else {   // the same partners, weighed otherwise
             descent.look().loss = kernelLoss(descent.look().distances, scalePx);
-            descent.relinearise();
+            descent.relinearize();
         }
     };
     ScaleAnnealing annealing(schedule_.decay, startScalePx(problem_, schedule_, looks.here.distances),

@@ -14,7 +14,7 @@ CentroidPose fitPairs(std::span<const PlacePair> pairs, const ProjectionCamera& 
             if (!pixel) {
                 continue;
             }
-            const double mmPerPx = millimetresPerPixel(camera, pose.centroidInCamera.z());
+            const double mmPerPx = millimetersPerPixel(camera, pose.centroidInCamera.z());
             const auto jacobian = projectionJacobian(camera, arm + pose.centroidInCamera);
             Eigen::Matrix<double, 2, 6> rows;
             rows << -jacobian * skew(arm), jacobian;

@@ -20,8 +20,8 @@ ScaleAnnealing::ScaleAnnealing(Decay decay, double startPx, double finalPx)
 void ScaleAnnealing::noteStep(int pointsInReach)
 {
     ++stepsAtScale_;
-    const bool stagnates = pointsInReach <= mostInReach_;
-    mostInReach_ = std::max(mostInReach_, pointsInReach);
+    const bool stagnates = pointsInReach <= maxInReach_;
+    maxInReach_ = std::max(maxInReach_, pointsInReach);
     const bool isDue =
         decay_ == Decay::Halving ? stepsAtScale_ >= stepsPerHalving : stagnates && stepsAtScale_ >= minStepsToStagnate;
     if (isDue) {
@@ -36,7 +36,7 @@ bool ScaleAnnealing::sharpen()
     }
     scalePx_ = std::max(finalPx_, scalePx_ * (decay_ == Decay::Halving ? halvingFactor : stagnationFactor));
     stepsAtScale_ = 0;
-    mostInReach_ = 0;
+    maxInReach_ = 0;
     return true;
 }
 

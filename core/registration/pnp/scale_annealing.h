@@ -23,7 +23,7 @@ private:
     double finalPx_;
     double scalePx_;
     int stepsAtScale_ = 0;
-    int mostInReach_ = 0;
+    int maxInReach_ = 0;
 };
 
 }   // namespace angiopose::core

@@ -92,9 +92,9 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
         seed.schedule.farthestMm = seed.farthestMm;
     }
     seed.target = makeIndex(options.seed.index, problem);
-    seed.neighbours = options.seed.neighbours;
-    if (seed.neighbours != Neighbours::Closest) {
-        seed.search = makeNeighbourSearch(problem.target.points);
+    seed.neighbors = options.seed.neighbors;
+    if (seed.neighbors != Neighbors::Closest) {
+        seed.search = makeNeighborSearch(problem.target.points);
     }
     return seed;
 }

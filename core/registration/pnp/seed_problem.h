@@ -21,14 +21,14 @@ struct SeedProblem {
     double nearestMm = 0.0;   ///< the depth guard, for all that runs without a prior
     double farthestMm = 0.0;
     std::unique_ptr<PointIndex> target;   ///< by option `index`
-    std::unique_ptr<NeighbourSearch> search;   ///< null when only the nearest points count
-    Neighbours neighbours = Neighbours::Closest;
+    std::unique_ptr<NeighborSearch> search;   ///< null when only the nearest points count
+    Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom;
 
     /// All points, matched anew at every look.
     KernelProblem full(const ProjectionCamera& camera) const
     {
-        return {points, camera, target.get(), {}, search.get(), neighbours, freedom};
+        return {points, camera, target.get(), {}, search.get(), neighbors, freedom};
     }
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr double muchShorter = 0.75;
 constexpr double muchLonger = 1.33;
 constexpr double headingPx = 20.0;   // length over which a direction is taken
-constexpr double leastStraightCosine = 0.7071;   // 45°
+constexpr double minStraightCosine = 0.7071;   // 45°
 
 /// Unit; nothing of a single place.
 std::optional<Eigen::Vector2d> headingOf(const std::vector<Eigen::Vector2d>& points)
@@ -35,7 +35,7 @@ std::optional<EdgeEnd> straightOn(const BranchGraph& graph, const TargetSamples&
     const std::vector<Eigen::Vector2d> backwards(path.points.rbegin(), path.points.rend());
     const auto back = headingOf(backwards);
     std::optional<EdgeEnd> best;
-    double bestCosine = leastStraightCosine;
+    double bestCosine = minStraightCosine;
     for (const EdgeEnd& way : graph.nodes[static_cast<std::size_t>(path.arrivesAt)]) {
         if (!back || std::ranges::find(path.edges, way.edge) != path.edges.end()) {
             continue;

@@ -78,13 +78,13 @@ public:
     bool isStanding() const { return isStanding_; }   ///< false: the start is no place for this problem
 
     /// After the problem changed, but not what was measured; a look changed by hand counts as measured.
-    void relinearise() { isLinearised_ = false; }
+    void relinearize() { isLinearized_ = false; }
 
     /// After the problem changed: measures anew.
     void lookAgain()
     {
         isStanding_ = problem_.look(place_, looks_.here);
-        relinearise();
+        relinearize();
     }
 
     void resetDamping() { damping_.reset(); }
@@ -112,15 +112,15 @@ private:
     typename Problem::Equations equations_;
     Damping damping_;
     bool isStanding_ = false;
-    bool isLinearised_ = false;
+    bool isLinearized_ = false;
 };
 
 template <LeastSquaresProblem Problem>
 StepOutcome DampedDescent<Problem>::step()
 {
-    if (!isLinearised_) {
+    if (!isLinearized_) {
         equations_ = problem_.equations(place_, looks_.here);
-        isLinearised_ = true;
+        isLinearized_ = true;
     }
     for (int attempt = 0; attempt < options_.triesPerStep; ++attempt) {
         const typename Problem::Step step = problem_.step(place_, equations_, damping_.factor());
@@ -130,13 +130,13 @@ StepOutcome DampedDescent<Problem>::step()
         }
         const bool isTiny = promised < options_.settledGain || problem_.lengthMm(place_, step) < options_.settledMm;
         const Place trial = problem_.moved(place_, step);
-        const bool canStand = problem_.look(trial, looks_.there);
-        const auto gained = canStand ? problem_.gained(looks_.here, looks_.there) : std::nullopt;
+        const bool isFeasible = problem_.look(trial, looks_.there);
+        const auto gained = isFeasible ? problem_.gained(looks_.here, looks_.there) : std::nullopt;
         if (gained) {
             damping_.accept(*gained / promised);
             place_ = trial;
             std::swap(looks_.here, looks_.there);
-            relinearise();
+            relinearize();
             return {true, isTiny};
         }
         damping_.reject();

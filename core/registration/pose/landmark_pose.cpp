@@ -16,8 +16,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr double clickStdPx = 2.0;
-constexpr double leastSpreadMm = 1.0;   // rms off a line: below, the turn about it is open
-constexpr double leastSpreadPx = 3.0;
+constexpr double minSpreadMm = 1.0;   // rms off a line: below, the turn about it is open
+constexpr double minSpreadPx = 3.0;
 constexpr int maxLandmarkSteps = 60;
 constexpr double settledLandmarksMm = 1e-7;
 constexpr double asGood = 1.5;   // costs within this factor, or within a click, tell nothing
@@ -158,10 +158,10 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
     if (!points.allFinite() || !pixels.allFinite()) {
         return says::landmarksNotFinite();
     }
-    if (landmarks.size() > 1 && (rmsSpread<3>(points, 0) < leastSpreadMm || rmsSpread<2>(pixels, 0) < leastSpreadPx)) {
+    if (landmarks.size() > 1 && (rmsSpread<3>(points, 0) < minSpreadMm || rmsSpread<2>(pixels, 0) < minSpreadPx)) {
         return says::landmarksInOnePlace();
     }
-    if (isEnough && rmsSpread<3>(points, 1) < leastSpreadMm) {
+    if (isEnough && rmsSpread<3>(points, 1) < minSpreadMm) {
         return says::landmarksOnOneLine();
     }
     return {};
@@ -178,8 +178,8 @@ StartPrior priorAt(const CentroidPose& before)
 /// The best of the fits; where `near` is about as good, that.
 const Fit& chosen(const Fit& near, const Fit& other)
 {
-    const double tellsNothing = asGood * other.cost + 1.0;
-    return near.cost <= tellsNothing ? near : other;
+    const double showsNothing = asGood * other.cost + 1.0;
+    return near.cost <= showsNothing ? near : other;
 }
 
 LandmarkPose judged(const LandmarkSquares& squares, const Fit& fit, std::span<const Landmark> landmarks,

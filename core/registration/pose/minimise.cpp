@@ -11,14 +11,14 @@ namespace {
 constexpr unsigned lbfgsMemory = 8;
 constexpr unsigned long powellSeed = 1;   // Brent's form takes random steps where directions become dependent
 
-nlopt_algorithm algorithmOf(Minimiser minimiser)
+nlopt_algorithm algorithmOf(Minimizer minimizer)
 {
-    switch (minimiser) {
-        case Minimiser::NelderMead:
+    switch (minimizer) {
+        case Minimizer::NelderMead:
             return NLOPT_LN_NELDERMEAD;
-        case Minimiser::Powell:
+        case Minimizer::Powell:
             return NLOPT_LN_PRAXIS;
-        case Minimiser::Lbfgs:
+        case Minimizer::Lbfgs:
             return NLOPT_LD_LBFGS;
     }
     return NLOPT_LN_NELDERMEAD;
@@ -57,12 +57,12 @@ double evaluate(unsigned count, const double* x, double* gradient, void* data)
 
 }   // namespace
 
-Minimum minimise(const CostFunction& cost, const Eigen::VectorXd& start, const MinimiseOptions& options,
+Minimum minimize(const CostFunction& cost, const Eigen::VectorXd& start, const MinimizeOptions& options,
                  const std::function<bool()>& isStopped)
 {
     const auto count = static_cast<unsigned>(start.size());
     const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimiser(
-        nlopt_create(algorithmOf(options.minimiser), count), &nlopt_destroy);
+        nlopt_create(algorithmOf(options.minimizer), count), &nlopt_destroy);
     Evaluation evaluation{cost, isStopped, optimiser.get(), {start, std::numeric_limits<double>::infinity()}, {}};
     nlopt_set_min_objective(optimiser.get(), &evaluate, &evaluation);
     nlopt_set_maxeval(optimiser.get(), options.maxEvaluations);
@@ -70,7 +70,7 @@ Minimum minimise(const CostFunction& cost, const Eigen::VectorXd& start, const M
     if (options.relativeTolerance > 0.0) {
         nlopt_set_ftol_rel(optimiser.get(), options.relativeTolerance);
     }
-    if (options.minimiser == Minimiser::Lbfgs) {
+    if (options.minimizer == Minimizer::Lbfgs) {
         nlopt_set_vector_storage(optimiser.get(), lbfgsMemory);
     } else {
         nlopt_set_initial_step1(optimiser.get(), options.firstStep);

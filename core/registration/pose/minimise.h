@@ -7,10 +7,10 @@ namespace angiopose::core {
 
 /// Well-known minimisers, from NLopt: simplex of Nelder and Mead; Powell's line searches along conjugate directions in
 /// Brent's form (PRAXIS); L-BFGS.
-enum class Minimiser { NelderMead, Powell, Lbfgs };
+enum class Minimizer { NelderMead, Powell, Lbfgs };
 
-struct MinimiseOptions {
-    Minimiser minimiser = Minimiser::NelderMead;
+struct MinimizeOptions {
+    Minimizer minimizer = Minimizer::NelderMead;
     double firstStep = 1.0;   ///< size of the first simplex or line search, in units of x
     double tolerance = 1e-3;   ///< ends when x moves less, in units of x
     double relativeTolerance = 0.0;   ///< ends when the cost changes by a smaller share of itself; 0: not asked
@@ -27,7 +27,7 @@ struct Minimum {
 };
 
 /// Minimises from `start`. Ends at once when `isStopped` says so after an evaluation. Same input, same bits.
-Minimum minimise(const CostFunction& cost, const Eigen::VectorXd& start, const MinimiseOptions& options,
+Minimum minimize(const CostFunction& cost, const Eigen::VectorXd& start, const MinimizeOptions& options,
                  const std::function<bool()>& isStopped);
 
 }   // namespace angiopose::core

@@ -19,7 +19,7 @@ struct MethodSolution {
     StageTimes time;   ///< totalMs stays 0
     std::shared_ptr<const TargetLines> targetLines;   ///< if the method built them, for judging
     std::optional<double> agreement;   ///< of the pose, see AgreementScore; if the method found it, for judging
-    std::vector<std::uint8_t> isFilled;   ///< 1 for each tree point that the image shows; empty: all, as far as told
+    std::vector<std::uint8_t> isOpacified;   ///< 1 for each tree point that the image shows; empty: all, as far as told
     int filledForks = 0;   ///< of them, places where three filled pieces or more meet
     std::shared_ptr<const WireFinding> wire;   ///< of the method that follows a wire
     bool isSettled = false;   ///< refined by the residuals that judge it: it cannot slide to a better place close by

@@ -69,7 +69,7 @@ struct BranchResidual {
 };
 
 /// A branch that the image seems not to show: a proposal to exclude it.
-struct UnfilledBranch {
+struct UnopacifiedBranch {
     int branchId = 0;
     double share = 0.0;   ///< of its length inside the image that looks empty, 0…1
 };
@@ -135,7 +135,7 @@ struct FitSigns {
     double settlingMm = 0.0;   ///< how far the pose slides when it is refined where it is
     double expectedErrorMm = 0.0;   ///< by the covariance of a rigid tree, 1-σ
     double rivalMm = 0.0;   ///< how far the farthest alternative puts the tree elsewhere
-    bool isFilledInParts = false;
+    bool isPartlyOpacified = false;
     int filledForks = 0;   ///< places where three filled pieces or more meet; of a tree filled in parts
     bool isSinglePath = false;   ///< nowhere do three pieces meet that lie on vessels
     bool isLumen = false;   ///< by their widths these are filled vessels, no wire or catheter; false: or not known
@@ -160,12 +160,12 @@ struct RegistrationResult {
     PoseUncertainty uncertainty;
     std::optional<CameraEvidence> camera;   ///< none: the camera counts as exact
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
-    std::vector<UnfilledBranch> unfilled;   ///< in the tree's order; the pose rests on the others
+    std::vector<UnopacifiedBranch> unopacified;   ///< in the tree's order; the pose rests on the others
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
     std::vector<WirePath> wirePaths;   ///< of the method that follows a wire: its own first, then the alternatives
     /// What bending the vessels from this pose found; null: it was not asked. Of views that are
     /// registered together every result has it with its own view as the first (MultiViewResult: once for all).
-    std::shared_ptr<const DeformableResult> bent;
+    std::shared_ptr<const DeformableResult> deformed;
     std::vector<IterationReport> history;   ///< for the convergence plot
     FitSigns signs;
     /// Probability that the overlay lies within 2 mm of the vessels, in the mean over the tree (ALGORITHMS §6.21).

@@ -1,6 +1,6 @@
 #include "core/registration/wire/follow_wire.h"
 
-#include "core/registration/wire/wire_telling.h"
+#include "core/registration/wire/wire_report.h"
 
 #include <algorithm>
 
@@ -8,14 +8,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double wireSpacingMm = 2.0;
-constexpr std::size_t mostWirePoints = 120;
-constexpr std::size_t mostKnots = 4000;
-constexpr std::size_t mostWays = 40;   // tried in each of two rounds
+constexpr std::size_t maxWirePoints = 120;
+constexpr std::size_t maxKnots = 4000;
+constexpr std::size_t maxWays = 40;   // tried in each of two rounds
 constexpr double firstReachMm = 2.5;   // of ways looked for about each shift of the start
 constexpr double secondReachMm = 1.5;
 constexpr double shiftStepMm = 4.0;   // between shifts
 constexpr double shiftSigmas = 2.0;   // how far they go
-constexpr int mostShiftsPerSide = 4;
+constexpr int maxShiftsPerSide = 4;
 
 /// The samples as branches again.
 VesselTree treeOf(const TreeSamples& samples)
@@ -37,7 +37,7 @@ TreeKnots knotsOf(const VesselTree& tree)
     for (const VesselBranch& branch : tree.branches) {
         lengthMm += branch.lengthMm();
     }
-    return treeKnots(tree, {}, std::max(wireKnotSpacingMm, lengthMm / static_cast<double>(mostKnots)));
+    return treeKnots(tree, {}, std::max(wireKnotSpacingMm, lengthMm / static_cast<double>(maxKnots)));
 }
 
 struct PosedWay {
@@ -56,7 +56,7 @@ public:
           knots_(knotsOf(tree_)),
           start_(aboutCentroid(problem.start, problem.tree.centroid)),
           prior_(startPrior(start_, options, problem.freedom)),
-          curve_(wireCurve(problem.target, wireSpacingMm / mmPerPx(), mostWirePoints)),
+          curve_(wireCurve(problem.target, wireSpacingMm / mmPerPx(), maxWirePoints)),
           turned_(reversed(curve_)),
           wire_{problem.camera, knots_, problem.tree.centroid, problem.tree.spreadMm, curve_, turned_, prior_},
           wanted_(static_cast<std::size_t>(options.wire.way))
@@ -77,13 +77,13 @@ public:
         if (!isStopped_) {
             report(1.0);
         }
-        return WireTelling(problem_, tree_, wire_, model_, mmPerPx()).of(fits_, wanted_);
+        return WireReport(problem_, tree_, wire_, model_, mmPerPx()).of(fits_, wanted_);
     }
 
 private:
     double mmPerPx() const
     {
-        return millimetresPerPixel(problem_.camera, std::max(minProjectableDepthMm, start_.centroidInCamera.z()));
+        return millimetersPerPixel(problem_.camera, std::max(minProjectableDepthMm, start_.centroidInCamera.z()));
     }
 
     bool report(double progress)
@@ -98,7 +98,7 @@ private:
     {
         std::vector<CentroidPose> starts;
         const double reachMm = shiftSigmas * prior_.std().segment<2>(3).maxCoeff();
-        const double stepMm = std::max(shiftStepMm, reachMm / mostShiftsPerSide);
+        const double stepMm = std::max(shiftStepMm, reachMm / maxShiftsPerSide);
         const int perSide = static_cast<int>(reachMm / stepMm);
         for (int row = -perSide; row <= perSide; ++row) {
             for (int column = -perSide; column <= perSide; ++column) {
@@ -120,7 +120,7 @@ private:
         reaching.reachMm = reachMm;
         std::vector<PosedWay> all;
         for (const CentroidPose& pose : poses) {
-            const auto ways = likelyWays(knots_, wire_.seen(all_, pose), curve_, reaching, mostWays,
+            const auto ways = likelyWays(knots_, wire_.seen(all_, pose), curve_, reaching, maxWays,
                                          [&] { return report(shareDone_); });
             for (const TreeWay& way : ways) {
                 const double cost = way.cost + 0.5 * prior_.cost(pose);
@@ -138,7 +138,7 @@ private:
             shareDone_ += 0.4 / static_cast<double>(poses.size());
         }
         std::ranges::stable_sort(all, {}, &PosedWay::cost);
-        all.resize(std::min(all.size(), mostWays));
+        all.resize(std::min(all.size(), maxWays));
         return all;
     }
 

@@ -12,9 +12,9 @@ namespace {
 
 // Chosen on made-up trees (wire_table --world made-up).
 constexpr double sureProbability = 0.9;
-constexpr double worthTelling = 0.05;   // of another way
-constexpr double leastFollowed = 0.7;   // of the wire
-constexpr double mostGaps = 0.2;
+constexpr double minReportedProbability = 0.05;   // of another way
+constexpr double minFollowed = 0.7;   // of the wire
+constexpr double maxGaps = 0.2;
 constexpr double maxExpectedErrorMm = 2.2;   // errors have 0.85 of it as their rms: 5 % of those below exceed 3 mm
 constexpr double observedShare = 0.5;   // of what was known before
 
@@ -37,16 +37,16 @@ Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& re
     Messages reasons;
     const WirePath& best = finding.paths.front();
     if (best.probability < sureProbability) {
-        if (finding.paths.size() > 1 && finding.paths[1].probability >= worthTelling) {
+        if (finding.paths.size() > 1 && finding.paths[1].probability >= minReportedProbability) {
             reasons.push_back(says::wireMayFollow(namesOf(finding.paths[1]), percent(finding.paths[1].probability)));
         } else {
             reasons.push_back(says::wireUnlikely(percent(best.probability)));
         }
     }
-    if (best.followedShare < leastFollowed) {
+    if (best.followedShare < minFollowed) {
         reasons.push_back(says::wireOffTree(percent(best.followedShare)));
     }
-    if (finding.gapShare > mostGaps) {
+    if (finding.gapShare > maxGaps) {
         reasons.push_back(says::wireInPieces(percent(finding.gapShare)));
     }
     if (result.signs.expectedErrorMm > maxExpectedErrorMm) {

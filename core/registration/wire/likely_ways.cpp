@@ -8,34 +8,34 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t mostEntries = 8;
+constexpr std::size_t maxEntries = 8;
 constexpr std::size_t noKnot = std::numeric_limits<std::size_t>::max();
 
-using KnotNeighbours = std::vector<std::vector<std::size_t>>;
+using KnotNeighbors = std::vector<std::vector<std::size_t>>;
 
-KnotNeighbours neighboursOf(const TreeKnots& knots)
+KnotNeighbors neighborsOf(const TreeKnots& knots)
 {
-    KnotNeighbours neighbours(knots.size());
+    KnotNeighbors neighbors(knots.size());
     for (const auto* links : {&knots.links, &knots.cuts}) {
         for (const KnotLink& link : *links) {
-            neighbours[link.parent].push_back(link.child);
-            neighbours[link.child].push_back(link.parent);
+            neighbors[link.parent].push_back(link.child);
+            neighbors[link.child].push_back(link.parent);
         }
     }
-    return neighbours;
+    return neighbors;
 }
 
 /// Ends of the tree, the widest first.
-std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbours& neighbours)
+std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbors& neighbors)
 {
     std::vector<std::size_t> ends;
     for (std::size_t k = 0; k < knots.size(); ++k) {
-        if (neighbours[k].size() == 1) {
+        if (neighbors[k].size() == 1) {
             ends.push_back(k);
         }
     }
     std::ranges::stable_sort(ends, std::ranges::greater(), [&](std::size_t k) { return knots.radiusMm[k]; });
-    ends.resize(std::min(ends.size(), mostEntries));
+    ends.resize(std::min(ends.size(), maxEntries));
     return ends;
 }
 
@@ -45,13 +45,13 @@ struct Outwards {
     std::vector<std::size_t> before;   ///< place in `knots` of the knot that leads to it; the entry: nothing
 };
 
-Outwards outwardsFrom(std::size_t entry, const KnotNeighbours& neighbours)
+Outwards outwardsFrom(std::size_t entry, const KnotNeighbors& neighbors)
 {
     Outwards outwards{{entry}, {noKnot}};
-    std::vector<std::uint8_t> isReached(neighbours.size(), 0);
+    std::vector<std::uint8_t> isReached(neighbors.size(), 0);
     isReached[entry] = 1;
     for (std::size_t at = 0; at < outwards.knots.size(); ++at) {
-        for (const std::size_t next : neighbours[outwards.knots[at]]) {
+        for (const std::size_t next : neighbors[outwards.knots[at]]) {
             if (isReached[next] == 0) {
                 isReached[next] = 1;
                 outwards.knots.push_back(next);
@@ -177,16 +177,16 @@ EndBranches endBranchesOf(const TreeKnots& knots, const Outwards& outwards, cons
 }   // namespace
 
 std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, const WireCurve& curve,
-                                const WireModel& model, std::size_t most, const std::function<bool()>& goesOn)
+                                const WireModel& model, std::size_t most, const std::function<bool()>& shouldContinue)
 {
-    const KnotNeighbours neighbours = neighboursOf(knots);
+    const KnotNeighbors neighbors = neighborsOf(knots);
     const WireCurve turned = reversed(curve);
     std::map<EndBranches, TreeWay> best;
-    for (const std::size_t entry : entriesOf(knots, neighbours)) {
-        if (!goesOn()) {
+    for (const std::size_t entry : entriesOf(knots, neighbors)) {
+        if (!shouldContinue()) {
             break;
         }
-        const Outwards outwards = outwardsFrom(entry, neighbours);
+        const Outwards outwards = outwardsFrom(entry, neighbors);
         for (const bool isTurned : {false, true}) {
             const WayTable table(outwards, seen, isTurned ? turned : curve, model);
             std::map<EndBranches, WayTip> tips;

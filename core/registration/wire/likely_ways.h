@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/registration/wire/seen_knots.h"
-#include "core/registration/wire/seen_steps.h"
+#include "core/registration/wire/observed_knots.h"
+#include "core/registration/wire/observed_steps.h"
 #include "core/registration/wire/wire_curve.h"
 #include "core/registration/wire/wire_model.h"
 
@@ -22,8 +22,8 @@ struct TreeWay {
 
 /// The ways through the tree that a wire may take as one pose shows it (ALGORITHMS §6.22), best first, at most `most`:
 /// of each pair of branches where it may begin and end the best. Wires come in at ends, the widest eight. `seen`: all
-/// knots. `goesOn` is asked between entries.
+/// knots. `shouldContinue` is asked between entries.
 std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, const WireCurve& curve,
-                                const WireModel& model, std::size_t most, const std::function<bool()>& goesOn);
+                                const WireModel& model, std::size_t most, const std::function<bool()>& shouldContinue);
 
 }   // namespace angiopose::core

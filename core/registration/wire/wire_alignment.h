@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/registration/wire/seen_knots.h"
-#include "core/registration/wire/seen_steps.h"
+#include "core/registration/wire/observed_knots.h"
+#include "core/registration/wire/observed_steps.h"
 
 #include <cstddef>
 #include <vector>

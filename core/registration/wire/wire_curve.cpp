@@ -69,7 +69,7 @@ void measure(WireCurve& curve)
 
 }   // namespace
 
-WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t mostPoints)
+WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t maxPoints)
 {
     std::vector<Line> lines = linesOf(target);
     std::ranges::stable_sort(lines, std::ranges::greater(), [](const Line& line) { return polylineLength<2>(line); });
@@ -86,7 +86,7 @@ WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t m
     const double lengthPx = polylineLength<2>(chain);
     WireCurve curve;
     curve.pointsPx =
-        interpolate(chain, evenStations<2>(chain, std::max(spacingPx, lengthPx / static_cast<double>(mostPoints))));
+        interpolate(chain, evenStations<2>(chain, std::max(spacingPx, lengthPx / static_cast<double>(maxPoints))));
     curve.gapShare = lengthPx > 0.0 ? gapsPx / lengthPx : 0.0;
     measure(curve);
     return curve;

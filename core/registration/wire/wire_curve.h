@@ -20,8 +20,8 @@ struct WireCurve {
 };
 
 /// The traced curves joined to one line, each end to the nearest free one, the longest curve first; `spacingPx` apart,
-/// farther where that would make more than `mostPoints`.
-WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t mostPoints);
+/// farther where that would make more than `maxPoints`.
+WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t maxPoints);
 
 /// The same from the other end.
 WireCurve reversed(const WireCurve& curve);

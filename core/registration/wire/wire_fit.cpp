@@ -113,7 +113,7 @@ private:
 /// Sigmas per px, along the wire and across it, of what a step of the way differs from the wire's.
 Eigen::Matrix2d shapeOf(const WireModel& model, const SeenStep& step, const Eigen::Matrix2d& axes, double mmPerPx)
 {
-    if (step.cost >= model.turnedCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::leastStepMm) {
+    if (step.cost >= model.turnedCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::minStepMm) {
         return Eigen::Matrix2d::Zero();
     }
     const double perMm = 1.0 / std::sqrt(step.lengthMm * model.shapeMm);

@@ -31,7 +31,7 @@ struct WireModel {
     double turnedCost = 4.5;   ///< of one such measurement, at most
     double skipPerMm =
         0.5;   ///< cost where the wire runs on and the tree does not: before it begins, or beyond its ends
-    double mostSigmas = 4.0;   ///< off the axis; farther is another vessel
+    double maxSigmas = 4.0;   ///< off the axis; farther is another vessel
     double reachMm = 0.0;   ///< 1-σ of what the pose is off still
 
     double varianceMm2(double radiusMm) const
@@ -42,7 +42,7 @@ struct WireModel {
 
     bool isBeside(double squaredMm2, double varianceMm2) const
     {
-        return squaredMm2 < mostSigmas * mostSigmas * varianceMm2;
+        return squaredMm2 < maxSigmas * maxSigmas * varianceMm2;
     }
 
     /// −log likelihood of a mm of wire so far from the axis.
@@ -61,7 +61,7 @@ struct WireModel {
         return std::min(turnedCost * lengthMm, 0.5 * (aside * aside + longer * longer) / lengthMm) / shapeMm;
     }
 
-    static constexpr double leastStepMm = 0.02;   ///< shorter ones tell nothing
+    static constexpr double minStepMm = 0.02;   ///< shorter ones tell nothing
 };
 
 }   // namespace angiopose::core

@@ -31,16 +31,16 @@ Eigen::Vector3d drawnOffset(double std, CounterRandom& random)
 
 CArm drawArm(std::size_t view, double extentMm, const DsaOptions& dsa, CounterRandom& random)
 {
-    const auto told = [](double value) { return Sourced<double>{value, Origin::Header, ""}; };
+    const auto reported = [](double value) { return Sourced<double>{value, Origin::Header, ""}; };
     const double primary = view == 0 ? random.uniform(-40.0, 0.0) : random.uniform(30.0, 90.0);
     const double sid = roundedToStep(random.uniform(1000.0, 1200.0), 1.0);
     const double fieldMm = random.uniform(1.15, 1.3) * extentMm * sid / (isocenterMm - farthestOffMm);
     CArm arm;
-    arm.sourceToDetectorMm = told(sid);
-    arm.sourceToIsocenterMm = told(isocenterMm);
-    arm.columnSpacingMm = arm.rowSpacingMm = told(roundedToStep(fieldMm / std::min(dsa.width, dsa.height), 0.001));
-    arm.primaryAngleDeg = told(roundedToStep(primary, 0.1));
-    arm.secondaryAngleDeg = told(roundedToStep(random.uniform(-30.0, 30.0), 0.1));
+    arm.sourceToDetectorMm = reported(sid);
+    arm.sourceToIsocenterMm = reported(isocenterMm);
+    arm.columnSpacingMm = arm.rowSpacingMm = reported(roundedToStep(fieldMm / std::min(dsa.width, dsa.height), 0.001));
+    arm.primaryAngleDeg = reported(roundedToStep(primary, 0.1));
+    arm.secondaryAngleDeg = reported(roundedToStep(random.uniform(-30.0, 30.0), 0.1));
     return arm;
 }
 

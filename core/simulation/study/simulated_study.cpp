@@ -45,7 +45,7 @@ void disturb(Sourced<double>& value, double factor)
 void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, CounterRandom random)
 {
     CArm& header = simulated.angiogram.cArm;
-    const Eigen::Vector3d isocentre =
+    const Eigen::Vector3d isocenter =
         simulated.initialCameraFromPatient.inverse() * Eigen::Vector3d(0.0, 0.0, *header.sourceToIsocenterMm.value);
     disturb(header.sourceToDetectorMm, 1.0 + percent * errors.distancePercent * random.normal());
     disturb(header.sourceToIsocenterMm, 1.0 + percent * errors.distancePercent * random.normal());
@@ -54,7 +54,7 @@ void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, Count
     disturb(header.rowSpacingMm, spacing);
     *header.primaryAngleDeg.value += errors.angleDeg * random.normal();
     *header.secondaryAngleDeg.value += errors.angleDeg * random.normal();
-    if (const auto pose = cameraFromPatient(header, isocentre)) {
+    if (const auto pose = cameraFromPatient(header, isocenter)) {
         simulated.initialCameraFromPatient = pose.value();
     }
 }

@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/trace_angiogram.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/messages/says.h"
 #include "core/messages/says_contrast.h"
@@ -11,11 +11,11 @@
 #include "core/tracing/angiogram/curves/devices_from_rim.h"
 #include "core/tracing/angiogram/curves/lines_across.h"
 #include "core/tracing/angiogram/curves/painted_vessels.h"
-#include "core/tracing/angiogram/curves/seen_before.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/curves/vessel_branches.h"
 #include "core/tracing/angiogram/curves/vessel_trunk.h"
+#include "core/tracing/angiogram/curves/visible_before.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "core/tracing/angiogram/frame/drawn_mask.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
@@ -25,7 +25,7 @@
 #include "core/tracing/angiogram/frame/widest_vessel.h"
 #include "core/tracing/angiogram/frame/working_size.h"
 #include "core/tracing/angiogram/ridges/clutter_level.h"
-#include "core/tracing/angiogram/ridges/part_neighbours.h"
+#include "core/tracing/angiogram/ridges/part_neighbors.h"
 #include "core/tracing/angiogram/ridges/vessel_threshold.h"
 #include "core/tracing/angiogram/ridges/vesselness.h"
 
@@ -44,10 +44,10 @@ constexpr std::size_t frameSamples = 200000;
 // Faint branches are lost beside a strong vessel, in the halo that filters see around it: bridges reach across that,
 // where there is nearly enough evidence of a vessel all the way.
 constexpr double gapReachPx = 14.0;
-constexpr double leastEvidenceInGap = 0.75;
-constexpr int mostTracingThreads = 2;   // more wait for memory
-constexpr double leastShareStill = 0.35;   // of what is traced, where little else looks like contrast
-constexpr double mostShareStill = 0.5;   // more: a phantom, or a patient whose vessels stand still as well
+constexpr double minEvidenceInGap = 0.75;
+constexpr int maxTracingThreads = 2;   // more wait for memory
+constexpr double minShareStill = 0.35;   // of what is traced, where little else looks like contrast
+constexpr double maxShareStill = 0.5;   // more: a phantom, or a patient whose vessels stand still as well
 
 bool isFinite(const ImageF& frame)
 {
@@ -70,7 +70,7 @@ std::optional<Message> problemWith(const ImageF& frame)
     }
     const float first = frame.pixels.front();
     if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
-        return says::frameOfOneColour();
+        return says::frameOfOneColor();
     }
     return {};
 }
@@ -124,7 +124,7 @@ float topOf(const ImageF& ridges)
 }
 
 /// 0…1
-ImageF normalised(ImageF ridges, float top)
+ImageF normalized(ImageF ridges, float top)
 {
     for (float& value : ridges.pixels) {
         value = std::min(1.0F, value / top);
@@ -136,18 +136,18 @@ ImageF normalised(ImageF ridges, float top)
 /// ground between two of them. Bridges make such holes too.
 Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& evidence, int smallestLoopPx)
 {
-    const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, leastEvidenceInGap);
+    const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, minEvidenceInGap);
     return without(withHolesFilled(bridged, smallestLoopPx), ground);
 }
 
-std::vector<Curve2d> centredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
+std::vector<Curve2d> centerdCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
                                    const Mask2d& field, double maxRadiusPx)
 {
     std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
     std::vector<Curve2d> curves(paths.size());
     parallelFor(
-        paths.size(), std::min(mostTracingThreads, threadCount(0)),
-        [&](std::size_t k) { curves[k] = centredCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
+        paths.size(), std::min(maxTracingThreads, threadCount(0)),
+        [&](std::size_t k) { curves[k] = centerdCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
         [](double) { return true; });
     return curves;
 }
@@ -176,13 +176,13 @@ SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, 
     const ImageF evidence = vesselEvidence(clear, seen.fieldMask, unit);
     const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
     const Mask2d vessels = withHolesFilled(vesselPixels(evidence), smallestLoopPx);
-    const Mask2d ground = groundBetweenNeighbours(vessels, evidence, seen.opacity, clutter.scales(), unit);
+    const Mask2d ground = groundBetweenNeighbors(vessels, evidence, seen.opacity, clutter.scales(), unit);
     Mask2d whole;
     atOnce([&] { whole = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
            [&] {
                const float top = topOf(clear);
                seen.clutter = clutterLevel / static_cast<double>(top);
-               seen.vesselness = normalised(std::move(clear), top);
+               seen.vesselness = normalized(std::move(clear), top);
            });
     seen.paths = orderedCurves(vesselBranches(whole, evidence, seen.opacity, seen.fieldMask, options),
                                crossingInRadii * options.maxVesselRadiusPx);
@@ -212,7 +212,7 @@ double contrastOf(const AngiogramTrace& trace)
 /// What is drawn has no clutter, and no contrast medium.
 void addWordOfContrast(AngiogramTrace& trace)
 {
-    if (trace.clutter > 0.0 && contrastOf(trace) < leastContrast) {
+    if (trace.clutter > 0.0 && contrastOf(trace) < minContrast) {
         trace.warnings = {says::frameWithLittleContrast()};
     }
 }
@@ -231,9 +231,9 @@ void addWhatStandsStill(AngiogramTrace& trace, const Angiogram& run, int frame)
     }
     const std::vector<int> suspects = trace.suspectCurves;
     addSuspects(trace, still);
-    const bool isFilled = contrastOf(trace) >= leastContrast;
-    trace.standsStill = !isFilled && stillLength >= leastShareStill * length;
-    if (!isFilled || stillLength > mostShareStill * length) {
+    const bool isOpacified = contrastOf(trace) >= minContrast;
+    trace.standsStill = !isOpacified && stillLength >= minShareStill * length;
+    if (!isOpacified || stillLength > maxShareStill * length) {
         trace.suspectCurves = suspects;
     }
     spareTrunk(trace);
@@ -301,7 +301,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     for (auto& path : seen.paths) {
         path = fromWorkingSize(std::move(path), size);
     }
-    trace.centerline.curves = centredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
+    trace.centerline.curves = centerdCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
         return Error(says::frameWithoutVessels());
     }

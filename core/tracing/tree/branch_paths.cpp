@@ -135,14 +135,14 @@ private:
         std::size_t edge = start.edge;
         int node = start.node;
         ownedBy(node, index);
-        for (bool goesOn = true; goesOn;) {
+        for (bool shouldContinue = true; shouldContinue;) {
             const VesselEdge way = graph_.leaving(edge, node);
             used_[edge] = true;
             const std::ptrdiff_t skip = path.pointsMm.empty() ? 0 : 1;   // the node is there already
             path.pointsMm.insert(path.pointsMm.end(), way.pointsMm.begin() + skip, way.pointsMm.end());
             path.radiusMm.insert(path.radiusMm.end(), way.radiusMm.begin() + skip, way.radiusMm.end());
             node = way.endNode;
-            goesOn = false;
+            shouldContinue = false;
             path.endsOn = ownedBy(node, index);
             if (path.endsOn >= 0) {
                 break;   // what leaves there leaves that vessel
@@ -150,7 +150,7 @@ private:
             const std::size_t next = continuation(way);
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
                 if (e == next) {
-                    goesOn = true;
+                    shouldContinue = true;
                 } else if (!used_[e]) {
                     starts_.push_back({e, node, index, start.generation + 1});
                 }

@@ -9,18 +9,18 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostGapVoxels = 2.0;   ///< of any width
+constexpr double maxGapVoxels = 2.0;   ///< of any width
 
 /// The wider a gap, the straighter must the vessel go on. The cosine is that between the way over and both vessels.
 struct GapLimit {
     double widths;
-    double leastDirection;
+    double minDirection;
     double clearance;   ///< to the next free end, in distances of the two
 };
 constexpr GapLimit narrow{2.0, 0.8, 1.0};
 constexpr GapLimit wide{4.0, 0.9, 1.5};
 
-constexpr double leastWidthShare = 0.5;   ///< of the wider end
+constexpr double minWidthShare = 0.5;   ///< of the wider end
 constexpr double directionInRadii = 4.0;   ///< stretch of an end that tells its direction
 constexpr double directionVoxels = 5.0;
 constexpr double tipInRadii = 2.0;   ///< stretch at the tip that says nothing about the width
@@ -103,7 +103,7 @@ std::vector<FreeEnd> freeEnds(const VesselGraph& graph, double voxelMm)
 
 bool isWithin(const GapLimit& limit, double gapInWidths, double direction, double clearance)
 {
-    return gapInWidths <= limit.widths && direction >= limit.leastDirection && clearance >= limit.clearance;
+    return gapInWidths <= limit.widths && direction >= limit.minDirection && clearance >= limit.clearance;
 }
 
 /// From wall to wall, if it is clear that a vessel goes on over the gap. `clearance`: how much farther other ends are.
@@ -111,12 +111,12 @@ std::optional<double> clearGapMm(const FreeEnd& from, const FreeEnd& to, double 
 {
     const Eigen::Vector3d way = to.placeMm - from.placeMm;
     const double thinner = std::min(from.radiusMm, to.radiusMm);
-    if (thinner < leastWidthShare * std::max(from.radiusMm, to.radiusMm) || way.norm() < 1e-9) {
+    if (thinner < minWidthShare * std::max(from.radiusMm, to.radiusMm) || way.norm() < 1e-9) {
         return std::nullopt;
     }
     const double wallsMm = std::max(0.0, way.norm() - from.radiusMm - to.radiusMm);   // thinning eats ends so far
     const double direction = std::min(from.outwards.dot(way.normalized()), -to.outwards.dot(way.normalized()));
-    const double gapInWidths = wallsMm <= mostGapVoxels * voxelMm ? 0.0 : wallsMm / (2.0 * thinner);
+    const double gapInWidths = wallsMm <= maxGapVoxels * voxelMm ? 0.0 : wallsMm / (2.0 * thinner);
     const bool isClear =
         isWithin(narrow, gapInWidths, direction, clearance) || isWithin(wide, gapInWidths, direction, clearance);
     return isClear ? std::optional(wallsMm) : std::nullopt;

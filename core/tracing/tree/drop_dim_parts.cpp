@@ -10,12 +10,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastOfBlood = 0.65;   ///< a vessel as wide as the least that counts has 0.8 by blurring
-constexpr double leastRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
-constexpr double leastWideShare = 0.5;   ///< of an edge's points
-constexpr std::size_t leastWide = 6;   ///< points that tell
+constexpr double minOfBlood = 0.65;   ///< a vessel as wide as the least that counts has 0.8 by blurring
+constexpr double minRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
+constexpr double minWideShare = 0.5;   ///< of an edge's points
+constexpr std::size_t minWide = 6;   ///< points that tell
 constexpr double besideStartsMm = 25.0;   ///< of the starts: across a torn aorta, whose false lumen is dim
-constexpr double leastTrustInSections = 0.5;   ///< in sections
+constexpr double minTrustInSections = 0.5;   ///< in sections
 constexpr std::size_t partTangentReach = 3;   ///< points
 
 /// At a place of an edge, unless the vessel is too thin there. The lumen of what is hardly bright enough is full of
@@ -30,12 +30,12 @@ std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const
     if (!way.isZero()) {
         const CrossSection section =
             crossSection({middleMm, way.normalized(), std::max(radiusMm, voxelMm), voxelMm}, fill);
-        if (section.trust >= leastTrustInSections) {
+        if (section.trust >= minTrustInSections) {
             radiusMm = section.radiusMm;
-            middleMm = section.centreMm;
+            middleMm = section.centerMm;
         }
     }
-    return radiusMm >= leastRadius * voxelMm ? std::optional(fill(middleMm)) : std::nullopt;
+    return radiusMm >= minRadius * voxelMm ? std::optional(fill(middleMm)) : std::nullopt;
 }
 
 /// Of an edge that mostly is wide enough to tell.
@@ -47,8 +47,8 @@ std::optional<double> medianFill(const VesselEdge& edge, const BloodFill& fill, 
             fills.push_back(*here);
         }
     }
-    if (fills.size() < leastWide ||
-        static_cast<double>(fills.size()) < leastWideShare * static_cast<double>(edge.pointsMm.size())) {
+    if (fills.size() < minWide ||
+        static_cast<double>(fills.size()) < minWideShare * static_cast<double>(edge.pointsMm.size())) {
         return std::nullopt;
     }
     return medianOf(std::move(fills));
@@ -90,7 +90,7 @@ public:
         if (!blood) {
             return 0;
         }
-        leastFill_ = leastOfBlood * *blood;
+        minFill_ = minOfBlood * *blood;
         const auto first = std::find(holdsStart_.begin(), holdsStart_.end(), true);
         const VesselEdge& edge = graph_.edges[static_cast<std::size_t>(first - holdsStart_.begin())];
         walkFrom(edge.startNode);
@@ -188,7 +188,7 @@ private:
         }
     }
 
-    bool isDim(std::size_t e) const { return fills_[e] && *fills_[e] < leastFill_ && !isBeside_[e]; }
+    bool isDim(std::size_t e) const { return fills_[e] && *fills_[e] < minFill_ && !isBeside_[e]; }
 
     int removeDim()
     {
@@ -212,7 +212,7 @@ private:
     std::vector<bool> isBeside_;   ///< the starts
     std::vector<std::optional<double>> fills_;   ///< of edges wide enough to tell
     std::vector<Step> order_;
-    double leastFill_ = 0.0;
+    double minFill_ = 0.0;
 };
 
 }   // namespace

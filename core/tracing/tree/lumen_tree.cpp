@@ -19,7 +19,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastLoopInBranches = 4.0;   ///< way around a loop that is kept, in shortest branches
+constexpr double minLoopInBranches = 4.0;   ///< way around a loop that is kept, in shortest branches
 
 Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
 {
@@ -49,7 +49,7 @@ std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOpt
 LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& options, TracingProgress& progress)
 {
     return options.loops == VesselLoops::Kept
-               ? openSmallLoops(graph, leastLoopInBranches * options.minBranchLengthMm, progress)
+               ? openSmallLoops(graph, minLoopInBranches * options.minBranchLengthMm, progress)
                : LoopCount{openLoops(graph), 0};
 }
 
@@ -121,7 +121,7 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const Ves
 
 /// Those that are no stubs at the rim.
 std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, const std::vector<VesselCurve>& curves,
-                                       const VoxelMask& lumen, double leastMm)
+                                       const VoxelMask& lumen, double minMm)
 {
     std::vector<bool> isLeaf(paths.size(), true);
     for (const BranchPath& path : paths) {
@@ -136,8 +136,8 @@ std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, con
         const bool canBeStub = isLeaf[n] && paths[n].endsOn < 0;
         const bool isStub =
             canBeStub && (paths[n].parent >= 0
-                              ? isRimStub(curves[n], curves[static_cast<std::size_t>(paths[n].parent)], lumen, leastMm)
-                              : isRimCrumb(curves[n], lumen, leastMm));
+                              ? isRimStub(curves[n], curves[static_cast<std::size_t>(paths[n].parent)], lumen, minMm)
+                              : isRimCrumb(curves[n], lumen, minMm));
         if (!isStub) {
             branches.push_back(n);
         }

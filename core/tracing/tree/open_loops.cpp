@@ -144,7 +144,7 @@ int openLoops(VesselGraph& graph)
     return static_cast<int>(closing.size());
 }
 
-LoopCount openSmallLoops(VesselGraph& graph, double leastLengthMm, TracingProgress& progress)
+LoopCount openSmallLoops(VesselGraph& graph, double minLengthMm, TracingProgress& progress)
 {
     const std::vector<VesselEdge> closing = takeClosingEdges(graph);
     const VesselGraph forest = graph;
@@ -155,8 +155,8 @@ LoopCount openSmallLoops(VesselGraph& graph, double leastLengthMm, TracingProgre
             break;
         }
         const double widestMm = *std::max_element(edge.radiusMm.begin(), edge.radiusMm.end());
-        const double leastMm = leastLengthMm + 2.0 * std::numbers::pi * widestMm;
-        if (edge.lengthMm() + ways.lengthMm(edge.startNode, edge.endNode, leastMm) >= leastMm) {
+        const double minMm = minLengthMm + 2.0 * std::numbers::pi * widestMm;
+        if (edge.lengthMm() + ways.lengthMm(edge.startNode, edge.endNode, minMm) >= minMm) {
             graph.edges.push_back(edge);
             ++loops.kept;
         } else {

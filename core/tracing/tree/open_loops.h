@@ -17,9 +17,9 @@ struct LoopCount {
     int kept = 0;
 };
 
-/// The same, but loops whose way around is longer than `leastLengthMm` and than the vessels on it are thick stay as
+/// The same, but loops whose way around is longer than `minLengthMm` and than the vessels on it are thick stay as
 /// they are. Shorter ones are flaws of the lumen. Incomplete when stopped.
-LoopCount openSmallLoops(VesselGraph& graph, double leastLengthMm, TracingProgress& progress);
+LoopCount openSmallLoops(VesselGraph& graph, double minLengthMm, TracingProgress& progress);
 
 /// Takes out the edges that close loops, so that the rest is a spanning forest, as `openLoops` would leave it.
 std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph);

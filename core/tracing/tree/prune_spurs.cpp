@@ -74,13 +74,13 @@ private:
     /// Half the width of the vessel at a node: of the largest ball around, not counting those in the spur itself.
     double widthAt(int node, std::size_t spur) const
     {
-        const Eigen::Vector3d& centre = graph_.nodesMm[static_cast<std::size_t>(node)];
+        const Eigen::Vector3d& center = graph_.nodesMm[static_cast<std::size_t>(node)];
         const double around = graph_.nodeRadiusMm[static_cast<std::size_t>(node)];
         double radius = around;
         for (const std::size_t e : meetingAt(node)) {
             const VesselEdge& edge = graph_.edges[e];
             for (std::size_t i = 0; e != spur && i < edge.pointsMm.size(); ++i) {
-                if ((edge.pointsMm[i] - centre).norm() < around) {
+                if ((edge.pointsMm[i] - center).norm() < around) {
                     radius = std::max(radius, edge.radiusMm[i]);
                 }
             }

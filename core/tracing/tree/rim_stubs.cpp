@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double rimVoxels = 2.0;
-constexpr double leastInRadii = 1.5;
+constexpr double minInRadii = 1.5;
 
 /// A face of the grid is near, and the lumen reaches it there.
 bool isCutOff(const Eigen::Vector3d& endMm, const VoxelMask& lumen)
@@ -49,7 +49,7 @@ bool isOutside(const Eigen::Vector3d& pointMm, const VesselCurve& parent)
 
 }   // namespace
 
-bool isRimStub(const VesselCurve& curve, const VesselCurve& parent, const VoxelMask& lumen, double leastMm)
+bool isRimStub(const VesselCurve& curve, const VesselCurve& parent, const VoxelMask& lumen, double minMm)
 {
     if (!isCutOff(curve.pointsMm.back(), lumen)) {
         return false;
@@ -62,12 +62,12 @@ bool isRimStub(const VesselCurve& curve, const VesselCurve& parent, const VoxelM
             radii.push_back(curve.radiusMm[n]);
         }
     }
-    return radii.empty() || outsideMm < std::max(leastMm, leastInRadii * medianOf(std::move(radii)));
+    return radii.empty() || outsideMm < std::max(minMm, minInRadii * medianOf(std::move(radii)));
 }
 
-bool isRimCrumb(const VesselCurve& curve, const VoxelMask& lumen, double leastMm)
+bool isRimCrumb(const VesselCurve& curve, const VoxelMask& lumen, double minMm)
 {
-    return polylineLength<3>(curve.pointsMm) < leastMm && isCutOff(curve.pointsMm.front(), lumen) &&
+    return polylineLength<3>(curve.pointsMm) < minMm && isCutOff(curve.pointsMm.front(), lumen) &&
            isCutOff(curve.pointsMm.back(), lumen);
 }
 

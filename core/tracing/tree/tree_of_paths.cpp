@@ -14,8 +14,8 @@ std::vector<VesselCurve> curvesOfPaths(const std::vector<BranchPath>& paths, con
             const bool isFinished = index >= 0 && index < static_cast<int>(curves.size());
             return isFinished ? &curves[static_cast<std::size_t>(index)] : nullptr;
         };
-        const CurveNeighbours beside{curveOf(path.parent), curveOf(path.endsOn),
-                                     path.endsOn == static_cast<int>(curves.size())};
+        const CurveNeighbors beside{curveOf(path.parent), curveOf(path.endsOn),
+                                    path.endsOn == static_cast<int>(curves.size())};
         curves.push_back(vesselCurve(path, beside, fillOf(path), settings));
         if (!progress.advance(static_cast<double>(curves.size()) / static_cast<double>(paths.size()))) {
             return {};

@@ -14,7 +14,7 @@ constexpr int centringRounds = 3;
 constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only takes the voxel steps away
 constexpr double firmWeight = 50.0;
 constexpr int holdingRounds = 3;
-constexpr double leastShareOfWay = 0.5;   ///< of the blood on the way it was found on; less: it has left the lumen
+constexpr double minShareOfWay = 0.5;   ///< of the blood on the way it was found on; less: it has left the lumen
 constexpr double radiusStiffness = 3.0;   ///< of that of the curve: widths change more slowly than ways
 
 VesselCurve evenly(const VesselCurve& curve, double spacingMm)
@@ -99,7 +99,7 @@ struct Surroundings {
     const BloodFill& fill;
     TracingProgress* progress;
 
-    bool goesOn() const { return progress == nullptr || progress->advance(0.0); }
+    bool shouldContinue() const { return progress == nullptr || progress->advance(0.0); }
 };
 
 /// The spline through the anchors. Where it would leave the lumen, as in bends sharper than it is made for, it is held
@@ -111,9 +111,9 @@ std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, s
     std::vector<Eigen::Vector3d> points = smoothed(anchors.pointsMm, anchors.weights, stiffness);
     for (int round = 0; round < holdingRounds; ++round) {
         bool isHeld = false;
-        for (std::size_t i = inside; i < points.size() && around.goesOn(); ++i) {
+        for (std::size_t i = inside; i < points.size() && around.shouldContinue(); ++i) {
             const Eigen::Vector3d& found = way[nearestPoint(way, points[i])];
-            if (fill(points[i]) < leastShareOfWay * std::min(1.0, fill(found))) {
+            if (fill(points[i]) < minShareOfWay * std::min(1.0, fill(found))) {
                 anchors.pointsMm[i] = found;
                 anchors.weights[i] = firmWeight;
                 isHeld = true;
@@ -128,19 +128,19 @@ std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, s
 }
 
 /// One round: every point to the centre of its section, then smoothed by how far the sections can be trusted.
-void centre(VesselCurve& curve, std::size_t inside, const Surroundings& around, double stepMm)
+void center(VesselCurve& curve, std::size_t inside, const Surroundings& around, double stepMm)
 {
     const std::size_t count = curve.pointsMm.size();
     const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(curve.pointsMm, 3);
     Anchors anchors{curve.pointsMm, std::vector<double>(count, 0.05)};
     std::vector<double>& weights = anchors.weights;
     std::vector<double> radii = curve.radiusMm;
-    for (std::size_t i = inside; i < count && around.goesOn(); ++i) {
+    for (std::size_t i = inside; i < count && around.shouldContinue(); ++i) {
         const CrossSection section =
             crossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, around.fill);
         const double farthest = 0.7 * curve.radiusMm[i] + stepMm;
-        if (section.trust > 0.0 && (section.centreMm - curve.pointsMm[i]).norm() < farthest) {
-            anchors.pointsMm[i] = section.centreMm;
+        if (section.trust > 0.0 && (section.centerMm - curve.pointsMm[i]).norm() < farthest) {
+            anchors.pointsMm[i] = section.centerMm;
             radii[i] = section.radiusMm;
             weights[i] = section.trust;
         }
@@ -236,7 +236,7 @@ void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
 }
 
 /// Free ends as far as the lumen goes.
-void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeighbours& beside, const BloodFill& fill,
+void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
                     const CurveSettings& settings)
 {
     const bool isRing = beside.endsOnItself && (path.pointsMm.front() - path.pointsMm.back()).norm() < 1e-9;
@@ -252,7 +252,7 @@ void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeigh
 
 }   // namespace
 
-VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbours& beside, const BloodFill& fill,
+VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
                         const CurveSettings& settings)
 {
     const VesselCurve* parent = beside.parent;
@@ -269,7 +269,7 @@ VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbours& beside, c
         if (parent != nullptr) {
             leaveParent(curve, inside, *parent);
         }
-        centre(curve, inside, {way, fill, settings.progress}, std::max(stepMm, 0.5 * settings.voxelMm));
+        center(curve, inside, {way, fill, settings.progress}, std::max(stepMm, 0.5 * settings.voxelMm));
         dropBeyondRim(curve, settings);
     }
     if (beside.endsOn != nullptr) {

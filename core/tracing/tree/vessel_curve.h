@@ -23,7 +23,7 @@ struct CurveSettings {
 };
 
 /// The finished curves that a path begins and ends on; null: there is none.
-struct CurveNeighbours {
+struct CurveNeighbors {
     const VesselCurve* parent = nullptr;
     const VesselCurve* endsOn = nullptr;
     bool endsOnItself = false;
@@ -32,7 +32,7 @@ struct CurveNeighbours {
 /// A path of voxels as a smooth curve through the centres of its cross-sections. Within the vessel that it leaves there
 /// is nothing to measure, so that the curve runs straight to its axis, also where it closes a loop. A free end
 /// reaches as near to the tip as the vessel is wide, and to the rim of the volume where that cuts it off.
-VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbours& beside, const BloodFill& fill,
+VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
                         const CurveSettings& settings);
 
 }   // namespace angiopose::core

@@ -19,14 +19,14 @@ public:
     }
 
     /// False when stopped.
-    bool meetNeighbours(TracingProgress& progress)
+    bool meetNeighbors(TracingProgress& progress)
     {
-        neighbours_.reserve(skeleton_.size());
+        neighbors_.reserve(skeleton_.size());
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
             if ((v & voxelsUnheard) == 0 && !progress.advance(0.0)) {
                 return false;
             }
-            neighbours_.push_back(findNeighbours(v));
+            neighbors_.push_back(findNeighbors(v));
         }
         return true;
     }
@@ -59,7 +59,7 @@ private:
         return std::max(half, distances_.mm(skeleton_[v]) - half);
     }
 
-    std::vector<std::size_t> findNeighbours(std::size_t v) const
+    std::vector<std::size_t> findNeighbors(std::size_t v) const
     {
         const Eigen::Vector3i voxel = voxelOf(v);
         std::vector<std::size_t> found;
@@ -100,14 +100,14 @@ private:
     void addJunctions()
     {
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
-            if (nodeAt_[v] >= 0 || neighbours_[v].size() < 3) {
+            if (nodeAt_[v] >= 0 || neighbors_[v].size() < 3) {
                 continue;
             }
             std::vector<std::size_t> cluster{v};
             seen_[v] = true;
             for (std::size_t n = 0; n < cluster.size(); ++n) {
-                for (const std::size_t next : neighbours_[cluster[n]]) {
-                    if (!seen_[next] && neighbours_[next].size() > 2) {
+                for (const std::size_t next : neighbors_[cluster[n]]) {
+                    if (!seen_[next] && neighbors_[next].size() > 2) {
                         seen_[next] = true;
                         cluster.push_back(next);
                     }
@@ -120,7 +120,7 @@ private:
     void addEnds()
     {
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
-            if (nodeAt_[v] < 0 && neighbours_[v].size() == 1) {
+            if (nodeAt_[v] < 0 && neighbors_[v].size() == 1) {
                 addNode({v});
             }
         }
@@ -128,7 +128,7 @@ private:
 
     void followFrom(std::size_t nodeVoxel)
     {
-        for (const std::size_t first : neighbours_[nodeVoxel]) {
+        for (const std::size_t first : neighbors_[nodeVoxel]) {
             const int start = nodeAt_[nodeVoxel];
             const int touching = nodeAt_[first];
             if (touching > start) {   // two nodes side by side
@@ -153,7 +153,7 @@ private:
             edge.pointsMm.push_back(pointOf(current));
             edge.radiusMm.push_back(radiusOf(current));
             seen_[current] = true;
-            const std::vector<std::size_t>& around = neighbours_[current];
+            const std::vector<std::size_t>& around = neighbors_[current];
             const std::size_t next = around[0] == previous ? around[1] : around[0];
             previous = current;
             current = next;
@@ -170,9 +170,9 @@ private:
     void addRings()
     {
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
-            if (!seen_[v] && neighbours_[v].size() == 2) {
+            if (!seen_[v] && neighbors_[v].size() == 2) {
                 addNode({v});
-                addEdge(v, neighbours_[v][0]);
+                addEdge(v, neighbors_[v][0]);
             }
         }
     }
@@ -182,7 +182,7 @@ private:
 
     const std::vector<std::size_t>& skeleton_;
     const DistanceMap& distances_;
-    std::vector<std::vector<std::size_t>> neighbours_;
+    std::vector<std::vector<std::size_t>> neighbors_;
     std::vector<int> nodeAt_;   ///< node of junction and end voxels, -1 elsewhere
     std::vector<bool> seen_;
     VesselGraph graph_;
@@ -224,7 +224,7 @@ VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const Distance
                         TracingProgress& progress)
 {
     VoxelWalker walker(skeleton, distances);
-    return walker.meetNeighbours(progress) ? walker.run() : VesselGraph();
+    return walker.meetNeighbors(progress) ? walker.run() : VesselGraph();
 }
 
 VesselEdge reversed(VesselEdge edge)

@@ -12,7 +12,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double worthMentioning = 0.02;   ///< of all voxels, together
-constexpr std::size_t mostNamed = 6;   ///< pieces in one sentence
+constexpr std::size_t maxNamed = 6;   ///< pieces in one sentence
 
 /// Length of the branches by piece: every step belongs to the piece that it ends in.
 std::vector<double> lengthsIn(const VoxelMask& lumen, const std::vector<VoxelPiece>& pieces, const VesselTree& tree)
@@ -51,25 +51,25 @@ Quantity shareOf(double share)
     return Quantity{100.0 * share, share < 0.01 ? 1 : 0, "%"};
 }
 
-enum class Told { LengthAndShare, Share };
+enum class Reported { LengthAndShare, Share };
 
 /// "31 mm, 12 %, at (1.0, 2.0, 3.0)" of the first ones, and what the others come to.
-Messages namedPieces(const std::vector<TracedPiece>& pieces, Told told)
+Messages namedPieces(const std::vector<TracedPiece>& pieces, Reported reported)
 {
     Messages named;
     double rest = 0.0;
     for (std::size_t n = 0; n < pieces.size(); ++n) {
         const Message place = placeInMessage(pieces[n].placeInPatient);
-        if (n + 1 > mostNamed && pieces.size() > mostNamed + 1) {
+        if (n + 1 > maxNamed && pieces.size() > maxNamed + 1) {
             rest += pieces[n].share;
-        } else if (told == Told::LengthAndShare) {
+        } else if (reported == Reported::LengthAndShare) {
             named.push_back(says::pieceOfLength(inMm(pieces[n].lengthMm, 0), shareOf(pieces[n].share), place));
         } else {
             named.push_back(says::pieceOfShare(shareOf(pieces[n].share), place));
         }
     }
-    if (pieces.size() > mostNamed + 1) {
-        named.push_back(says::otherPieces(pieces.size() - mostNamed, shareOf(rest)));
+    if (pieces.size() > maxNamed + 1) {
+        named.push_back(says::otherPieces(pieces.size() - maxNamed, shareOf(rest)));
     }
     return named;
 }
@@ -116,22 +116,23 @@ Messages pieceWarnings(const std::vector<TracedPiece>& pieces, bool isBySeeds)
     for (const TracedPiece& piece : pieces) {
         (piece.isTraced() ? traced : piece.isAskedFor ? tooShort : unasked).push_back(piece);
     }
-    Messages told;
+    Messages reported;
     if (traced.size() > 1 && !isBySeeds) {
-        told.push_back(says::vesselsInPieces(traced.size(), namedPieces(traced, Told::LengthAndShare)));
+        reported.push_back(says::vesselsInPieces(traced.size(), namedPieces(traced, Reported::LengthAndShare)));
     }
     if (shareOfAll(unasked) > worthMentioning) {
-        const Messages named = namedPieces(unasked, Told::Share);
-        told.push_back(unasked.size() == 1 ? says::onePieceLeftOut(named)
-                                           : says::piecesLeftOut(unasked.size(), shareOf(shareOfAll(unasked)), named));
+        const Messages named = namedPieces(unasked, Reported::Share);
+        reported.push_back(unasked.size() == 1
+                               ? says::onePieceLeftOut(named)
+                               : says::piecesLeftOut(unasked.size(), shareOf(shareOfAll(unasked)), named));
     }
     if (shareOfAll(tooShort) > worthMentioning) {
-        const Messages named = namedPieces(tooShort, Told::Share);
-        told.push_back(tooShort.size() == 1
-                           ? says::onePieceTooShort(named)
-                           : says::piecesTooShort(tooShort.size(), shareOf(shareOfAll(tooShort)), named));
+        const Messages named = namedPieces(tooShort, Reported::Share);
+        reported.push_back(tooShort.size() == 1
+                               ? says::onePieceTooShort(named)
+                               : says::piecesTooShort(tooShort.size(), shareOf(shareOfAll(tooShort)), named));
     }
-    return told;
+    return reported;
 }
 
 }   // namespace angiopose::core

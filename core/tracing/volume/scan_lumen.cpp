@@ -12,14 +12,14 @@ namespace angiopose::core {
 namespace {
 
 const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< a fill of 1.5 is 578 HU
-constexpr double mostBloodOfHeadHu = 650.0;   ///< of the skull and the petrous bone more is even, too
-constexpr double mostLumenShare = 0.06;   ///< of all voxels; of brain or muscle there is more
-constexpr double mostFillOfBlood = 1.6;
+constexpr double maxBloodOfHeadHu = 650.0;   ///< of the skull and the petrous bone more is even, too
+constexpr double maxLumenShare = 0.06;   ///< of all voxels; of brain or muscle there is more
+constexpr double maxFillOfBlood = 1.6;
 constexpr double wideMm = 5.0;   ///< of an aorta or iliac artery
-constexpr double leastFillOfClear = 0.75;
+constexpr double minFillOfClear = 0.75;
 constexpr double entranceMm = 25.0;   ///< from the lower face: thinner arteries come from there
-constexpr double leastVeinRadiusMm = 1.2;   ///< cortical arteries run along the skull, too
-constexpr double mostAlongSkull = 0.1;   ///< of the traced length
+constexpr double minVeinRadiusMm = 1.2;   ///< cortical arteries run along the skull, too
+constexpr double maxAlongSkull = 0.1;   ///< of the traced length
 
 class LumenFinder {
 public:
@@ -64,9 +64,9 @@ private:
         }
         const bool isHu = level ? level.value().isHu : isInHounsfield(volume_, order_);
         if (!isHu) {
-            seen_.evened = evenedOut(volume_, order_);
-            if (seen_.evened) {
-                level = findBloodLevel(seen_.evened->volume, order_);
+            seen_.corrected = biasCorrected(volume_, order_);
+            if (seen_.corrected) {
+                level = findBloodLevel(seen_.corrected->volume, order_);
                 if (level && level.value().isHu) {   // noise made brighter is no air
                     level = noHounsfield(level.value());
                 }
@@ -75,8 +75,8 @@ private:
         }
         const VoxelFill fill = bloodShare(volume_, order_, hounsfieldBone);
         seen_.skull = findSkull(order_.geometry, fill, threadCount(options_.threads), progress_);
-        if (seen_.skull && level && level.value().blood > mostBloodOfHeadHu) {
-            level = findBloodLevel(volume_, order_, {.mostBlood = mostBloodOfHeadHu});
+        if (seen_.skull && level && level.value().blood > maxBloodOfHeadHu) {
+            level = findBloodLevel(volume_, order_, {.maxBlood = maxBloodOfHeadHu});
         }
         return level;
     }
@@ -114,7 +114,7 @@ private:
         return Done();
     }
 
-    bool isCredible() const { return lumenShare_ <= mostLumenShare; }
+    bool isCredible() const { return lumenShare_ <= maxLumenShare; }
 
     /// Whether peaks were those of blood for sure, or where seeds say what is vessel, may be.
     bool isEnough() const
@@ -136,7 +136,7 @@ private:
         for (int k = 0; k < size.z(); k += 2) {
             for (int j = 0; j < size.y(); j += 2) {
                 for (int i = 0; i < size.x(); i += 2, ++looked) {
-                    bright += fill(i, j, k) > mostFillOfBlood ? 1 : 0;
+                    bright += fill(i, j, k) > maxFillOfBlood ? 1 : 0;
                 }
             }
         }
@@ -178,7 +178,7 @@ private:
             return std::ranges::any_of(its.pointsInPatient,
                                        [&](const Eigen::Vector3d& point) { return point.z() <= faceMm + entranceMm; });
         });
-        return trunk.fill >= leastFillOfClear && (trunk.medianRadiusMm() >= wideMm || entersBelow);
+        return trunk.fill >= minFillOfClear && (trunk.medianRadiusMm() >= wideMm || entersBelow);
     }
 
     const Volume& volume_;
@@ -212,13 +212,13 @@ bool runsAlongSkull(const VesselTree& tree, const Skull& skull)
     for (const VesselBranch& branch : tree.branches) {
         for (std::size_t n = 1; n < branch.pointsInPatient.size(); ++n) {
             const double stepMm = (branch.pointsInPatient[n] - branch.pointsInPatient[n - 1]).norm();
-            const bool isBeside = branch.radiusMm[n] >= leastVeinRadiusMm &&
+            const bool isBeside = branch.radiusMm[n] >= minVeinRadiusMm &&
                                   skull.isBesideTable(branch.pointsInPatient[n], branch.radiusMm[n]);
             lengthMm += stepMm;
             besideMm += isBeside ? stepMm : 0.0;
         }
     }
-    return besideMm > mostAlongSkull * lengthMm;
+    return besideMm > maxAlongSkull * lengthMm;
 }
 
 }   // namespace angiopose::core

@@ -18,14 +18,14 @@ namespace angiopose::core {
 
 /// What of a scan can be lumen, and how that was told.
 struct ScanLumen {
-    std::optional<EvenedScan> evened;   ///< where a coil's fall-off was taken out
+    std::optional<BiasCorrectedScan> corrected;   ///< where a coil's fall-off was taken out
     BloodLevel level;
     LumenWithGreatVessels found;   ///< of the great vessels those that may be begun at
     std::optional<Skull> skull;   ///< of a head by CT
     std::vector<Eigen::Vector3d> veins;   ///< on the axes of sinuses
 
     /// The scan that was looked at; `given` is the one it came from.
-    const Volume& scan(const Volume& given) const { return evened ? evened->volume : given; }
+    const Volume& scan(const Volume& given) const { return corrected ? corrected->volume : given; }
 };
 
 /// How much of each voxel is blood, by its value between soft tissue and blood. The three must outlive it.

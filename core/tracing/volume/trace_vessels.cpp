@@ -26,11 +26,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr int holeRounds = 4;
-constexpr double leastFilledRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
-constexpr double leastAxisFill = 0.65;   ///< of the blood, half way along all axes
-constexpr double leastBesideMm = 80.0;   ///< of another great vessel; pulmonary arteries have less than half
-constexpr double leastFollowed = 0.98;   ///< of a mask's own skeleton; less is told
-constexpr double leastHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
+constexpr double minFilledRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
+constexpr double minAxisFill = 0.65;   ///< of the blood, half way along all axes
+constexpr double minBesideMm = 80.0;   ///< of another great vessel; pulmonary arteries have less than half
+constexpr double minFollowed = 0.98;   ///< of a mask's own skeleton; less is told
+constexpr double minHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
 
 /// The set voxels in patient axis order.
 template <class Grid, class IsSet>
@@ -150,7 +150,7 @@ HoleFilter noiseHoles(const VoxelFill& fill)
     return [&fill](int i, int j, int k) {   // never at the rim
         const double sum = fill(i, j, k) + fill(i - 1, j, k) + fill(i + 1, j, k) + fill(i, j - 1, k) +
                            fill(i, j + 1, k) + fill(i, j, k - 1) + fill(i, j, k + 1);
-        return sum > 7.0 * leastHoleFill;
+        return sum > 7.0 * minHoleFill;
     };
 }
 
@@ -173,15 +173,15 @@ Result<TreeOfLumen> unlessEmpty(Result<TreeOfLumen> traced, const Error& reason)
 }
 
 /// Whether the axes of what is wide enough to tell are filled: those of shells, of marrow and between organs are not.
-bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
+bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
 {
     const Eigen::Affine3d voxelFromPatient = order.geometry.patientFromVoxel().inverse();
-    const double leastRadiusMm = leastFilledRadius * order.geometry.spacingMm.maxCoeff();
+    const double minRadiusMm = minFilledRadius * order.geometry.spacingMm.maxCoeff();
     std::vector<double> fills;
     for (const VesselBranch& branch : tree.branches) {
         for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
             const Eigen::Vector3i at = (voxelFromPatient * branch.pointsInPatient[n]).array().round().cast<int>();
-            if (branch.radiusMm[n] >= leastRadiusMm && order.geometry.contains(at)) {
+            if (branch.radiusMm[n] >= minRadiusMm && order.geometry.contains(at)) {
                 fills.push_back(fill(at.x(), at.y(), at.z()));
             }
         }
@@ -189,7 +189,7 @@ bool isFilled(const VesselTree& tree, const AxisOrder& order, const VoxelFill& f
     if (fills.empty()) {
         return true;
     }
-    return medianOf(std::move(fills)) >= leastAxisFill;
+    return medianOf(std::move(fills)) >= minAxisFill;
 }
 
 /// Where nobody placed a seed, it is told where tracing began.
@@ -207,7 +207,7 @@ void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vec
                 const BloodLevel& level)
 {
     vessels.threshold = level.threshold;
-    if (const OtherLumen other = otherLumenBeside(lumen.lumen, great); other.besideMm >= leastBesideMm) {
+    if (const OtherLumen other = otherLumenBeside(lumen.lumen, great); other.besideMm >= minBesideMm) {
         vessels.warnings.push_back(besideWarning(other));
     }
     if (!level.isHu) {
@@ -235,7 +235,7 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     }
     TreeOfLumen tree = std::move(traced).value();
     const SkeletonCover cover = skeletonCover(lumen.lumen.geometry, tree.skeleton, tree.vessels.tree);
-    if (cover.share < leastFollowed && cover.missedInPatient) {
+    if (cover.share < minFollowed && cover.missedInPatient) {
         tree.vessels.warnings.push_back(coverWarning(cover));
     }
     return std::move(tree.vessels);
@@ -268,13 +268,13 @@ Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisO
     }
     TracedVessels vessels = std::move(traced).value().vessels;
     tellOfScan(vessels, lumen, great, level);
-    if (seen.evened) {
-        vessels.warnings.push_back(says::coilEvenedOut(Quantity{seen.evened->fallOff, 1}));
+    if (seen.corrected) {
+        vessels.warnings.push_back(says::coilBiasCorrected(Quantity{seen.corrected->fallOff, 1}));
     }
     if (!options.seedsInPatient.empty()) {
         return vessels;
     }
-    if (great.empty() && !options.threshold && !isFilled(vessels.tree, order, fill)) {
+    if (great.empty() && !options.threshold && !isOpacified(vessels.tree, order, fill)) {
         return noVesselsFound(level);
     }
     if (seen.skull && !options.threshold && runsAlongSkull(vessels.tree, *seen.skull)) {

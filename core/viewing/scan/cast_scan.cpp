@@ -16,7 +16,7 @@ constexpr float flatGradient = 1e-3F;
 /// Opacity and colour of every stored value, for one step of a ray.
 class Tones {
 public:
-    Tones(const SeenScan& scan, const ScanLook& look, double stepMm)
+    Tones(const PreparedVolume& scan, const ScanLook& look, double stepMm)
         : kinds_(look.kinds.empty() ? std::vector<Rgb>{look.soft} : look.kinds)
     {
         const auto [low, high] = std::ranges::minmax(scan.volume.voxels);
@@ -54,7 +54,7 @@ public:
         return mixed;
     }
     /// Opacities do not fall with the value: the greatest of a block decides, where the slope is positive.
-    bool isSeen(const SeenScan::Block& block) const
+    bool isSeen(const PreparedVolume::Block& block) const
     {
         const auto at = [this](std::int16_t value) { return static_cast<std::size_t>(value - low_); };
         const auto shows = [&](const std::vector<float>& opacity) {
@@ -74,7 +74,7 @@ private:
 /// The voxels around a place.
 class Probe {
 public:
-    explicit Probe(const SeenScan& scan)
+    explicit Probe(const PreparedVolume& scan)
         : values_(scan.volume.voxels.data()),
           kinds_(scan.kinds.data()),
           last_(scan.volume.geometry.size.array() - 1),
@@ -155,7 +155,7 @@ Stretch within(const Eigen::Array3f& start, const Eigen::Array3f& perMm, const E
 
 class Caster {
 public:
-    Caster(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight, double stepShare)
+    Caster(const PreparedVolume& scan, const ScanLook& look, const ParallelSight& sight, double stepShare)
         : scan_(scan),
           sight_(sight),
           stepMm_(static_cast<float>(stepShare * scan.volume.geometry.spacingMm.minCoeff())),
@@ -167,7 +167,7 @@ public:
         perMm_ = (voxelFromPatient.linear() * -sight.toViewer()).cast<float>().array();
         light_ = (scan.volume.geometry.direction.transpose() * sight.toViewer()).cast<float>();
         rim_ = (scan.volume.geometry.size.array() - 1).cast<float>();
-        for (const SeenScan::Block& block : scan.blocks) {
+        for (const PreparedVolume::Block& block : scan.blocks) {
             isSeen_.push_back(tones_.isSeen(block) ? 1 : 0);
         }
     }
@@ -176,7 +176,7 @@ public:
     {
         for (int x = 0; x < sight_.width; ++x) {
             const Eigen::Vector3d place =
-                sight_.centreInPatient + sight_.mmPerPx * ((x + 0.5 - 0.5 * sight_.width) * sight_.right +
+                sight_.centerInPatient + sight_.mmPerPx * ((x + 0.5 - 0.5 * sight_.width) * sight_.right +
                                                            (y + 0.5 - 0.5 * sight_.height) * sight_.up);
             picture.at(x, y) = cast((toVoxel_ * place).cast<float>().array());
         }
@@ -237,7 +237,7 @@ private:
         return std::max(1e-3F, within(at, perMm_, low, low + static_cast<float>(seenBlockSide)).to);
     }
 
-    const SeenScan& scan_;
+    const PreparedVolume& scan_;
     ParallelSight sight_;
     float stepMm_;
     Tones tones_;
@@ -251,10 +251,10 @@ private:
 
 }   // namespace
 
-std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight,
-                                      double stepShare, const std::function<bool()>& goesOn)
+std::optional<Image2d<Rgba>> castScan(const PreparedVolume& scan, const ScanLook& look, const ParallelSight& sight,
+                                      double stepShare, const std::function<bool()>& shouldContinue)
 {
-    if (!goesOn()) {
+    if (!shouldContinue()) {
         return std::nullopt;
     }
     Image2d<Rgba> picture(std::max(0, sight.width), std::max(0, sight.height));
@@ -264,7 +264,7 @@ std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look
     const Caster caster(scan, look, sight, stepShare);
     const bool isWhole = parallelFor(
         static_cast<std::size_t>(sight.height), threadCount(0),
-        [&](std::size_t y) { caster.castRow(static_cast<int>(y), picture); }, [&](double) { return goesOn(); });
+        [&](std::size_t y) { caster.castRow(static_cast<int>(y), picture); }, [&](double) { return shouldContinue(); });
     return isWhole ? std::optional(std::move(picture)) : std::nullopt;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/image2d.h"
-#include "core/viewing/scan/seen_scan.h"
+#include "core/viewing/scan/prepared_volume.h"
 
 #include <cmath>
 #include <functional>
@@ -11,7 +11,7 @@ namespace angiopose::core {
 
 /// A picture taken from far away: all lines of sight are parallel.
 struct ParallelSight {
-    Eigen::Vector3d centreInPatient = Eigen::Vector3d::Zero();   ///< seen in the middle of the picture
+    Eigen::Vector3d centerInPatient = Eigen::Vector3d::Zero();   ///< seen in the middle of the picture
     Eigen::Vector3d right = Eigen::Vector3d::UnitX();
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     double mmPerPx = 1.0;
@@ -22,7 +22,7 @@ struct ParallelSight {
     /// Whether it tells where: the view of a window that cannot draw does not.
     bool isPlaced() const
     {
-        return centreInPatient.allFinite() && right.allFinite() && up.allFinite() && toViewer().norm() > 0.0 &&
+        return centerInPatient.allFinite() && right.allFinite() && up.allFinite() && toViewer().norm() > 0.0 &&
                std::isfinite(mmPerPx) && mmPerPx > 0.0 && width > 0 && height > 0;
     }
     bool operator==(const ParallelSight&) const = default;
@@ -32,8 +32,8 @@ using Rgba = std::array<std::uint8_t, 4>;
 
 /// The scan as seen: the lowest row first, colours multiplied by their opacity. Light comes from the viewer, so that
 /// surfaces show their form. `stepShare`: of the narrowest side of a voxel, from sample to sample. Of a
-/// sight that is nowhere nothing is seen. No picture once `goesOn` says no.
-std::optional<Image2d<Rgba>> castScan(const SeenScan& scan, const ScanLook& look, const ParallelSight& sight,
-                                      double stepShare, const std::function<bool()>& goesOn);
+/// sight that is nowhere nothing is seen. No picture once `shouldContinue` says no.
+std::optional<Image2d<Rgba>> castScan(const PreparedVolume& scan, const ScanLook& look, const ParallelSight& sight,
+                                      double stepShare, const std::function<bool()>& shouldContinue);
 
 }   // namespace angiopose::core

@@ -83,7 +83,7 @@ void prepareNetwork(int answerSeconds)
     dcmDisableGethostbyaddr.set(OFTrue);
 }
 
-core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopWished)
+core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested)
 {
     // Without network it may take half a minute: it is left behind.
     auto promise = std::make_shared<std::promise<bool>>();
@@ -98,20 +98,23 @@ core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopWish
             return isKnown.get() ? core::Status(core::Done{})
                                  : core::Error(says::archiveUnknownHost(node.host).about(node.name));
         }
-        if (isStopWished()) {
+        if (isStopRequested()) {
             return stoppedAssociation(node);
         }
     }
     return core::Error(says::archiveUnknownHost(node.host).about(node.name));
 }
 
-Association::Association(const ArchiveNode& node, StopQuestion isStopWished)
-    : node_(node), isStopWished_(std::move(isStopWished))
+Association::Association(const ArchiveNode& node, StopQuestion isStopRequested)
+    : node_(node), isStopRequested_(std::move(isStopRequested))
 {
 }
 
-Association::Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopWished)
-    : node_(peer), isStopWished_(std::move(isStopWished)), association_(accepted), contexts_(acceptedContexts(accepted))
+Association::Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopRequested)
+    : node_(peer),
+      isStopRequested_(std::move(isStopRequested)),
+      association_(accepted),
+      contexts_(acceptedContexts(accepted))
 {
 }
 
@@ -130,13 +133,13 @@ Association::~Association()
 
 core::Result<std::unique_ptr<Association>> Association::request(const ArchiveNode& node,
                                                                 const std::vector<ProposedContext>& contexts,
-                                                                StopQuestion isStopWished)
+                                                                StopQuestion isStopRequested)
 {
     prepareNetwork(node.answerSeconds);
-    if (auto resolved = resolveHost(node, isStopWished); !resolved) {
+    if (auto resolved = resolveHost(node, isStopRequested); !resolved) {
         return resolved.error();
     }
-    std::unique_ptr<Association> made(new Association(node, std::move(isStopWished)));
+    std::unique_ptr<Association> made(new Association(node, std::move(isStopRequested)));
     if (auto connected = made->connect(contexts); !connected) {
         return connected.error();
     }
@@ -178,7 +181,7 @@ core::Status Association::connect(const std::vector<ProposedContext>& contexts)
     return checkPeerHost(association_, node_);
 }
 
-std::size_t Association::mostPieceBytes() const
+std::size_t Association::maxPieceBytes() const
 {
     return association_->sendPDVLength;
 }
@@ -232,7 +235,7 @@ core::Status Association::waitForData(const LifeQuestion& isAlive) const
     using Clock = std::chrono::steady_clock;
     const auto limit = std::chrono::seconds(node_.answerSeconds);
     for (auto begun = Clock::now(); Clock::now() - begun < limit;) {
-        if (isStopWished_()) {
+        if (isStopRequested_()) {
             return stoppedAssociation(node_);
         }
         if (ASC_dataWaiting(association_, 1)) {

@@ -31,7 +31,7 @@ inline constexpr int connectSeconds = 5;
 void prepareNetwork(int answerSeconds);
 
 /// Fails for a host that no resolver knows within `connectSeconds`.
-core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopWished);
+core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 /// A service or kind of object that is wanted on an association, in any of these encodings.
 struct ProposedContext {
@@ -62,9 +62,9 @@ public:
     /// Asks the node for one.
     static core::Result<std::unique_ptr<Association>> request(const ArchiveNode& node,
                                                               const std::vector<ProposedContext>& contexts,
-                                                              StopQuestion isStopWished);
+                                                              StopQuestion isStopRequested);
     /// One that a peer asked for and that is acknowledged already.
-    Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopWished);
+    Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopRequested);
 
     Association(const Association&) = delete;
     Association& operator=(const Association&) = delete;
@@ -72,8 +72,8 @@ public:
 
     const ArchiveNode& node() const { return node_; }
     const std::vector<AcceptedContext>& contexts() const { return contexts_; }
-    std::size_t mostPieceBytes() const;   ///< that the peer takes at once
-    bool isStopWished() const { return isStopWished_(); }
+    std::size_t maxPieceBytes() const;   ///< that the peer takes at once
+    bool isStopRequested() const { return isStopRequested_(); }
 
     core::Status write(const DataValue& value);
     /// The next piece. Nothing where the peer wants to release the association instead, which is granted.
@@ -83,13 +83,13 @@ public:
     void release();
 
 private:
-    Association(const ArchiveNode& node, StopQuestion isStopWished);
+    Association(const ArchiveNode& node, StopQuestion isStopRequested);
     core::Status connect(const std::vector<ProposedContext>& contexts);
     core::Status waitForData(const LifeQuestion& isAlive) const;
     core::Error failure(const OFCondition& condition);
 
     ArchiveNode node_;
-    StopQuestion isStopWished_;
+    StopQuestion isStopRequested_;
     TransportLayer tls_;   // outlives the network that uses it
     T_ASC_Network* network_ = nullptr;
     T_ASC_Association* association_ = nullptr;

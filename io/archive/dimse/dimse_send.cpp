@@ -22,7 +22,7 @@ std::span<const SendableFile> nextBatch(std::span<const SendableFile> files, std
     std::size_t count = 0;
     for (const SendableFile& file : files) {
         const Encoding encoding(file.sopClass, file.transferSyntax);
-        if (!encodings.contains(encoding) && encodings.size() == mostContexts) {
+        if (!encodings.contains(encoding) && encodings.size() == maxContexts) {
             break;
         }
         encodings.insert(encoding);
@@ -38,7 +38,7 @@ public:
     {
     }
 
-    bool isStopWished() const
+    bool isStopRequested() const
     {
         const std::size_t done = report_.transferred + report_.duplicates + report_.failed;
         return observe_ && observe_({done, report_.all, bytes_}) == core::Verdict::Stop;
@@ -50,7 +50,7 @@ public:
         for (const auto& [sopClass, syntax] : encodings) {
             contexts.push_back({sopClass, {syntax}});
         }
-        auto opened = DimseLink::open(node_, contexts, [this] { return isStopWished(); });
+        auto opened = DimseLink::open(node_, contexts, [this] { return isStopRequested(); });
         if (!opened) {
             return opened.error();
         }
@@ -97,8 +97,8 @@ private:
         stream.seekg(static_cast<std::streamoff>(file.dataset));
         std::uint64_t left = file.bytes - file.dataset;
         std::string block;
-        return link.sendPieces(context, [&](std::size_t mostBytes) -> core::Result<DimseLink::Piece> {
-            block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, mostBytes & ~std::size_t{1})));
+        return link.sendPieces(context, [&](std::size_t maxBytes) -> core::Result<DimseLink::Piece> {
+            block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, maxBytes & ~std::size_t{1})));
             if (!stream.read(block.data(), static_cast<std::streamsize>(block.size()))) {
                 return core::Error(says::archiveNotSendable().about(file.path));
             }
@@ -139,14 +139,14 @@ private:
 
 class DimseSource : public SeriesSource {
 public:
-    DimseSource(ArchiveNode node, StopQuestion isStopWished)
-        : node_(std::move(node)), isStopWished_(std::move(isStopWished))
+    DimseSource(ArchiveNode node, StopQuestion isStopRequested)
+        : node_(std::move(node)), isStopRequested_(std::move(isStopRequested))
     {
     }
 
     core::Result<std::vector<std::string>> seriesOf(const std::string& studyUid) override
     {
-        auto opened = openForFinding(node_, isStopWished_);
+        auto opened = openForFinding(node_, isStopRequested_);
         if (!opened) {
             return opened.error();
         }
@@ -158,7 +158,7 @@ public:
     core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
                                                        const std::string& seriesUid) override
     {
-        auto opened = openForFinding(node_, isStopWished_);
+        auto opened = openForFinding(node_, isStopRequested_);
         if (!opened) {
             return opened.error();
         }
@@ -170,12 +170,12 @@ public:
     core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
                        const std::vector<ArchiveObject>& objects, Arrivals& arrivals) override
     {
-        const SeriesWish wish{studyUid, seriesUid, objects};
-        auto got = getSeries(node_, wish, arrivals);
+        const SeriesRequest series{studyUid, seriesUid, objects};
+        auto got = getSeries(node_, series, arrivals);
         if (!got) {
             return got.error();
         }
-        return got.value() ? core::Status(core::Done{}) : moveSeries(node_, wish, arrivals);
+        return got.value() ? core::Status(core::Done{}) : moveSeries(node_, series, arrivals);
     }
 
 private:
@@ -189,7 +189,7 @@ private:
     }
 
     ArchiveNode node_;
-    StopQuestion isStopWished_;
+    StopQuestion isStopRequested_;
 };
 
 }   // namespace
@@ -209,9 +209,9 @@ void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, 
     }
 }
 
-std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopWished)
+std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopRequested)
 {
-    return std::make_unique<DimseSource>(node, isStopWished);
+    return std::make_unique<DimseSource>(node, isStopRequested);
 }
 
 }   // namespace angiopose::io

@@ -17,6 +17,6 @@ void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, 
                TransferReport& report);
 
 /// Objects by C-GET; where the archive does not offer that, by C-MOVE to a port of ours.
-std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopWished);
+std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 }   // namespace angiopose::io

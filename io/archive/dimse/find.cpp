@@ -120,7 +120,7 @@ core::Status intoSeries(DimseLink& link, const ArchiveNode& node, const ArchiveQ
 {
     std::vector<ArchiveMatch> series;
     for (const ArchiveMatch& study : matches.found) {
-        auto answers = ask(link, node, seriesKeys(study.studyUid, query.modality), mostMatches);
+        auto answers = ask(link, node, seriesKeys(study.studyUid, query.modality), maxMatches);
         if (!answers) {
             return answers.error();
         }
@@ -134,9 +134,9 @@ core::Status intoSeries(DimseLink& link, const ArchiveNode& node, const ArchiveQ
 
 }   // namespace
 
-core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopWished)
+core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopRequested)
 {
-    auto opened = DimseLink::open(node, {{sop::verification, {implicitLittleEndian}}}, isStopWished);
+    auto opened = DimseLink::open(node, {{sop::verification, {implicitLittleEndian}}}, isStopRequested);
     if (!opened) {
         return opened.error();
     }
@@ -159,21 +159,21 @@ core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopWished
     return core::Done{};
 }
 
-core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopWished)
+core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopRequested)
 {
-    return DimseLink::open(node, {{sop::find, {implicitLittleEndian}}}, isStopWished);
+    return DimseLink::open(node, {{sop::find, {implicitLittleEndian}}}, isStopRequested);
 }
 
 core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
-                                       const StopQuestion& isStopWished)
+                                       const StopQuestion& isStopRequested)
 {
-    auto opened = openForFinding(node, isStopWished);
+    auto opened = openForFinding(node, isStopRequested);
     if (!opened) {
         return opened.error();
     }
     DimseLink link = std::move(opened).value();
     const bool isOfSeries = query.level == ArchiveLevel::Series;
-    const std::size_t most = isOfSeries ? mostSeriesStudies : mostMatches;
+    const std::size_t most = isOfSeries ? maxSeriesStudies : maxMatches;
     auto answers = ask(link, node, studyKeys(query), most);
     if (!answers) {
         return answers.error();
@@ -202,7 +202,7 @@ core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQue
 
 core::Result<std::vector<std::string>> findSeries(DimseLink& link, const ArchiveNode& node, const std::string& studyUid)
 {
-    auto answers = ask(link, node, {{levelTag, "SERIES"}, {studyUidTag, studyUid}, {seriesUidTag, ""}}, mostMatches);
+    auto answers = ask(link, node, {{levelTag, "SERIES"}, {studyUidTag, studyUid}, {seriesUidTag, ""}}, maxMatches);
     if (!answers) {
         return answers.error();
     }
@@ -218,7 +218,7 @@ core::Result<std::vector<ArchiveObject>> findObjects(DimseLink& link, const Arch
 {
     const Keys keys{
         {0x00080016, ""}, {0x00080018, ""}, {levelTag, "IMAGE"}, {studyUidTag, studyUid}, {seriesUidTag, seriesUid}};
-    auto answers = ask(link, node, keys, mostObjects);
+    auto answers = ask(link, node, keys, maxObjects);
     if (!answers) {
         return answers.error();
     }

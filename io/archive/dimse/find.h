@@ -9,14 +9,14 @@
 namespace angiopose::io {
 
 /// C-ECHO: whether the archive answers to its name.
-core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopWished);
+core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 /// C-FIND, study root.
 core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
-                                       const StopQuestion& isStopWished);
+                                       const StopQuestion& isStopRequested);
 
 /// An association for C-FIND.
-core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopWished);
+core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 core::Result<std::vector<std::string>> findSeries(DimseLink& link, const ArchiveNode& node,
                                                   const std::string& studyUid);

@@ -12,9 +12,9 @@
 namespace angiopose::io {
 namespace {
 
-std::string seriesIdentifier(const SeriesWish& wish)
+std::string seriesIdentifier(const SeriesRequest& series)
 {
-    return encodedIdentifier({{0x00080052, "SERIES"}, {0x0020000d, wish.studyUid}, {0x0020000e, wish.seriesUid}});
+    return encodedIdentifier({{0x00080052, "SERIES"}, {0x0020000d, series.studyUid}, {0x0020000e, series.seriesUid}});
 }
 
 /// Whether the last answer of a retrieval says that all was sent; where objects failed, that is noted by their absence.
@@ -33,9 +33,9 @@ bool isPending(const DimseCommand& answer)
 }
 
 /// Objects and answers in turn, until the last answer.
-core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals)
+core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
 {
-    const ExpectedObject expected{wish.studyUid, wish.seriesUid, {}};
+    const ExpectedObject expected{series.studyUid, series.seriesUid, {}};
     for (;;) {
         auto received = link.receive();
         if (!received) {
@@ -116,11 +116,12 @@ core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arriva
 
 }   // namespace
 
-core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals)
+core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesRequest& series,
+                                                  Arrivals& arrivals)
 {
-    auto contexts = receivingContexts(wish.objects, 1);
+    auto contexts = receivingContexts(series.objects, 1);
     contexts.push_back({sop::get, {implicitLittleEndian}});
-    auto opened = DimseLink::open(node, contexts, [&arrivals] { return arrivals.isStopWished(); });
+    auto opened = DimseLink::open(node, contexts, [&arrivals] { return arrivals.isStopRequested(); });
     if (!opened) {
         return opened.error();
     }
@@ -136,17 +137,17 @@ core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const
     if (auto sent = link.send(context->id, request); !sent) {
         return sent.error();
     }
-    if (auto sent = link.sendData(context->id, seriesIdentifier(wish)); !sent) {
+    if (auto sent = link.sendData(context->id, seriesIdentifier(series)); !sent) {
         return sent.error();
     }
-    if (auto taken = takeAll(link, node, wish, arrivals); !taken) {
+    if (auto taken = takeAll(link, node, series, arrivals); !taken) {
         return taken.error();
     }
     link.release();
     return std::optional(core::Done{});
 }
 
-core::Status moveSeries(const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals)
+core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
 {
     if (node.receivePort == 0) {
         return core::Error(says::archiveNoWayBack().about(node.name));
@@ -154,7 +155,7 @@ core::Status moveSeries(const ArchiveNode& node, const SeriesWish& wish, Arrival
     ReceiverOptions options;
     options.port = node.receivePort;
     options.ownTitle = node.ownTitle;
-    options.expected = {wish.studyUid, wish.seriesUid, {}};
+    options.expected = {series.studyUid, series.seriesUid, {}};
     options.isTls = node.isTls && !node.certificateFile.empty();
     options.tls = {node.caFile, node.certificateFile, node.keyFile};
     auto listening = Receiver::listen(options);
@@ -162,8 +163,8 @@ core::Status moveSeries(const ArchiveNode& node, const SeriesWish& wish, Arrival
         return listening.error();
     }
     Receiver receiver = std::move(listening).value();
-    auto opened =
-        DimseLink::open(node, {{sop::move, {implicitLittleEndian}}}, [&arrivals] { return arrivals.isStopWished(); });
+    auto opened = DimseLink::open(node, {{sop::move, {implicitLittleEndian}}},
+                                  [&arrivals] { return arrivals.isStopRequested(); });
     if (!opened) {
         return opened.error();
     }
@@ -180,7 +181,7 @@ core::Status moveSeries(const ArchiveNode& node, const SeriesWish& wish, Arrival
     if (auto sent = link.send(context->id, request); !sent) {
         return sent;
     }
-    if (auto sent = link.sendData(context->id, seriesIdentifier(wish)); !sent) {
+    if (auto sent = link.sendData(context->id, seriesIdentifier(series)); !sent) {
         return sent;
     }
     auto ended = awaitEnd(link, node, arrivals);

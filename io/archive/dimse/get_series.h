@@ -5,16 +5,17 @@
 
 namespace angiopose::io {
 
-struct SeriesWish {
+struct SeriesRequest {
     std::string studyUid;
     std::string seriesUid;
     const std::vector<ArchiveObject>& objects;
 };
 
 /// C-GET: the objects come on the association on which they are asked for. Nothing where the archive does not offer it.
-core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals);
+core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesRequest& request,
+                                                  Arrivals& arrivals);
 
 /// C-MOVE: they come on associations that the archive opens to our port.
-core::Status moveSeries(const ArchiveNode& node, const SeriesWish& wish, Arrivals& arrivals);
+core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& request, Arrivals& arrivals);
 
 }   // namespace angiopose::io

@@ -8,8 +8,8 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostAnswerBytes = std::size_t{4} << 20;
-constexpr std::size_t mostCommandBytes = std::size_t{64} << 10;
+constexpr std::size_t maxAnswerBytes = std::size_t{4} << 20;
+constexpr std::size_t maxCommandBytes = std::size_t{64} << 10;
 
 core::Error nonsense(const Association& association)
 {
@@ -21,7 +21,7 @@ core::Error nonsense(const Association& association)
 DimseLink::DimseLink(std::unique_ptr<Association> association) : association_(std::move(association)) {}
 
 core::Result<DimseLink> DimseLink::open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
-                                        StopQuestion isStopWished)
+                                        StopQuestion isStopRequested)
 {
     if (auto checked = checkNode(node); !checked) {
         return checked.error();
@@ -29,16 +29,16 @@ core::Result<DimseLink> DimseLink::open(const ArchiveNode& node, const std::vect
     if (node.host.empty()) {
         return core::Error(says::archiveNoDimse().about(node.name));
     }
-    auto association = Association::request(node, contexts, std::move(isStopWished));
+    auto association = Association::request(node, contexts, std::move(isStopRequested));
     if (!association) {
         return association.error();
     }
     return DimseLink(std::move(association).value());
 }
 
-DimseLink DimseLink::accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopWished)
+DimseLink DimseLink::accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopRequested)
 {
-    return DimseLink(std::make_unique<Association>(association, peer, std::move(isStopWished)));
+    return DimseLink(std::make_unique<Association>(association, peer, std::move(isStopRequested)));
 }
 
 std::optional<AcceptedContext> DimseLink::contextFor(const std::string& abstractSyntax,
@@ -71,10 +71,10 @@ core::Status DimseLink::send(std::uint8_t context, const DimseCommand& command)
 core::Status DimseLink::sendPieces(std::uint8_t context, const PieceSource& next)
 {
     for (bool isLast = false; !isLast;) {
-        if (association_->isStopWished()) {
+        if (association_->isStopRequested()) {
             return stoppedAssociation(association_->node());
         }
-        auto piece = next(association_->mostPieceBytes());
+        auto piece = next(association_->maxPieceBytes());
         if (!piece) {
             return piece.error();
         }
@@ -88,8 +88,8 @@ core::Status DimseLink::sendPieces(std::uint8_t context, const PieceSource& next
 
 core::Status DimseLink::sendData(std::uint8_t context, std::string_view data)
 {
-    return sendPieces(context, [&data](std::size_t mostBytes) -> core::Result<Piece> {
-        Piece piece{data.substr(0, mostBytes), data.size() <= mostBytes};
+    return sendPieces(context, [&data](std::size_t maxBytes) -> core::Result<Piece> {
+        Piece piece{data.substr(0, maxBytes), data.size() <= maxBytes};
         data.remove_prefix(piece.bytes.size());
         return piece;
     });
@@ -107,7 +107,7 @@ core::Result<std::optional<DimseLink::Received>> DimseLink::receive(const LifeQu
             return std::optional<Received>();
         }
         const DataValue& value = *read.value();
-        if (value.kind != DataValue::Kind::Command || bytes.size() + value.bytes.size() > mostCommandBytes) {
+        if (value.kind != DataValue::Kind::Command || bytes.size() + value.bytes.size() > maxCommandBytes) {
             return nonsense(*association_);
         }
         bytes += value.bytes;
@@ -130,7 +130,7 @@ core::Status DimseLink::receivePieces(const PieceSink& take)
             return nonsense(*association_);
         }
         const DataValue& value = *read.value();
-        if (association_->isStopWished()) {
+        if (association_->isStopRequested()) {
             return stoppedAssociation(association_->node());
         }
         if (auto taken = take(value.bytes); !taken) {
@@ -146,7 +146,7 @@ core::Result<std::string> DimseLink::receiveData()
 {
     std::string data;
     auto received = receivePieces([this, &data](std::string_view piece) -> core::Status {
-        if (data.size() + piece.size() > mostAnswerBytes) {
+        if (data.size() + piece.size() > maxAnswerBytes) {
             return nonsense(*association_);
         }
         data += piece;

@@ -17,9 +17,9 @@ namespace angiopose::io {
 class DimseLink {
 public:
     static core::Result<DimseLink> open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
-                                        StopQuestion isStopWished);
+                                        StopQuestion isStopRequested);
     /// One that a peer asked for and that is acknowledged already.
-    static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopWished);
+    static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopRequested);
 
     /// The context of a service, or for objects of that encoding; nothing where the archive did not take it.
     std::optional<AcceptedContext> contextFor(const std::string& abstractSyntax,
@@ -34,7 +34,7 @@ public:
         std::string_view bytes;
         bool isLast = false;
     };
-    using PieceSource = std::function<core::Result<Piece>(std::size_t mostBytes)>;
+    using PieceSource = std::function<core::Result<Piece>(std::size_t maxBytes)>;
     core::Status sendPieces(std::uint8_t context, const PieceSource& next);
 
     struct Received {

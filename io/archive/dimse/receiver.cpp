@@ -109,9 +109,9 @@ struct Receiver::Parts {
     }
 
     core::Status begin();
-    std::optional<DimseLink> welcome(Arrivals& arrivals, const StopQuestion& isStopWished);
+    std::optional<DimseLink> welcome(Arrivals& arrivals, const StopQuestion& isStopRequested);
     std::optional<DimseLink> judge(T_ASC_Association* association, Arrivals& arrivals,
-                                   const StopQuestion& isStopWished);
+                                   const StopQuestion& isStopRequested);
     core::Status takeAll(DimseLink& link, Arrivals& arrivals) const;
 };
 
@@ -134,7 +134,7 @@ core::Status Receiver::Parts::begin()
 }
 
 /// The next association, if it is one that may be; nothing after a second without any.
-std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const StopQuestion& isStopWished)
+std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const StopQuestion& isStopRequested)
 {
     if (!ASC_associationWaiting(network, 1)) {
         return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const Stop
         ASC_receiveAssociation(network, &association, ASC_MAXIMUMPDUSIZE, nullptr, nullptr,
                                options.isTls ? OFTrue : OFFalse, DUL_NOBLOCK, std::min(options.answerSeconds, 10));
     if (came.good()) {
-        return judge(association, arrivals, isStopWished);
+        return judge(association, arrivals, isStopRequested);
     }
     arrivals.warn(options.isTls ? says::archiveCallNotSecured(came.text()) : says::archiveCallFailed(came.text()));
     if (association != nullptr) {
@@ -155,7 +155,7 @@ std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const Stop
 }
 
 std::optional<DimseLink> Receiver::Parts::judge(T_ASC_Association* association, Arrivals& arrivals,
-                                                const StopQuestion& isStopWished)
+                                                const StopQuestion& isStopRequested)
 {
     const Caller caller = callerOf(association);
     const bool isCalledRight = options.ownTitle.empty() || caller.calledTitle == options.ownTitle;
@@ -179,7 +179,7 @@ std::optional<DimseLink> Receiver::Parts::judge(T_ASC_Association* association, 
     peer.host = caller.address;
     peer.title = caller.title;
     peer.answerSeconds = options.answerSeconds;
-    return DimseLink::accepted(association, peer, isStopWished);
+    return DimseLink::accepted(association, peer, isStopRequested);
 }
 
 core::Status Receiver::Parts::takeAll(DimseLink& link, Arrivals& arrivals) const
@@ -241,10 +241,10 @@ core::Result<Receiver> Receiver::listen(const ReceiverOptions& options)
     return Receiver(std::move(parts));
 }
 
-void Receiver::serve(Arrivals& arrivals, const StopQuestion& isStopWished)
+void Receiver::serve(Arrivals& arrivals, const StopQuestion& isStopRequested)
 {
-    while (!isStopWished() && !parts_->failure) {
-        auto link = parts_->welcome(arrivals, isStopWished);
+    while (!isStopRequested() && !parts_->failure) {
+        auto link = parts_->welcome(arrivals, isStopRequested);
         if (!link) {
             continue;
         }

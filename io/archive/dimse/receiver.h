@@ -38,7 +38,7 @@ public:
 
     /// Takes objects until told to stop, or until no more can be taken: then `failure` says why. What goes wrong with
     /// single associations and objects is noted in the report.
-    void serve(Arrivals& arrivals, const StopQuestion& isStopWished);
+    void serve(Arrivals& arrivals, const StopQuestion& isStopRequested);
     const std::optional<core::Error>& failure() const;
 
 private:

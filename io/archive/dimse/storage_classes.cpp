@@ -60,7 +60,7 @@ std::vector<ProposedContext> receivingContexts(const std::vector<ArchiveObject>&
     if (classes.empty()) {
         classes.insert(usualClasses.begin(), usualClasses.end());
     }
-    const std::size_t room = mostContexts - others;
+    const std::size_t room = maxContexts - others;
     const std::size_t perClass = std::clamp<std::size_t>(room / classes.size(), 1, syntaxes.size());
     std::vector<ProposedContext> contexts;
     for (const std::string& sopClass : classes) {

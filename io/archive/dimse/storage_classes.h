@@ -17,7 +17,7 @@ inline constexpr const char* get = "1.2.840.10008.5.1.4.1.2.2.3";
 inline constexpr std::string_view storagePrefix = "1.2.840.10008.5.1.4.1.1.";
 }   // namespace sop
 
-inline constexpr std::size_t mostContexts = 128;   ///< of an association
+inline constexpr std::size_t maxContexts = 128;   ///< of an association
 
 inline constexpr const char* implicitLittleEndian = "1.2.840.10008.1.2";
 

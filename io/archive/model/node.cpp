@@ -7,8 +7,8 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostTitle = 16;
-constexpr std::size_t mostName = 64;
+constexpr std::size_t maxTitle = 16;
+constexpr std::size_t maxName = 64;
 
 bool isPort(int port)
 {
@@ -48,7 +48,7 @@ std::vector<core::Message> problemsOf(const ArchiveNode& node)
             found.push_back(problem);
         }
     };
-    refuseIf(node.name.empty() || node.name.size() > mostName, says::archiveNoName());
+    refuseIf(node.name.empty() || node.name.size() > maxName, says::archiveNoName());
     refuseIf(node.host.empty() && node.webUrl.empty(), says::archiveNoAddress());
     refuseIf(!isHostName(node.host), says::archiveBadHost(node.host));
     refuseIf(!isPort(node.port), says::archiveBadPort(node.port));
@@ -66,7 +66,7 @@ std::vector<core::Message> problemsOf(const ArchiveNode& node)
 bool isAeTitle(std::string_view title)
 {
     const bool isPlain = std::ranges::all_of(title, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
-    return isPlain && title.size() <= mostTitle && title.find_first_not_of(' ') != std::string_view::npos;
+    return isPlain && title.size() <= maxTitle && title.find_first_not_of(' ') != std::string_view::npos;
 }
 
 std::string addressOf(const ArchiveNode& node)

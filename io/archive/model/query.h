@@ -46,9 +46,9 @@ struct ArchiveObject {
     std::string sopInstance;
 };
 
-constexpr std::size_t mostMatches = 1000;
-constexpr std::size_t mostSeriesStudies = 200;   ///< asked for their series one by one
-constexpr std::size_t mostObjects = 50000;   ///< of one series, as of a folder
+constexpr std::size_t maxMatches = 1000;
+constexpr std::size_t maxSeriesStudies = 200;   ///< asked for their series one by one
+constexpr std::size_t maxObjects = 50000;   ///< of one series, as of a folder
 
 /// "2024-01-01..2024-02-01", "2024-01-01", "2024-01-01.." as `ArchiveQuery::dates`. Fails on anything else.
 core::Result<std::string> queryDates(const std::string& text);
@@ -80,14 +80,14 @@ struct TransferReport {
     std::size_t failed = 0;
     std::uint64_t bytes = 0;   ///< of those transferred
     std::vector<std::string> folders;   ///< where what was retrieved lies, one per series
-    core::Messages problems;   ///< of single objects, at most `mostProblems`
+    core::Messages problems;   ///< of single objects, at most `maxProblems`
     std::optional<core::Error> end;   ///< why it ended early: an error or Stop
 
-    static constexpr std::size_t mostProblems = 20;
+    static constexpr std::size_t maxProblems = 20;
 
     void note(const core::Message& problem)
     {
-        if (problems.size() < mostProblems) {
+        if (problems.size() < maxProblems) {
             problems.push_back(problem);
         }
     }

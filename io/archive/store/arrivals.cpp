@@ -27,11 +27,7 @@ bool isAboutObject(const core::Error& error)
 
 Arrivals::Arrivals(const ObjectStore& store, const StoreLimit& limit, TransferReport& report,
                    const ArchiveObserver& observe)
-    : store_(&store),
-      limit_(limit),
-      report_(&report),
-      observe_(&observe),
-      held_(limit.mostBytes > 0 ? heldBy(store) : 0)
+    : store_(&store), limit_(limit), report_(&report), observe_(&observe), held_(limit.maxBytes > 0 ? heldBy(store) : 0)
 {
 }
 
@@ -50,19 +46,19 @@ core::Status Arrivals::write(IncomingObject& object, std::string_view piece)
 core::Status Arrivals::makeRoom(const StoredObject& stored)
 {
     held_ += stored.bytes;
-    if (limit_.mostBytes == 0 || held_ <= limit_.mostBytes) {
+    if (limit_.maxBytes == 0 || held_ <= limit_.maxBytes) {
         return core::Done{};
     }
     if (limit_.whenFull == StoreLimit::WhenFull::DropOldest) {
-        held_ = shrinkCache(store_->root(), limit_.mostBytes, stored.folder);
+        held_ = shrinkCache(store_->root(), limit_.maxBytes, stored.folder);
     }
-    if (held_ <= limit_.mostBytes) {
+    if (held_ <= limit_.maxBytes) {
         return core::Done{};
     }
     std::error_code failed;
     std::filesystem::remove(stored.path, failed);
     held_ -= stored.bytes;
-    return core::Error(says::archiveCacheTooSmall(sizeText(limit_.mostBytes)).about(store_->root()));
+    return core::Error(says::archiveCacheTooSmall(sizeText(limit_.maxBytes)).about(store_->root()));
 }
 
 core::Result<Arrivals::Fate> Arrivals::take(IncomingObject object, const ExpectedObject& expected)
@@ -83,8 +79,8 @@ core::Result<Arrivals::Fate> Arrivals::take(IncomingObject object, const Expecte
     if (auto counted = count(stored); !counted) {
         return counted.error();
     }
-    if (told_) {
-        told_(stored);
+    if (reported_) {
+        reported_(stored);
     }
     return Fate::Kept;
 }
@@ -132,7 +128,7 @@ void Arrivals::warn(const core::Message& what)
     hear(what);
 }
 
-bool Arrivals::isStopWished() const
+bool Arrivals::isStopRequested() const
 {
     ArchiveProgress progress;
     {

@@ -15,7 +15,7 @@ namespace angiopose::io {
 struct StoreLimit {
     enum class WhenFull { DropOldest, Refuse };
 
-    std::uint64_t mostBytes = 0;   ///< 0: as much as the disk takes
+    std::uint64_t maxBytes = 0;   ///< 0: as much as the disk takes
     WhenFull whenFull = WhenFull::DropOldest;
 };
 
@@ -23,14 +23,14 @@ struct StoreLimit {
 /// another asks how far it is.
 class Arrivals {
 public:
-    using Told = std::function<void(const StoredObject&)>;
+    using Reported = std::function<void(const StoredObject&)>;
 
     Arrivals(const ObjectStore& store, const StoreLimit& limit, TransferReport& report, const ArchiveObserver& observe);
 
     const ObjectStore& store() const { return *store_; }
 
     /// Asked for whatever is kept or there already.
-    void tell(Told told) { told_ = std::move(told); }
+    void tell(Reported reported) { reported_ = std::move(reported); }
 
     /// Asked for what `warn` and `miss` note, as it happens.
     using Heard = std::function<void(const core::Message&)>;
@@ -53,7 +53,7 @@ public:
     /// What is worth knowing, though no object is missing for it.
     void warn(const core::Message& what);
 
-    bool isStopWished() const;
+    bool isStopRequested() const;
     std::uint64_t bytesSoFar() const { return bytes_; }
 
 private:
@@ -65,7 +65,7 @@ private:
     StoreLimit limit_;
     TransferReport* report_;
     const ArchiveObserver* observe_;
-    Told told_;
+    Reported reported_;
     Heard heard_;
     std::atomic<std::uint64_t> bytes_ = 0;   ///< of whole and begun objects; asked by another thread
     std::uint64_t held_ = 0;   ///< by the store

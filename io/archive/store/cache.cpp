@@ -104,7 +104,7 @@ std::vector<CachedSeries> cachedSeries(const std::string& root)
     return all;
 }
 
-std::uint64_t shrinkCache(const std::string& root, std::uint64_t mostBytes, const std::string& kept)
+std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept)
 {
     const auto all = cachedSeries(root);
     std::uint64_t left = 0;
@@ -112,7 +112,7 @@ std::uint64_t shrinkCache(const std::string& root, std::uint64_t mostBytes, cons
         left += series.bytes;
     }
     for (const CachedSeries& series : all) {
-        if (left <= mostBytes) {
+        if (left <= maxBytes) {
             break;
         }
         if (series.folder != kept) {

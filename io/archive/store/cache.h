@@ -24,9 +24,9 @@ struct CachedSeries {
 /// What the cache holds, longest unused first. Files that are not its own are not seen.
 std::vector<CachedSeries> cachedSeries(const std::string& root);
 
-/// Drops the series longest unused until no more than `mostBytes` are left; never that in the folder `kept`. What is
+/// Drops the series longest unused until no more than `maxBytes` are left; never that in the folder `kept`. What is
 /// left, in bytes.
-std::uint64_t shrinkCache(const std::string& root, std::uint64_t mostBytes, const std::string& kept = {});
+std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept = {});
 
 /// Drops all that the cache holds, and nothing that is not its own. How many objects went.
 core::Result<std::size_t> emptyCache(const std::string& root);

@@ -110,26 +110,26 @@ std::optional<core::Message> mismatchOf(const core::StudyIdentity& came, const E
 
 }   // namespace
 
-IncomingObject::IncomingObject(std::string root, std::string temporary, AtomicFile file, std::uint64_t mostBytes)
-    : root_(std::move(root)), temporary_(std::move(temporary)), file_(std::move(file)), mostBytes_(mostBytes)
+IncomingObject::IncomingObject(std::string root, std::string temporary, AtomicFile file, std::uint64_t maxBytes)
+    : root_(std::move(root)), temporary_(std::move(temporary)), file_(std::move(file)), maxBytes_(maxBytes)
 {
 }
 
-core::Result<IncomingObject> IncomingObject::begin(const std::string& root, std::uint64_t mostBytes)
+core::Result<IncomingObject> IncomingObject::begin(const std::string& root, std::uint64_t maxBytes)
 {
     const std::string temporary = temporaryPathIn(fs::path(root) / incomingFolder);
     auto file = AtomicFile::create(temporary);
     if (!file) {
         return file.error();
     }
-    return IncomingObject(root, temporary, std::move(file).value(), mostBytes);
+    return IncomingObject(root, temporary, std::move(file).value(), maxBytes);
 }
 
 core::Status IncomingObject::write(std::string_view bytes)
 {
-    if (bytes.size() > mostBytes_ - bytes_) {
+    if (bytes.size() > maxBytes_ - bytes_) {
         isTooLarge_ = true;
-        return core::Error(says::archiveObjectTooLarge(sizeText(mostBytes_)));
+        return core::Error(says::archiveObjectTooLarge(sizeText(maxBytes_)));
     }
     bytes_ += bytes.size();
     return file_.write(bytes);
@@ -167,7 +167,7 @@ core::Result<StoredObject> IncomingObject::finish(const ExpectedObject& expected
     return failed ? core::Result<StoredObject>(noFolder(stored.folder, failed)) : core::Result<StoredObject>(stored);
 }
 
-core::Result<ObjectStore> ObjectStore::open(const std::string& root, std::uint64_t mostObjectBytes)
+core::Result<ObjectStore> ObjectStore::open(const std::string& root, std::uint64_t maxObjectBytes)
 {
     std::error_code unknown;
     const fs::path absolute = fs::absolute(root, unknown);
@@ -181,7 +181,7 @@ core::Result<ObjectStore> ObjectStore::open(const std::string& root, std::uint64
     }
     removeLeftovers((absolute / incomingFolder).string());
     dropStaleFiles(absolute / incomingFolder);
-    return ObjectStore(absolute.string(), mostObjectBytes);
+    return ObjectStore(absolute.string(), maxObjectBytes);
 }
 
 std::string ObjectStore::seriesFolder(const std::string& studyUid, const std::string& seriesUid) const

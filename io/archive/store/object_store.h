@@ -36,7 +36,7 @@ struct StoredObject {
 class IncomingObject {
 public:
     /// `root`: of the store.
-    static core::Result<IncomingObject> begin(const std::string& root, std::uint64_t mostBytes);
+    static core::Result<IncomingObject> begin(const std::string& root, std::uint64_t maxBytes);
     IncomingObject(IncomingObject&&) noexcept = default;
     IncomingObject& operator=(IncomingObject&&) noexcept = default;
     ~IncomingObject() = default;
@@ -49,12 +49,12 @@ public:
     core::Result<StoredObject> finish(const ExpectedObject& expected) &&;
 
 private:
-    IncomingObject(std::string root, std::string temporary, AtomicFile file, std::uint64_t mostBytes);
+    IncomingObject(std::string root, std::string temporary, AtomicFile file, std::uint64_t maxBytes);
 
     std::string root_;
     std::string temporary_;
     AtomicFile file_;
-    std::uint64_t mostBytes_;
+    std::uint64_t maxBytes_;
     std::uint64_t bytes_ = 0;
     bool isTooLarge_ = false;
 };
@@ -63,21 +63,21 @@ private:
 class ObjectStore {
 public:
     /// Makes the folder, for its owner alone, where there is none; clears away what a killed program left in it.
-    static core::Result<ObjectStore> open(const std::string& root, std::uint64_t mostObjectBytes);
+    static core::Result<ObjectStore> open(const std::string& root, std::uint64_t maxObjectBytes);
 
     const std::string& root() const { return root_; }
-    core::Result<IncomingObject> begin() const { return IncomingObject::begin(root_, mostObjectBytes_); }
+    core::Result<IncomingObject> begin() const { return IncomingObject::begin(root_, maxObjectBytes_); }
     std::string seriesFolder(const std::string& studyUid, const std::string& seriesUid) const;
     std::optional<std::uint64_t> sizeOf(const ExpectedObject& object) const;   ///< nothing: it is not there
 
 private:
-    ObjectStore(std::string root, std::uint64_t mostObjectBytes)
-        : root_(std::move(root)), mostObjectBytes_(mostObjectBytes)
+    ObjectStore(std::string root, std::uint64_t maxObjectBytes)
+        : root_(std::move(root)), maxObjectBytes_(maxObjectBytes)
     {
     }
 
     std::string root_;
-    std::uint64_t mostObjectBytes_;
+    std::uint64_t maxObjectBytes_;
 };
 
 /// Where objects lie while they come, below the root of a store.

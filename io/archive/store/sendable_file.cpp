@@ -10,7 +10,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t metaBegin = 132;
-constexpr std::size_t mostMetaBytes = std::size_t{64} << 10;
+constexpr std::size_t maxMetaBytes = std::size_t{64} << 10;
 
 /// Behind the preamble and the file meta information; 0 where there is none.
 std::size_t datasetBegin(std::string_view start)
@@ -35,7 +35,7 @@ std::size_t datasetBegin(std::string_view start)
 
 core::Result<SendableFile> readSendableFile(const std::string& path)
 {
-    const auto start = readStart(path, mostMetaBytes);
+    const auto start = readStart(path, maxMetaBytes);
     if (!start) {
         return start.error();
     }

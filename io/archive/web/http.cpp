@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostBodyBytes = std::size_t{64} << 20;
+constexpr std::size_t maxBodyBytes = std::size_t{64} << 20;
 constexpr long connectMilliseconds = 5000;
 
 struct FreeList {
@@ -45,7 +45,7 @@ core::Result<std::string> authorizationOf(const ArchiveNode& node)
 
 struct HttpConnection::Parts {
     ArchiveNode node;
-    StopQuestion isStopWished;
+    StopQuestion isStopRequested;
     std::string authorization;
     CURL* handle = nullptr;
     std::array<char, CURL_ERROR_SIZE> errorText{};
@@ -77,7 +77,7 @@ struct HttpConnection::Parts {
     }
     static int onProgress(void* self, curl_off_t, curl_off_t, curl_off_t, curl_off_t)
     {
-        return static_cast<Parts*>(self)->isStopWished() ? 1 : 0;
+        return static_cast<Parts*>(self)->isStopRequested() ? 1 : 0;
     }
 };
 
@@ -133,8 +133,8 @@ bool HttpConnection::Parts::take(std::string_view piece)
         }
         return static_cast<bool>(taken);
     }
-    if (reply.body.size() + piece.size() > mostBodyBytes) {
-        failure = core::Error(says::archiveHttpTooLarge(sizeText(mostBodyBytes)).about(node.name));
+    if (reply.body.size() + piece.size() > maxBodyBytes) {
+        failure = core::Error(says::archiveHttpTooLarge(sizeText(maxBodyBytes)).about(node.name));
         return false;
     }
     reply.body += piece;
@@ -190,7 +190,7 @@ HttpConnection::HttpConnection(std::unique_ptr<Parts> parts) : parts_(std::move(
 HttpConnection::HttpConnection(HttpConnection&&) noexcept = default;
 HttpConnection::~HttpConnection() = default;
 
-core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQuestion isStopWished)
+core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQuestion isStopRequested)
 {
     if (auto checked = checkNode(node); !checked) {
         return checked.error();
@@ -209,7 +209,7 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
     }
     auto parts = std::make_unique<Parts>();
     parts->node = node;
-    parts->isStopWished = std::move(isStopWished);
+    parts->isStopRequested = std::move(isStopRequested);
     parts->authorization = std::move(authorization).value();
     parts->handle = curl_easy_init();
     if (parts->handle == nullptr) {

@@ -28,7 +28,7 @@ public:
     /// Fills a buffer with the next bytes to send; how many: 0 at the end, nothing where they cannot be read.
     using Source = std::function<std::optional<std::size_t>(char* buffer, std::size_t size)>;
 
-    static core::Result<HttpConnection> open(const ArchiveNode& node, StopQuestion isStopWished);
+    static core::Result<HttpConnection> open(const ArchiveNode& node, StopQuestion isStopRequested);
     HttpConnection(HttpConnection&&) noexcept;
     HttpConnection& operator=(HttpConnection&&) = delete;
     ~HttpConnection();

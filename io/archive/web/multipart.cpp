@@ -8,8 +8,8 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t mostHeaderBytes = std::size_t{16} << 10;
-constexpr std::size_t mostBoundary = 70;
+constexpr std::size_t maxHeaderBytes = std::size_t{16} << 10;
+constexpr std::size_t maxBoundary = 70;
 constexpr std::string_view lineEnd = "\r\n";
 
 std::string lowered(std::string text)
@@ -38,7 +38,7 @@ std::optional<std::string> boundaryOf(const std::string& contentType)
     } else {
         value = value.substr(0, value.find_first_of("; \t\r\n"));
     }
-    return value.empty() || value.size() > mostBoundary ? std::nullopt : std::optional(value);
+    return value.empty() || value.size() > maxBoundary ? std::nullopt : std::optional(value);
 }
 
 MultipartReader::MultipartReader(const std::string& boundary, Handler handler)
@@ -85,7 +85,7 @@ core::Result<bool> MultipartReader::findFirst()
 {
     const std::size_t at = left_.find(delimiter_);
     if (at == std::string::npos) {
-        return left_.size() > mostHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+        return left_.size() > maxHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
     }
     left_.erase(0, at + delimiter_.size());
     state_ = State::AfterBoundary;
@@ -101,7 +101,7 @@ core::Result<bool> MultipartReader::passBoundary()
     }
     const std::size_t end = left_.find(lineEnd);
     if (end == std::string::npos) {
-        return left_.size() > mostHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+        return left_.size() > maxHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
     }
     if (left_.find_first_not_of(" \t") != end) {
         return unlawful();
@@ -115,9 +115,9 @@ core::Result<bool> MultipartReader::passHeaders()
 {
     const std::size_t end = left_.find("\r\n\r\n");
     if (end == std::string::npos) {
-        return left_.size() > mostHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+        return left_.size() > maxHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
     }
-    if (end > mostHeaderBytes) {
+    if (end > maxHeaderBytes) {
         return unlawful();
     }
     left_.erase(0, end + 4);

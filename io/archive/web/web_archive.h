@@ -12,14 +12,14 @@
 namespace angiopose::io {
 
 /// DICOMweb (PS3.18): the same as by DIMSE, over HTTP(S).
-core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopWished);
+core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopRequested);
 
 /// QIDO-RS.
 core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery& query,
-                                     const std::function<bool()>& isStopWished);
+                                     const std::function<bool()>& isStopRequested);
 
 /// WADO-RS, each object as it is stored there.
-std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopWished);
+std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopRequested);
 
 /// STOW-RS.
 void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,

@@ -168,9 +168,9 @@ core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, 
     return std::move(reply).value().body;
 }
 
-core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopWished)
+core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopRequested)
 {
-    auto http = HttpConnection::open(node, isStopWished);
+    auto http = HttpConnection::open(node, isStopRequested);
     if (!http) {
         return http.error();
     }
@@ -184,15 +184,15 @@ core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isSto
 }
 
 core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery& query,
-                                     const std::function<bool()>& isStopWished)
+                                     const std::function<bool()>& isStopRequested)
 {
-    auto opened = HttpConnection::open(node, isStopWished);
+    auto opened = HttpConnection::open(node, isStopRequested);
     if (!opened) {
         return opened.error();
     }
     HttpConnection http = std::move(opened).value();
     const bool isOfSeries = query.level == ArchiveLevel::Series;
-    const std::size_t most = isOfSeries ? mostSeriesStudies : mostMatches;
+    const std::size_t most = isOfSeries ? maxSeriesStudies : maxMatches;
     auto reply = askWeb(http, node, "QIDO-RS", studiesUrl(node, query, most));
     if (!reply) {
         return reply.error();
@@ -220,11 +220,11 @@ void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, co
              TransferReport& report)
 {
     std::uint64_t bytes = 0;
-    const auto isStopWished = [&] {
+    const auto isStopRequested = [&] {
         const std::size_t done = report.transferred + report.duplicates + report.failed;
         return observe && observe({done, report.all, bytes}) == core::Verdict::Stop;
     };
-    auto opened = HttpConnection::open(node, isStopWished);
+    auto opened = HttpConnection::open(node, isStopRequested);
     if (!opened) {
         report.end = opened.error();
         return;

@@ -67,8 +67,8 @@ private:
 
 class WebSource : public SeriesSource {
 public:
-    WebSource(ArchiveNode node, std::function<bool()> isStopWished)
-        : node_(std::move(node)), isStopWished_(std::move(isStopWished))
+    WebSource(ArchiveNode node, std::function<bool()> isStopRequested)
+        : node_(std::move(node)), isStopRequested_(std::move(isStopRequested))
     {
     }
 
@@ -94,7 +94,7 @@ public:
     {
         std::vector<ArchiveObject> objects;
         std::set<std::string> seen;
-        for (bool isMore = true; isMore && objects.size() < mostObjects;) {
+        for (bool isMore = true; isMore && objects.size() < maxObjects;) {
             auto page = objectsFrom(seriesUrl(studyUid, seriesUid), objects.size());
             if (!page) {
                 return page.error();
@@ -113,7 +113,7 @@ public:
     core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
                        const std::vector<ArchiveObject>& /*objects*/, Arrivals& arrivals) override
     {
-        auto opened = HttpConnection::open(node_, [&arrivals] { return arrivals.isStopWished(); });
+        auto opened = HttpConnection::open(node_, [&arrivals] { return arrivals.isStopRequested(); });
         if (!opened) {
             return opened.error();
         }
@@ -155,7 +155,7 @@ private:
 
     core::Result<std::string> ask(const std::string& url)
     {
-        auto opened = HttpConnection::open(node_, isStopWished_);
+        auto opened = HttpConnection::open(node_, isStopRequested_);
         if (!opened) {
             return opened.error();
         }
@@ -164,14 +164,14 @@ private:
     }
 
     ArchiveNode node_;
-    std::function<bool()> isStopWished_;
+    std::function<bool()> isStopRequested_;
 };
 
 }   // namespace
 
-std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopWished)
+std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopRequested)
 {
-    return std::make_unique<WebSource>(node, isStopWished);
+    return std::make_unique<WebSource>(node, isStopRequested);
 }
 
 }   // namespace angiopose::io

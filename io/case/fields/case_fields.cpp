@@ -27,8 +27,8 @@ StoredField<Case> constantField(std::string key, Json schema, Json value)
 StoredField<Case> vesselField()
 {
     StoredField<Case> field = storedPart("vessel", Json::object(), &Case::vessels, vesselFields());
-    field.read = [read = field.read](const Json& value, Case& theCase, Reading& reading) {
-        read(value, theCase, reading);
+    field.read = [read = field.read](const Json& value, Case& session, Reading& reading) {
+        read(value, session, reading);
         if (!reading.hasVessels) {
             reading.problems.push_back(says::caseNoInput().about("vessel"));
         }
@@ -42,17 +42,17 @@ StoredField<Case> locksField()
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
                               "Degrees of freedom that nudging and registering leave as they are.");
     return {"locked", schema,
-            [](const Json& value, Case& theCase, Reading&) {
+            [](const Json& value, Case& session, Reading&) {
                 for (const Json& id : value) {
                     if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema knows no others
-                        theCase.options.locks[static_cast<std::size_t>(*axis)] = true;
+                        session.options.locks[static_cast<std::size_t>(*axis)] = true;
                     }
                 }
             },
-            [](const Case& theCase, const fs::path&) {
+            [](const Case& session, const fs::path&) {
                 Json ids;
                 for (const core::PoseAxis axis : core::poseAxes) {
-                    if (core::isLocked(theCase.options.locks, axis)) {
+                    if (core::isLocked(session.options.locks, axis)) {
                         ids.push_back(core::idOf(axis));
                     }
                 }
@@ -87,15 +87,15 @@ StoredField<Case> otherViewsField()
             about(std::move(schema),
                   "Other views of the same vessels, registered together with this one: a case file, or what a case "
                   "says about its view. Their angles tell the geometry between the views."),
-            [](const Json& value, Case& theCase, Reading& reading) {
+            [](const Json& value, Case& session, Reading& reading) {
                 for (const Json& each : value) {
-                    readOtherView(each, theCase.views.emplace_back(), reading);
+                    readOtherView(each, session.views.emplace_back(), reading);
                 }
             },
-            [](const Case& theCase, const fs::path& folder) {
+            [](const Case& session, const fs::path& folder) {
                 Json list;
-                for (const core::View& view : theCase.views) {
-                    if (&view != &theCase.shown()) {
+                for (const core::View& view : session.views) {
+                    if (&view != &session.shown()) {
                         list.push_back(otherViewJson(view, folder));
                     }
                 }
@@ -110,14 +110,14 @@ StoredField<Case> shownPlaceField()
         "shownPlace",
         about(integerSchema(0, 100), "How many of `views` come before the view of this case; absent: none."),
         [](const Json& value, Case&, Reading& reading) { reading.shownPlace = value.get<std::size_t>(); },
-        [](const Case& theCase, const fs::path&) { return theCase.shownView > 0 ? Json(theCase.shownView) : Json(); }};
+        [](const Case& session, const fs::path&) { return session.shownView > 0 ? Json(session.shownView) : Json(); }};
 }
 
 StoredField<Case> methodField()
 {
     return {"method", textSchema(),
-            [](const Json& value, Case& theCase, Reading& reading) {
-                const std::string& method = theCase.options.method = value.get<std::string>();
+            [](const Json& value, Case& session, Reading& reading) {
+                const std::string& method = session.options.method = value.get<std::string>();
                 const auto methods = core::methodInfos();
                 if (std::ranges::find(methods, method, &core::MethodInfo::id) == methods.end()) {
                     std::vector<std::string> known;
@@ -127,7 +127,7 @@ StoredField<Case> methodField()
                     reading.problems.push_back(says::caseMethodUnknown(method.substr(0, 40), known).about("method"));
                 }
             },
-            [](const Case& theCase, const fs::path&) { return Json(theCase.options.method); }};
+            [](const Case& session, const fs::path&) { return Json(session.options.method); }};
 }
 
 StoredField<Case> optionsField()
@@ -138,10 +138,10 @@ StoredField<Case> optionsField()
         schema["properties"][std::string(field.key)] = anything;   // said what is wrong with it when it is read
     }
     return {"options", std::move(schema),
-            [](const Json& value, Case& theCase, Reading& reading) {
-                readOptions(value.dump(), theCase.options, reading.problems);
+            [](const Json& value, Case& session, Reading& reading) {
+                readOptions(value.dump(), session.options, reading.problems);
             },
-            [](const Case& theCase, const fs::path&) { return Json::parse(optionsJson(theCase.options)); }};
+            [](const Case& session, const fs::path&) { return Json::parse(optionsJson(session.options)); }};
 }
 
 /// Whose members may be unknown ones of the view, wherever that stands.
@@ -182,7 +182,7 @@ const StoredFields<Case>& caseFields()
         };
         for (const StoredField<core::View>& field : viewFields()) {
             rows.push_back(storedThrough<Case>(
-                [](auto& theCase) -> auto& { return theCase.shown(); }, field));
+                [](auto& session) -> auto& { return session.shown(); }, field));
         }
         rows.push_back(storedGroup<Case>("pose", Json::object(), {locksField()}));
         rows.push_back(otherViewsField());

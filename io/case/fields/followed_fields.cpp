@@ -1,6 +1,6 @@
 #include "io/case/fields/followed_fields.h"
 
-#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/result_rows.h"
@@ -16,7 +16,7 @@ using core::FollowedFrame;
 using core::FollowedRun;
 using core::TrackedFrame;
 
-constexpr int mostFrames = 100000;
+constexpr int maxFrames = 100000;
 
 StoredFields<TrackedFrame> trackedFields()
 {
@@ -40,34 +40,33 @@ StoredField<FollowedFrame> problemField()
 }
 
 /// Of a frame that shows the vessels; what others take over from it follows.
-StoredField<FollowedFrame> bendOfFrameField()
+StoredField<FollowedFrame> deformationOfFrameField()
 {
-    const StoredFields<core::DeformableResult> fields = bentFieldsWithoutPoints();
+    const StoredFields<core::DeformableResult> fields = deformedFieldsWithoutPoints();
     Json schema = objectSchema(propertiesOf(fields), {"verdict", "cameraFromPatient", "viewPoses", "stopReason"});
     return {"deformable", about(std::move(schema), "How the vessels are bent beside the pose; absent: they are not."),
             [fields](const Json& value, FollowedFrame& frame, Reading& reading) {
-                core::DeformableResult bent;
-                readFields(value, bent, fields, reading);
-                frame.bent = std::make_shared<const core::DeformableResult>(std::move(bent));
+                core::DeformableResult deformed;
+                readFields(value, deformed, fields, reading);
+                frame.deformed = std::make_shared<const core::DeformableResult>(std::move(deformed));
             },
             [fields](const FollowedFrame& frame, const fs::path& folder) {
-                return core::isBentByItself(frame) ? writeFields(*frame.bent, fields, folder) : Json();
+                return core::isDeformedByItself(frame) ? writeFields(*frame.deformed, fields, folder) : Json();
             }};
 }
 
 StoredFields<FollowedFrame> frameFields()
 {
-    StoredFields<FollowedFrame> rows{storedValue("frame", integerSchema(0, mostFrames), &FollowedFrame::frame)};
+    StoredFields<FollowedFrame> rows{storedValue("frame", integerSchema(0, maxFrames), &FollowedFrame::frame)};
     for (const StoredField<TrackedFrame>& field : trackedFields()) {
         rows.push_back(storedThrough<FollowedFrame>(
             [](auto& frame) -> auto& { return frame.tracked; }, field));
     }
     rows.push_back(problemField());
-    rows.push_back(
-        storedIfSet("bentAsInFrame",
-                    about(integerSchema(0, mostFrames), "It does not show the vessels well enough, that one does."),
-                    &FollowedFrame::bentAsInFrame));
-    rows.push_back(bendOfFrameField());
+    rows.push_back(storedIfSet(
+        "bentAsInFrame", about(integerSchema(0, maxFrames), "It does not show the vessels well enough, that one does."),
+        &FollowedFrame::deformedAsInFrame));
+    rows.push_back(deformationOfFrameField());
     return rows;
 }
 
@@ -76,7 +75,7 @@ StoredField<FollowedRun> framesField()
     const StoredFields<FollowedFrame> fields = frameFields();
     Json item = objectSchema(propertiesOf(fields), {"frame", "cameraFromPatient", "trustworthy"});
     Json schema = listSchema(std::move(item));
-    schema["maxItems"] = mostFrames;
+    schema["maxItems"] = maxFrames;
     return {"frames", about(std::move(schema), "In order."),
             [fields](const Json& list, FollowedRun& run, Reading& reading) {
                 std::vector<FollowedFrame> frames;
@@ -98,13 +97,13 @@ StoredField<FollowedRun> framesField()
             }};
 }
 
-StoredField<FollowedRun> bendsFileField()
+StoredField<FollowedRun> deformationsFileField()
 {
     return {"bends",
             about(objectSchema({{"path", definedAs("path")}, {"sha256", definedAs("sha256")}}, {"path"}),
                   "NRRD with the motion of every point in every frame that is bent by itself."),
-            [](const Json& value, FollowedRun& run, Reading&) { run.bendsFile = fileFrom(value); },
-            [](const FollowedRun& run, const fs::path& folder) { return fileJson(run.bendsFile, folder); }};
+            [](const Json& value, FollowedRun& run, Reading&) { run.deformationsFile = fileFrom(value); },
+            [](const FollowedRun& run, const fs::path& folder) { return fileJson(run.deformationsFile, folder); }};
 }
 
 }   // namespace
@@ -112,8 +111,8 @@ StoredField<FollowedRun> bendsFileField()
 StoredField<core::View> followedField()
 {
     const StoredFields<FollowedRun> rows{
-        storedValue("fromFrame", about(integerSchema(0, mostFrames), "Whose pose was given."), &FollowedRun::fromFrame),
-        bendsFileField(), framesField()};
+        storedValue("fromFrame", about(integerSchema(0, maxFrames), "Whose pose was given."), &FollowedRun::fromFrame),
+        deformationsFileField(), framesField()};
     Json schema = objectSchema(propertiesOf(rows), {"fromFrame", "frames"});
     schema["properties"]["savedWith"] =
         about(Json{{"type", "object"}, {"additionalProperties", textSchema()}}, "As of a result.");

@@ -156,7 +156,7 @@ StoredFields<ViewGeometry> geometryFields()
         sourcedField("secondaryAngleDeg", numberSchema(), &CArm::secondaryAngleDeg, "CRA +, CAU -."),
         sourcedField("rollDeg", numberSchema(), &CArm::rollDeg, "Image turned clockwise on screen."),
         sourcedField("principalPointPx", definedAs("pair"), &CArm::principalPointPx, "cx, cy."),
-        sourcedField("isocentreInPatientMm", definedAs("point"), &CArm::isocentreInPatientMm,
+        sourcedField("isocentreInPatientMm", definedAs("point"), &CArm::isocenterInPatientMm,
                      "Where the gantry turns about, in the vessels' coordinates; absent: the tree's centroid."),
         sourcedField("mirrored", flagSchema(), &CArm::mirrored, "True: shown as seen from the source."),
     };

@@ -52,8 +52,8 @@ StoredFields<SliceMeasurement> sliceMeasurementFields()
 /// Where there are too few points for what it is said to be.
 void checkPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
 {
-    if (points < core::leastPoints(kind)) {
-        reading.problems.push_back(says::caseMeasurementPoints(core::leastPoints(kind), points).about(subject));
+    if (points < core::minPoints(kind)) {
+        reading.problems.push_back(says::caseMeasurementPoints(core::minPoints(kind), points).about(subject));
     }
 }
 

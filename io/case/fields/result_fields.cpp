@@ -1,6 +1,6 @@
 #include "io/case/fields/result_fields.h"
 
-#include "io/case/fields/bent_fields.h"
+#include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/option_values.h"
 #include "io/case/fields/result_rows.h"
 #include "io/support/message_json.h"
@@ -18,7 +18,7 @@ using core::PoseUncertainty;
 using core::Provenance;
 using core::RegistrationResult;
 using core::StageTimes;
-using core::UnfilledBranch;
+using core::UnopacifiedBranch;
 using core::WirePath;
 
 constexpr std::size_t longestStageName = 40;
@@ -116,10 +116,10 @@ StoredFields<BranchResidual> branchFields()
             storedMeasure("agreement", &BranchResidual::agreement)};
 }
 
-StoredFields<UnfilledBranch> unfilledFields()
+StoredFields<UnopacifiedBranch> unopacifiedFields()
 {
-    return {storedValue("branch", Json{{"type", "integer"}}, &UnfilledBranch::branchId),
-            storedMeasure("share", &UnfilledBranch::share)};
+    return {storedValue("branch", Json{{"type", "integer"}}, &UnopacifiedBranch::branchId),
+            storedMeasure("share", &UnopacifiedBranch::share)};
 }
 
 StoredFields<Hypothesis> hypothesisFields()
@@ -219,7 +219,7 @@ const StoredFields<RegistrationResult>& resultFields()
             storedList(
                 "unfilled",
                 about(Json::object(), "Branches that the image seems not to show; the pose rests on the others."),
-                &RegistrationResult::unfilled, Json::object(), unfilledFields()),
+                &RegistrationResult::unopacified, Json::object(), unopacifiedFields()),
             storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),
                        hypothesisFields()),
             storedList("ways",
@@ -249,7 +249,7 @@ const StoredFields<RegistrationResult>& resultFields()
 StoredField<core::View> resultField()
 {
     StoredFields<RegistrationResult> rows = resultFields();
-    rows.push_back(bentField());
+    rows.push_back(deformedField());
     rows.push_back(storedThrough<RegistrationResult>(
         [](auto& result) -> auto& { return result.provenance; },
         storedIfSet("frame",

@@ -5,8 +5,8 @@
 namespace angiopose::io {
 namespace {
 
-constexpr CodedTerm millimetre{"mm", "UCUM", "millimeter"};
-constexpr CodedTerm squareMillimetre{"mm2", "UCUM", "square millimeter"};
+constexpr CodedTerm millimeter{"mm", "UCUM", "millimeter"};
+constexpr CodedTerm squareMillimeter{"mm2", "UCUM", "square millimeter"};
 constexpr CodedTerm degree{"deg", "UCUM", "degree"};
 constexpr CodedTerm pixel{"{pixels}", "UCUM", "pixels"};
 constexpr CodedTerm squarePixel{"{pixels2}", "UCUM", "square pixels"};
@@ -33,8 +33,8 @@ CodedTerm termOf(core::MeasurementKind kind)
 
 CodedTerm unitOf(std::string_view unit)
 {
-    return unit == "mm"    ? millimetre
-           : unit == "mm²" ? squareMillimetre
+    return unit == "mm"    ? millimeter
+           : unit == "mm²" ? squareMillimeter
            : unit == "°"   ? degree
            : unit == "px"  ? pixel
            : unit == "px²" ? squarePixel
@@ -65,10 +65,10 @@ Points closedWhereArea(Points points, core::MeasurementKind kind)
     return points;
 }
 
-void addImageMeasurements(std::vector<ReportedGroup>& groups, const core::Case& theCase)
+void addImageMeasurements(std::vector<ReportedGroup>& groups, const core::Case& session)
 {
-    const core::MeasuredView seen(theCase.shown(), theCase.vessels.tree.get());
-    const std::vector<core::ImageMeasurement>& all = theCase.shown().measurements;
+    const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
+    const std::vector<core::ImageMeasurement>& all = session.shown().measurements;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto measured = core::measureImage(all[i], seen);
         if (!measured) {
@@ -107,11 +107,11 @@ void addRegistration(std::vector<ReportedGroup>& groups, const core::View& view)
         group.numbers.push_back({meaning, value, unit, frame});
     };
     add(medianDistancePx, result.metrics.medianPx, pixel);
-    add(medianDistance, result.metrics.medianMm, millimetre);
-    add(distance95, result.metrics.p95Mm, millimetre);
+    add(medianDistance, result.metrics.medianMm, millimeter);
+    add(distance95, result.metrics.p95Mm, millimeter);
     add(coverage, result.metrics.coverage, noUnit);
-    add(errorInPlane, result.uncertainty.inPlaneMm, millimetre);
-    add(errorAlongRay, result.uncertainty.depthMm, millimetre);
+    add(errorInPlane, result.uncertainty.inPlaneMm, millimeter);
+    add(errorAlongRay, result.uncertainty.depthMm, millimeter);
     if (result.probabilityWithin2Mm) {
         add(within2mm, *result.probabilityWithin2Mm, noUnit);
     }
@@ -124,12 +124,12 @@ void addRegistration(std::vector<ReportedGroup>& groups, const core::View& view)
 
 }   // namespace
 
-std::vector<ReportedGroup> reportedGroups(const core::Case& theCase)
+std::vector<ReportedGroup> reportedGroups(const core::Case& session)
 {
     std::vector<ReportedGroup> groups;
-    addImageMeasurements(groups, theCase);
-    addSliceMeasurements(groups, theCase.vessels);
-    addRegistration(groups, theCase.shown());
+    addImageMeasurements(groups, session);
+    addSliceMeasurements(groups, session.vessels);
+    addRegistration(groups, session.shown());
     return groups;
 }
 

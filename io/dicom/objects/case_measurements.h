@@ -9,6 +9,6 @@ namespace angiopose::io {
 
 /// What was measured in the shown view and in slices of the scan, and how well the view's registration fits, ready for
 /// a report. What has no value is left out.
-std::vector<ReportedGroup> reportedGroups(const core::Case& theCase);
+std::vector<ReportedGroup> reportedGroups(const core::Case& session);
 
 }   // namespace angiopose::io

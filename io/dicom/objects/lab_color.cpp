@@ -15,8 +15,8 @@ double linear(std::uint8_t level)
 
 double labCurve(double share)
 {
-    constexpr double bend = 216.0 / 24389.0;
-    return share > bend ? std::cbrt(share) : (24389.0 / 27.0 * share + 16.0) / 116.0;
+    constexpr double knee = 216.0 / 24389.0;
+    return share > knee ? std::cbrt(share) : (24389.0 / 27.0 * share + 16.0) / 116.0;
 }
 
 std::uint16_t spread(double value, double low, double high)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr ObjectKind stateKind{"1.2.840.10008.5.1.4.1.1.11.1", "PR", "state", "AngioPose overlay, vectors", 9004};
 constexpr std::size_t maxPointsInLine = 8000;   // a value of this kind has at most 65534 bytes
-constexpr std::uint16_t whiteGrey = 65535;
+constexpr std::uint16_t whiteGray = 65535;
 
 /// The image that an item is about: the frame, where there are several.
 void addImageReference(DicomItem& item, const SourceImage& source, int frame)
@@ -43,7 +43,7 @@ void addLayer(DicomItem& root, const StateLayer& layer, std::size_t order)
     DicomItem item = root.addItem(0x00700060);
     item.text(0x00700002, "CS", layer.name);
     item.text(0x00700062, "IS", std::to_string(order + 1));
-    item.unsignedShort(0x00700066, whiteGrey);
+    item.unsignedShort(0x00700066, whiteGray);
     item.text(0x00700068, "LO", shortened(layer.description, 64));
     item.unsignedShorts(0x00700401, labColor(layer.color));
 }
@@ -96,7 +96,7 @@ void addAnnotation(DicomItem& root, const StateLayer& layer, const SourceImage& 
 }
 
 /// Modality LUT, Softcopy VOI LUT and Softcopy Presentation LUT modules.
-void addGreys(DicomItem& root, const ShownState& shown, const SourceImage& source)
+void addGrays(DicomItem& root, const ShownState& shown, const SourceImage& source)
 {
     for (const SourceImage::Text& rescale : source.modalityLut) {
         root.text(rescale.tag, rescale.vr, rescale.value);
@@ -136,7 +136,7 @@ core::Result<std::string> presentationState(const ShownState& shown, const Sourc
     root.text(0x00700083, "TM", origin.made.time);
     addRelationship(root, source, shown.frame);
     addDisplayedArea(root, source);
-    addGreys(root, shown, source);
+    addGrays(root, shown, source);
     std::size_t order = 0;
     for (const StateLayer& layer : shown.layers) {
         if (hasLine(layer) || !layer.texts.empty()) {

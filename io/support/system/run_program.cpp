@@ -41,14 +41,14 @@ ProgramEnd runProgram(const std::string& program, std::vector<std::string> argum
         return {};
     }
     int status = 0;
-    bool isTold = false;
+    bool isKnown = false;
     for (pid_t ended = 0; ended != id; ended = ::waitpid(id, &status, WNOHANG)) {
         if (ended < 0 && errno != EINTR) {
             return {};
         }
-        if (isStopped() && !isTold) {
+        if (isStopped() && !isKnown) {
             ::kill(id, SIGTERM);
-            isTold = true;
+            isKnown = true;
         }
         ::usleep(askedEveryUs);
     }

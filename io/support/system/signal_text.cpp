@@ -16,9 +16,9 @@ SignalText& SignalText::operator<<(std::string_view text)
     return *this;
 }
 
-SignalText& SignalText::decimal(std::uint64_t value, int leastDigits)
+SignalText& SignalText::decimal(std::uint64_t value, int minDigits)
 {
-    return number(value, 10, leastDigits);
+    return number(value, 10, minDigits);
 }
 
 SignalText& SignalText::hexadecimal(std::uintptr_t value)
@@ -26,11 +26,11 @@ SignalText& SignalText::hexadecimal(std::uintptr_t value)
     return *this << "0x", number(value, 16, 1);
 }
 
-SignalText& SignalText::number(std::uint64_t value, unsigned base, int leastDigits)
+SignalText& SignalText::number(std::uint64_t value, unsigned base, int minDigits)
 {
     std::array<char, 24> digits{};
     std::size_t first = digits.size();
-    while (value != 0 || static_cast<int>(digits.size() - first) < leastDigits) {
+    while (value != 0 || static_cast<int>(digits.size() - first) < minDigits) {
         digits[--first] = "0123456789abcdef"[value % base];
         value /= base;
     }

@@ -16,12 +16,12 @@ public:
     SignalText& operator=(const SignalText&) = delete;
 
     SignalText& operator<<(std::string_view text);
-    SignalText& decimal(std::uint64_t value, int leastDigits = 1);
+    SignalText& decimal(std::uint64_t value, int minDigits = 1);
     SignalText& hexadecimal(std::uintptr_t value);
     void flush();
 
 private:
-    SignalText& number(std::uint64_t value, unsigned base, int leastDigits);
+    SignalText& number(std::uint64_t value, unsigned base, int minDigits);
 
     int file_;
     std::array<char, 512> line_{};

@@ -141,11 +141,11 @@ Switches switchesOf(ui::MainWindow& window)
     return switches;
 }
 
-QStringList caseTextOf(const core::Case& theCase, const QString& folder)
+QStringList caseTextOf(const core::Case& session, const QString& folder)
 {
     QDir().mkpath(folder);
     const QString path = folder + QStringLiteral("/case.angiopose");
-    if (const auto saved = io::saveCase(theCase, path.toStdString()); !saved) {
+    if (const auto saved = io::saveCase(session, path.toStdString()); !saved) {
         return {QString::fromStdString(saved.error().message.text())};
     }
     return linesOf(contentOf(path));
@@ -164,11 +164,11 @@ CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray
 {
     putBack(host, fresh, layout);
     app::CaseController& controller = host.controller();
-    const core::Case& theCase = controller.document().current();
+    const core::Case& session = controller.document().current();
     static const QRegularExpression ofTheCase(
         QStringLiteral("^(?!angiopose::ui::StepButton\\|\\|Export\\|)"));   // written in this session, or not
     CaseSight sight;
-    sight.caseText = caseTextOf(theCase, folder);
+    sight.caseText = caseTextOf(session, folder);
     for (const auto& [name, panel] : panelsOf(host.window())) {
         sight.words[name] = wordsOf(*panel).filter(ofTheCase);
         leaveRows(*panel);
@@ -178,8 +178,8 @@ CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray
     sight.pictures[QStringLiteral("image")] = host.window().angiogramView().grab().toImage();
     sight.exports[QStringLiteral("overlay")] = {overlayOf(controller, folder)};
     sight.exports[QStringLiteral("report")] = reportOf(controller);
-    if (theCase.shown().result) {
-        const std::string json = io::resultJson(theCase, *theCase.shown().result);
+    if (session.shown().result) {
+        const std::string json = io::resultJson(session, *session.shown().result);
         sight.exports[QStringLiteral("result")] = linesOf(QByteArray::fromStdString(json));
     }
     return sight;

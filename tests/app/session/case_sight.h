@@ -25,7 +25,7 @@ Switches switchesOf(ui::MainWindow& window);
 
 /// Lines of the case file as it would be saved now in `folder`, whose name does not matter: files that belong to a case
 /// are named after the case. One line of words where it cannot be saved.
-QStringList caseTextOf(const core::Case& theCase, const QString& folder);
+QStringList caseTextOf(const core::Case& session, const QString& folder);
 
 /// Of a window at rest, which is first put back to how it shows a case that was just opened: `fresh` are its switches
 /// then, `layout` its places.

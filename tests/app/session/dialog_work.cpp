@@ -1,4 +1,4 @@
-#include "tests/app/session/habit.h"
+#include "tests/app/session/tool_preference.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -13,7 +13,7 @@
 namespace angiopose::test {
 namespace {
 
-constexpr int mostActs = 4;
+constexpr int maxActs = 4;
 
 bool answerLeadsAway(const QAbstractButton& button)
 {
@@ -77,7 +77,7 @@ void workIn(QWidget& dialog, RandomHand& hand)
         return;
     }
     const QPointer<QWidget> still(&dialog);
-    const int acts = hand.below(mostActs + 1);
+    const int acts = hand.below(maxActs + 1);
     for (int i = 0; i < acts && still && still->isVisible(); ++i) {
         useOneOf(*still, hand);
         QApplication::processEvents();

@@ -14,7 +14,7 @@
 namespace angiopose::test {
 namespace {
 
-constexpr int mostDialogs = 5;   // one may lead to the next
+constexpr int maxDialogs = 5;   // one may lead to the next
 
 /// The dialog or menu in front, if any.
 QWidget* openDialog(const QWidget& window)
@@ -39,11 +39,11 @@ RandomUser::RandomUser(app::WindowHost& host, std::uint64_t seed)
 {
     app::settings::trialLog.write(folder_ + QStringLiteral("/trials.csv"));
     app::settings::lastFolder.write(folder_);
-    for (const auto& some : {imageHabits(), vesselHabits(), panelHabits(), commandHabits()}) {
-        habits_.insert(habits_.end(), some.begin(), some.end());
+    for (const auto& some : {imagePreferences(), vesselPreferences(), panelPreferences(), commandPreferences()}) {
+        preferences_.insert(preferences_.end(), some.begin(), some.end());
     }
-    for (const Habit& habit : habits_) {
-        totalWeight_ += habit.weight;
+    for (const ToolPreference& preference : preferences_) {
+        totalWeight_ += preference.weight;
     }
 }
 
@@ -56,10 +56,10 @@ QString RandomUser::doSomething()
 {
     Desk here = desk();
     int draw = hand_.below(totalWeight_);
-    for (const Habit& habit : habits_) {
-        draw -= habit.weight;
+    for (const ToolPreference& preference : preferences_) {
+        draw -= preference.weight;
         if (draw < 0) {
-            return habit.act(here);
+            return preference.act(here);
         }
     }
     return {};
@@ -79,7 +79,7 @@ void RandomUser::act()
 
 void RandomUser::closeDialogs()
 {
-    for (int round = 0; round < mostDialogs; ++round) {
+    for (int round = 0; round < maxDialogs; ++round) {
         QWidget* open = openDialog(host_.window());
         if (!open) {
             return;

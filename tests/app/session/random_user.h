@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window_host.h"
-#include "tests/app/session/habit.h"
+#include "tests/app/session/tool_preference.h"
 
 namespace angiopose::test {
 
@@ -26,7 +26,7 @@ private:
     RandomHand hand_;
     QString folder_;
     QByteArray layout_;   ///< of the window as it was found
-    std::vector<Habit> habits_;
+    std::vector<ToolPreference> preferences_;
     int totalWeight_ = 0;
     QString last_;
 };

@@ -61,13 +61,13 @@ QString savedIn(app::CaseController& controller, const QString& folder)
 /// To that place among the steps, by the key.
 void repeat(app::WindowHost& host, ui::Command command, int place)
 {
-    constexpr int mostSteps = 1000;
+    constexpr int maxSteps = 1000;
     host.window().activateWindow();
     waitUntil("a window that hears its keys", [&host] { return host.window().isActiveWindow(); });
     QUndoStack& steps = host.controller().document().undoStack();
     const auto isLeft = [&] { return steps.index() != place; };
     const QKeySequence key = host.window().actions()[command]->shortcut();
-    for (int i = 0; i < mostSteps && isLeft(); ++i) {
+    for (int i = 0; i < maxSteps && isLeft(); ++i) {
         QTest::keySequence(&host.window().angiogramView(), key);
     }
     if (isLeft()) {
@@ -90,10 +90,10 @@ public:
     /// Tells how long it took to come so far.
     void tell(const char* stage)
     {
-        if (plan_.told) {
-            plan_.told(QStringLiteral("[%1: %2 s]")
-                           .arg(QLatin1String(stage))
-                           .arg(1e-3 * static_cast<double>(timer_.restart()), 0, 'f', 1));
+        if (plan_.reported) {
+            plan_.reported(QStringLiteral("[%1: %2 s]")
+                               .arg(QLatin1String(stage))
+                               .arg(1e-3 * static_cast<double>(timer_.restart()), 0, 'f', 1));
         }
     }
 
@@ -111,8 +111,8 @@ public:
         RandomUser user(host_, plan_.seed);
         for (int i = 0; i < plan_.actions; ++i) {
             user.act();
-            if (plan_.told) {
-                plan_.told(user.lastAction());
+            if (plan_.reported) {
+                plan_.reported(user.lastAction());
             }
             if (i == plan_.actions / 2) {
                 registerVessels(host_);
@@ -134,7 +134,7 @@ public:
         app::WindowHost other;
         open(other, {path});
         QStringList changed;
-        for (int look = 0; look < mostLooks && (look == 0 || !changed.isEmpty()); ++look) {
+        for (int look = 0; look < maxLooks && (look == 0 || !changed.isEmpty()); ++look) {
             QTest::qWait(look == 0 ? 0 : 1000);
             changed = differencesBetween(before, sightOf(other, fresh_, layout_, folder("after")), plan_.folder);
         }
@@ -150,13 +150,13 @@ public:
     void redoAll() { repeat(host_, ui::Command::Redo, end_); }
 
 private:
-    static constexpr int mostLooks = 10;   // what workers add may come late on a busy machine
+    static constexpr int maxLooks = 10;   // what workers add may come late on a busy machine
 
     /// Seen twice alike.
     CaseSight restingSight()
     {
         CaseSight sight = sightOf(host_, fresh_, layout_, folder("before"));
-        for (int look = 0; look < mostLooks; ++look) {
+        for (int look = 0; look < maxLooks; ++look) {
             QTest::qWait(500);
             CaseSight next = sightOf(host_, fresh_, layout_, folder("before"));
             if (differencesBetween(sight, next, folder("before")).isEmpty()) {

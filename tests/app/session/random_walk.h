@@ -14,7 +14,7 @@ struct RandomWalk {
     std::uint64_t seed = 1;   ///< the same seed always makes the same choices
     int actions = 20;
     QString folder;   ///< for what is written
-    std::function<void(const QString& action)> told = {};   ///< what is done, as it is done
+    std::function<void(const QString& action)> reported = {};   ///< what is done, as it is done
 };
 
 /// What went differently: what differs between the window as it was left and as it is reopened, between the case at the

@@ -59,9 +59,9 @@ core::RigidTransform displacedStart(const core::RigidTransform& truth, const Eig
 /// The gantry turned about the isocentre; `degrees` to the side.
 core::RigidTransform turnedGantry(double degrees)
 {
-    const Eigen::Vector3d isocentre(0.0, 0.0, sourceToPatientMm);
+    const Eigen::Vector3d isocenter(0.0, 0.0, sourceToPatientMm);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(degrees * rad, Eigen::Vector3d::UnitY()).toRotationMatrix();
-    return {turn, isocentre - turn * isocentre};
+    return {turn, isocenter - turn * isocenter};
 }
 
 /// What a header's rounding and a sagging gantry make of a pose.
@@ -144,7 +144,7 @@ std::array<ForeignCase, 2> makeForeignPair(const std::vector<RootedTree>& trees,
     const core::RigidTransform first = drawnView(shown, random);
     const core::RigidTransform start = displacedStart(first, centroid, random);
     const core::RigidTransform secondFromFirst = turnedGantry(60.0);
-    const core::RigidTransform told = misjudged(secondFromFirst, first * centroid, random);
+    const core::RigidTransform reported = misjudged(secondFromFirst, first * centroid, random);
     std::array<ForeignCase, 2> pair;
     for (std::size_t k = 0; k < 2; ++k) {
         const core::RigidTransform view = k == 0 ? first : secondFromFirst * first;
@@ -153,7 +153,7 @@ std::array<ForeignCase, 2> makeForeignPair(const std::vector<RootedTree>& trees,
         pair[k].input.tree = shown.tree;
         pair[k].input.camera = detectorCamera();
         pair[k].input.target = handedOver(seen(shown, pair[k].filled, view, random), ForeignScene::WholeTree, random);
-        pair[k].input.initialCameraFromPatient = k == 0 ? start : told * start;
+        pair[k].input.initialCameraFromPatient = k == 0 ? start : reported * start;
     }
     return pair;
 }

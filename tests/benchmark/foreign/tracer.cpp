@@ -73,12 +73,12 @@ Pixels foreignCurve(ForeignRandom& random)
 {
     Eigen::Vector2d at(random.uniform(0.15, 0.85) * imagePx, random.uniform(0.15, 0.85) * imagePx);
     double heading = random.uniform(0.0, 2.0 * std::numbers::pi);
-    double bend = 0.0;
+    double deformation = 0.0;
     Pixels curve;
     for (int steps = 40 + static_cast<int>(random.index(80)); steps > 0; --steps) {
         curve.push_back(at);
-        bend = 0.9 * bend + 0.02 * random.normal();
-        heading += bend;
+        deformation = 0.9 * deformation + 0.02 * random.normal();
+        heading += deformation;
         at += 3.0 * Eigen::Vector2d(std::cos(heading), std::sin(heading));
     }
     return curve;

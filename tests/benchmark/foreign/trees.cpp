@@ -17,7 +17,7 @@ constexpr double voxelMm = 0.4;   // usual for time-of-flight MRA; upstream does
 constexpr double inflowBelowVoxels = 15.0;   // the arteries of the neck enter at the lower face
 constexpr double inflowRadiusVoxels = 2.5;
 constexpr double pointSpacingMm = 0.9;
-constexpr double mostBow = 2.0;   // of the chord's length
+constexpr double maxBow = 2.0;   // of the chord's length
 
 using Row = ArteryGraph::Row;
 
@@ -45,7 +45,7 @@ public:
 
     std::vector<Eigen::Vector3d> ofLength(double lengthMm) const
     {
-        const double wanted = std::min(lengthMm, mostBow * chord_.norm());
+        const double wanted = std::min(lengthMm, maxBow * chord_.norm());
         double low = 0.0;
         double high = 2.0 * chord_.norm();
         for (int halving = 0; halving < 30; ++halving) {
@@ -104,8 +104,8 @@ struct Flow {
             ++degree[nodeAt(graph, edge, 1)];
         }
         for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
-            const Row& told = graph.nodes[node];
-            if (degree[node] == 1 && told[3] < inflowBelowVoxels && told[4] >= inflowRadiusVoxels) {
+            const Row& reported = graph.nodes[node];
+            if (degree[node] == 1 && reported[3] < inflowBelowVoxels && reported[4] >= inflowRadiusVoxels) {
                 distance[node] = 0.0;
             }
         }

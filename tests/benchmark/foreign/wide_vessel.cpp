@@ -5,12 +5,12 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double mostWideMm = 120.0;   // of length
-constexpr double leastWideMm = 60.0;
+constexpr double maxWideMm = 120.0;   // of length
+constexpr double minWideMm = 60.0;
 constexpr double radiusAtInflowMm = 2.5;
 constexpr double radiusAtEndMm = 2.0;
 constexpr double finestMm = 0.4;
-constexpr double leastFineMm = 0.8;   // the widest of what is fine
+constexpr double minFineMm = 0.8;   // the widest of what is fine
 
 double radiusOf(const RootedTree& tree, std::size_t branch)
 {
@@ -26,7 +26,7 @@ std::vector<std::size_t> widestWay(const RootedTree& tree, std::size_t inflow)
         return std::pair(radiusOf(tree, a), tree.lengthMm(tree.fedThrough(a))) >
                std::pair(radiusOf(tree, b), tree.lengthMm(tree.fedThrough(b)));
     };
-    while (tree.lengthMm(way) < leastWideMm) {
+    while (tree.lengthMm(way) < minWideMm) {
         std::vector<std::size_t> children;
         for (std::size_t branch = 0; branch < tree.parent.size(); ++branch) {
             if (tree.parent[branch] == static_cast<int>(way.back())) {
@@ -52,13 +52,13 @@ std::vector<std::size_t> wideVesselOf(const RootedTree& tree)
         std::vector<std::size_t> way = widestWay(tree, branch);
         const auto merit = [&](const std::vector<std::size_t>& one) {
             const double lengthMm = one.empty() ? 0.0 : tree.lengthMm(one);
-            return std::pair(std::min(leastWideMm, lengthMm), one.empty() ? 0.0 : radiusOf(tree, one.front()));
+            return std::pair(std::min(minWideMm, lengthMm), one.empty() ? 0.0 : radiusOf(tree, one.front()));
         };
         if (merit(way) > merit(best)) {
             best = std::move(way);
         }
     }
-    while (best.size() > 1 && tree.lengthMm(best) > mostWideMm) {
+    while (best.size() > 1 && tree.lengthMm(best) > maxWideMm) {
         best.pop_back();
     }
     return best;
@@ -80,7 +80,7 @@ WideVesselTree withWideVessel(const RootedTree& tree)
         }
         const double share = widestMm > 0.0 ? radiusOf(tree, branch) / widestMm : 0.0;
         core::VesselBranch& vessel = result.tree.tree.branches[branch];
-        vessel.radiusMm.assign(vessel.pointsInPatient.size(), finestMm + (leastFineMm - finestMm) * share);
+        vessel.radiusMm.assign(vessel.pointsInPatient.size(), finestMm + (minFineMm - finestMm) * share);
         if (tree.parent[branch] >= 0 && isWide(static_cast<std::size_t>(tree.parent[branch]))) {
             result.beside.push_back(branch);
         }

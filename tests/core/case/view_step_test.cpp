@@ -19,7 +19,7 @@ Vessels vesselsOfSteps()
 
 const Vessels someVessels = vesselsOfSteps();
 
-Sourced<double> toldByHeader(double value)
+Sourced<double> knownFromHeader(double value)
 {
     return {value, Origin::Header, ""};
 }
@@ -29,12 +29,12 @@ View roomView(double primaryDeg, std::optional<Eigen::Vector3d> table, double ob
 {
     View view;
     CArm& cArm = view.geometry.cArm;
-    cArm.sourceToDetectorMm = toldByHeader(1050.0);
-    cArm.sourceToIsocenterMm = toldByHeader(750.0);
-    cArm.sourceToObjectMm = toldByHeader(objectMm);
-    cArm.columnSpacingMm = cArm.rowSpacingMm = toldByHeader(0.4);
-    cArm.primaryAngleDeg = toldByHeader(primaryDeg);
-    cArm.secondaryAngleDeg = toldByHeader(10.0);
+    cArm.sourceToDetectorMm = knownFromHeader(1050.0);
+    cArm.sourceToIsocenterMm = knownFromHeader(750.0);
+    cArm.sourceToObjectMm = knownFromHeader(objectMm);
+    cArm.columnSpacingMm = cArm.rowSpacingMm = knownFromHeader(0.4);
+    cArm.primaryAngleDeg = knownFromHeader(primaryDeg);
+    cArm.secondaryAngleDeg = knownFromHeader(10.0);
     Angiogram angiogram;
     angiogram.frames.assign(3, ImageF(64, 64));
     if (table) {
@@ -90,8 +90,8 @@ TEST(StepToView, WithoutATableOnlyTheTurnIsKnown)
 {
     View first = roomView(-30.0, {}), view = roomView(45.0, {}, 820.0);
     first.cameraFromPatient.translation += Eigen::Vector3d(5.0, -3.0, 12.0);
-    for (const bool isHalfTold : {false, true}) {
-        if (isHalfTold) {   // the other view's table counts from elsewhere
+    for (const bool isHalfKnown : {false, true}) {
+        if (isHalfKnown) {   // the other view's table counts from elsewhere
             changeRun(first, [](Angiogram& run) {
                 run.gantry.table = TablePosition{{0, 0, 0}, TablePosition::Tags::Siemens};
             });
@@ -120,10 +120,10 @@ TEST(StepToView, AnObjectPlaneThatDiffersIsNoIsocenter)
     }
     const auto step = stepToView(views[0], views[1], someVessels);
     ASSERT_TRUE(step);
-    EXPECT_FALSE(step.value().spread.tellsShift());
+    EXPECT_FALSE(step.value().spread.knowsShift());
     EXPECT_TRUE(isNotedBy(step.value(), "geometry.isocenter-unknown"));
     views[1].geometry.cArm.sourceToIsocenterMm.value = 683.2;
-    EXPECT_TRUE(stepToView(views[0], views[1], someVessels).value().spread.tellsShift()) << "the same plane may be it";
+    EXPECT_TRUE(stepToView(views[0], views[1], someVessels).value().spread.knowsShift()) << "the same plane may be it";
 }
 
 TEST(StepToView, ATableThatMovedTellsNoShift)

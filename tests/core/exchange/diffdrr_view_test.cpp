@@ -27,7 +27,7 @@ Eigen::Matrix4d orientationMatrix(DiffDrrOrientation orientation)
 /// The world of DiffDRR: RAS, with the middle of the volume in its origin.
 Eigen::Vector4d inWorld(const DiffDrrView& view, const Eigen::Vector3d& lps)
 {
-    const Eigen::Vector3d& c = view.volumeCentreInPatient;
+    const Eigen::Vector3d& c = view.volumeCenterInPatient;
     return {c.x() - lps.x(), c.y() - lps.y(), lps.z() - c.z(), 1.0};
 }
 
@@ -55,7 +55,7 @@ Eigen::Vector2d projected(const DiffDrrView& view, const Eigen::Vector3d& lps)
 
 /// Centre of a detector pixel in the world, as its rays are made: unit steps from the middle, rows and columns against
 /// y and x, scaled and shifted by the calibration.
-Eigen::Vector4d pixelCentre(const DiffDrrView& view, int row, int column)
+Eigen::Vector4d pixelCenter(const DiffDrrView& view, int row, int column)
 {
     const DiffDrrDetector& d = view.detector;
     const auto step = [](int index, int count) {
@@ -75,7 +75,7 @@ DiffDrrView viewOf(DiffDrrOrientation orientation, bool isXReversed)
     const double back = orientation == DiffDrrOrientation::Pa ? -740.0 : 740.0;
     view.pose = orientation == DiffDrrOrientation::None ? diffDrrPose("ZXY", {0.3, -0.2, 0.1}, {5.0, -8.0, -740.0})
                                                         : diffDrrPose("ZXY", {0.3, -0.2, 0.1}, {5.0, back, -8.0});
-    view.volumeCentreInPatient = {11.0, -162.5, 1204.25};
+    view.volumeCenterInPatient = {11.0, -162.5, 1204.25};
     return view;
 }
 
@@ -91,7 +91,7 @@ TEST_P(DiffDrrViewOf, ProjectsAsItsOwnFormula)
     std::uniform_real_distribution<double> offset(-80.0, 80.0);
     for (int i = 0; i < 200; ++i) {
         const Eigen::Vector3d point =
-            view.volumeCentreInPatient + Eigen::Vector3d(offset(chance), offset(chance), offset(chance));
+            view.volumeCenterInPatient + Eigen::Vector3d(offset(chance), offset(chance), offset(chance));
         const auto pixel = project(sight.camera, sight.cameraFromPatient * point);
         ASSERT_TRUE(pixel);
         EXPECT_LT((*pixel - projected(view, point)).norm(), 1e-9);
@@ -104,8 +104,8 @@ TEST_P(DiffDrrViewOf, CastsItsRaysThroughOurPixels)
     const DiffDrrView view = viewOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
     const Sight sight = sightFromDiffDrr(view);
     for (const auto& [row, column] : {std::pair{0, 0}, {0, 511}, {300, 0}, {150, 256}, {17, 401}}) {
-        const Eigen::Vector4d world = pixelCentre(view, row, column);
-        const Eigen::Vector3d& c = view.volumeCentreInPatient;
+        const Eigen::Vector4d world = pixelCenter(view, row, column);
+        const Eigen::Vector3d& c = view.volumeCenterInPatient;
         const Eigen::Vector3d lps(c.x() - world.x(), c.y() - world.y(), c.z() + world.z());
         const auto pixel = project(sight.camera, sight.cameraFromPatient * lps);
         ASSERT_TRUE(pixel);

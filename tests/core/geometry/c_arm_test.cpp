@@ -25,10 +25,10 @@ CArm cArmAt(double primaryDeg, double secondaryDeg)
 /// Where a patient point (LPS mm, relative to the isocentre) lands, relative to the image centre: right and up, px.
 Eigen::Vector2d onScreen(const CArm& cArm, const Eigen::Vector3d& offset)
 {
-    const Eigen::Vector3d isocentre(12.0, -200.0, 900.0);
+    const Eigen::Vector3d isocenter(12.0, -200.0, 900.0);
     const ProjectionCamera camera = cameraFromCArm(cArm, 513, 513).value();
-    const RigidTransform pose = cameraFromPatient(cArm, isocentre).value();
-    const Eigen::Vector2d pixel = *project(camera, pose * (isocentre + offset).eval());
+    const RigidTransform pose = cameraFromPatient(cArm, isocenter).value();
+    const Eigen::Vector2d pixel = *project(camera, pose * (isocenter + offset).eval());
     return {pixel.x() - camera.cx, camera.cy - pixel.y()};
 }
 

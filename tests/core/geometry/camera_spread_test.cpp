@@ -26,12 +26,12 @@ TEST(CameraSpread, IsThatOfDistanceAndSpacingTogether)
 
 TEST(CameraSpread, IsWiderWhereAValueIsAssumed)
 {
-    const CArm told = cArmFrom(Origin::Header, Origin::User, Origin::User);
+    const CArm reported = cArmFrom(Origin::Header, Origin::User, Origin::User);
     const CArm derived = cArmFrom(Origin::Header, Origin::Derived, Origin::Derived);
     const CArm assumed = cArmFrom(Origin::Assumed, Origin::Derived, Origin::Assumed);
-    EXPECT_LT(spreadByOrigin(told, usualCamera).focalShare, spreadByOrigin(derived, usualCamera).focalShare);
+    EXPECT_LT(spreadByOrigin(reported, usualCamera).focalShare, spreadByOrigin(derived, usualCamera).focalShare);
     EXPECT_LT(spreadByOrigin(derived, usualCamera).focalShare, spreadByOrigin(assumed, usualCamera).focalShare);
-    EXPECT_LT(spreadByOrigin(told, usualCamera).principalPx, spreadByOrigin(assumed, usualCamera).principalPx);
+    EXPECT_LT(spreadByOrigin(reported, usualCamera).principalPx, spreadByOrigin(assumed, usualCamera).principalPx);
     EXPECT_FALSE(spreadOfTyped(usualCamera).isExact());
     EXPECT_TRUE(CameraSpread().isExact());
 }

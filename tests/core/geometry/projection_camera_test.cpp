@@ -9,31 +9,31 @@ namespace {
 
 using namespace core;
 
-const ProjectionCamera offCentreCamera{-2281.0, 2200.0, 250.0, 260.0, 512, 512};
+const ProjectionCamera offCenterCamera{-2281.0, 2200.0, 250.0, 260.0, 512, 512};
 
 TEST(Project, PutsTheAxisOnThePrincipalPoint)
 {
-    EXPECT_TRUE(project(offCentreCamera, {0.0, 0.0, 800.0})->isApprox(Eigen::Vector2d(250.0, 260.0)));
+    EXPECT_TRUE(project(offCenterCamera, {0.0, 0.0, 800.0})->isApprox(Eigen::Vector2d(250.0, 260.0)));
 }
 
 TEST(Project, NegativeFocalLengthMirrorsTheColumns)
 {
-    const Eigen::Vector2d pixel = *project(offCentreCamera, {-10.0, 10.0, 1000.0});
+    const Eigen::Vector2d pixel = *project(offCenterCamera, {-10.0, 10.0, 1000.0});
     EXPECT_DOUBLE_EQ(pixel.x(), 250.0 + 22.81);
     EXPECT_DOUBLE_EQ(pixel.y(), 260.0 + 22.0);
 }
 
 TEST(Project, PointsBehindTheSourceHaveNoPixel)
 {
-    EXPECT_FALSE(project(offCentreCamera, {0.0, 0.0, -5.0}));
-    EXPECT_FALSE(project(offCentreCamera, {0.0, 0.0, 0.0}));
-    EXPECT_FALSE(project(offCentreCamera, {0.0, 0.0, std::numeric_limits<double>::quiet_NaN()}));
+    EXPECT_FALSE(project(offCenterCamera, {0.0, 0.0, -5.0}));
+    EXPECT_FALSE(project(offCenterCamera, {0.0, 0.0, 0.0}));
+    EXPECT_FALSE(project(offCenterCamera, {0.0, 0.0, std::numeric_limits<double>::quiet_NaN()}));
 }
 
 TEST(Project, JacobianMatchesFiniteDifferences)
 {
     for (const double sign : {-1.0, 1.0}) {
-        ProjectionCamera camera = offCentreCamera;
+        ProjectionCamera camera = offCenterCamera;
         camera.fx *= sign;
         const Eigen::Vector3d point(31.0, -47.0, 733.0);
         const auto analytic = projectionJacobian(camera, point);
@@ -49,18 +49,18 @@ TEST(Project, JacobianMatchesFiniteDifferences)
 TEST(Project, RayThroughAPixelPassesThePointThatProjectsThere)
 {
     const Eigen::Vector3d point(31.0, -47.0, 733.0);
-    const Eigen::Vector3d ray = rayThroughPixel(offCentreCamera, *project(offCentreCamera, point));
+    const Eigen::Vector3d ray = rayThroughPixel(offCenterCamera, *project(offCenterCamera, point));
     EXPECT_LT(ray.cross(point.normalized()).norm(), 1e-12);
     EXPECT_GT(ray.z(), 0.0);
 }
 
 TEST(ProjectionCamera, UnusableCamerasAreNamed)
 {
-    EXPECT_FALSE(findProblem(offCentreCamera));
-    ProjectionCamera noFocus = offCentreCamera;
+    EXPECT_FALSE(findProblem(offCenterCamera));
+    ProjectionCamera noFocus = offCenterCamera;
     noFocus.fx = 0.0;
     EXPECT_NE(findProblem(noFocus)->text().find("fx"), std::string::npos);
-    ProjectionCamera noSize = offCentreCamera;
+    ProjectionCamera noSize = offCenterCamera;
     noSize.width = 0;
     EXPECT_NE(findProblem(noSize)->text().find("width"), std::string::npos);
 }

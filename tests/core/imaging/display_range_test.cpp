@@ -29,7 +29,7 @@ TEST(DisplayRange, IgnoresABlackBorder)
     EXPECT_GE(range.high, 195.0);
 }
 
-TEST(DisplayRange, KeepsTheBackgroundGreyWhereVesselsAreThin)
+TEST(DisplayRange, KeepsTheBackgroundGrayWhereVesselsAreThin)
 {
     for (const float vessel : {20.0F, 180.0F}) {
         ImageF image(100, 100, 100.0F);

@@ -48,13 +48,13 @@ TEST(MaskEdit, AChangeTakesItselfBackAndIsSmall)
 TEST(MaskEdit, ABallHasItsVolumeInUnequalVoxels)
 {
     VoxelMask mask(unequalVoxels());
-    const Eigen::Vector3d centre = centreOf(mask.geometry);
-    const auto found = brushedInSpace(mask, {MaskAim::Paint, 6.0}, {centre, centre});
+    const Eigen::Vector3d center = centerOf(mask.geometry);
+    const auto found = brushedInSpace(mask, {MaskAim::Paint, 6.0}, {center, center});
     flip(mask, changeOf(found));
     const double mm3 = static_cast<double>(setVoxels(mask)) * mask.geometry.spacingMm.prod();
     EXPECT_NEAR(mm3, 4.0 / 3.0 * std::numbers::pi * 216.0, 0.04 * 905.0);
-    EXPECT_TRUE(brushedInSpace(mask, {MaskAim::Paint, 6.0}, {centre, centre}).empty()) << "it is as wanted";
-    flip(mask, changeOf(brushedInSpace(mask, {MaskAim::Erase, 6.0}, {centre, centre})));
+    EXPECT_TRUE(brushedInSpace(mask, {MaskAim::Paint, 6.0}, {center, center}).empty()) << "it is as wanted";
+    flip(mask, changeOf(brushedInSpace(mask, {MaskAim::Erase, 6.0}, {center, center})));
     EXPECT_EQ(setVoxels(mask), 0U);
 }
 
@@ -104,17 +104,17 @@ TEST(MaskEdit, ABallOnItsWayTakesAllThatLiesWithinItsRadius)
 {
     VoxelMask mask(unequalVoxels());
     mask.geometry.direction = Eigen::AngleAxisd(0.4, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    const Eigen::Vector3d centre = centreOf(mask.geometry);
+    const Eigen::Vector3d center = centerOf(mask.geometry);
     for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(9, 4, -7), Eigen::Vector3d(0, 12, 0),
                                        Eigen::Vector3d(40, 0, 0), Eigen::Vector3d(0.1, 0, 20)}) {
-        const BrushStep step{centre - 0.3 * way, centre + 0.7 * way};
+        const BrushStep step{center - 0.3 * way, center + 0.7 * way};
         for (const double radiusMm : {0.7, 3.3, 30.0}) {
             EXPECT_EQ(brushedInSpace(mask, {MaskAim::Paint, radiusMm}, step).size(), withinStep(mask, radiusMm, step))
                 << way.transpose() << ", " << radiusMm;
         }
     }
     mask.geometry.direction = Eigen::Matrix3d::Identity();
-    const BrushStep alongRows{centre - Eigen::Vector3d(5, 0, 0), centre + Eigen::Vector3d(3, 0, 0)};
+    const BrushStep alongRows{center - Eigen::Vector3d(5, 0, 0), center + Eigen::Vector3d(3, 0, 0)};
     EXPECT_EQ(brushedInSpace(mask, {MaskAim::Paint, 2.2}, alongRows).size(), withinStep(mask, 2.2, alongRows));
 }
 
@@ -124,7 +124,7 @@ TEST(MaskEdit, AMaskFinerThanTheSliceIsPaintedAndCutWithoutGaps)
     VolumeGeometry scan = fine.geometry;
     scan.size = {20, 15, 10};
     scan.spacingMm *= 2.0;
-    const SliceGrid slice = sliceThrough(scan, BodyPlane::Axial, centreOf(scan));
+    const SliceGrid slice = sliceThrough(scan, BodyPlane::Axial, centerOf(scan));
     const Eigen::Vector3d at = slice.pointAt({10.0, 7.0});
     flip(fine, changeOf(brushedInSlice(fine, slice, {MaskAim::Paint, 3.0}, {at, at})));
     for (std::size_t place = 0; place < fine.voxels.size(); ++place) {
@@ -151,8 +151,8 @@ TEST(MaskEdit, AboveAValueAlone)
     for (std::size_t place = 0; place < scan.voxels.size(); ++place) {
         scan.voxels[place] = static_cast<std::int16_t>(mask.geometry.voxelAt(place).x() < 20 ? 300 : 50);
     }
-    const Eigen::Vector3d centre = centreOf(mask.geometry);
-    const auto found = brushedInSpace(mask, {MaskAim::Paint, 4.0, &scan, 200.0}, {centre, centre});
+    const Eigen::Vector3d center = centerOf(mask.geometry);
+    const auto found = brushedInSpace(mask, {MaskAim::Paint, 4.0, &scan, 200.0}, {center, center});
     ASSERT_FALSE(found.empty());
     for (const std::uint32_t place : found) {
         EXPECT_LT(mask.geometry.voxelAt(place).x(), 20);

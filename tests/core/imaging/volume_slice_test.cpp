@@ -102,7 +102,7 @@ TEST(VolumeSlice, CutsAnObliqueVolumeAlongThePatient)
     }
     volume.slope = 0.1;
     for (const BodyPlane plane : bodyPlanes) {
-        const SliceGrid grid = sliceThrough(volume.geometry, plane, centreOf(volume.geometry));
+        const SliceGrid grid = sliceThrough(volume.geometry, plane, centerOf(volume.geometry));
         EXPECT_NEAR(grid.columnStep.norm(), 0.5, 1e-12);
         const auto values = sliceValues(volume, grid);
         int inside = 0;

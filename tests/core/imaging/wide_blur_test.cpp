@@ -9,7 +9,7 @@ namespace {
 
 using namespace core;
 
-double variancePx(const ImageF& image, int centre)
+double variancePx(const ImageF& image, int center)
 {
     double sum = 0.0;
     double squares = 0.0;
@@ -17,7 +17,7 @@ double variancePx(const ImageF& image, int centre)
         for (int x = 0; x < image.width; ++x) {
             const double value = image.at(x, y);
             sum += value;
-            squares += value * (x - centre) * (x - centre);
+            squares += value * (x - center) * (x - center);
         }
     }
     return squares / sum;

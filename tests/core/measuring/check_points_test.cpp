@@ -16,13 +16,13 @@ struct Checked {
     {
         VesselTree tree;
         tree.branches.push_back({1, "", {{-30, 0, 0}, {0, 10, 5}, {30, 0, -5}, {40, -20, 10}}, {}, 0});
-        theCase.vessels.tree = std::make_shared<const VesselTree>(tree);
-        theCase.vessels.marks = {{7, VesselMarkKind::CheckPoint, "fork", {25.0, 2.0, -4.0}}};
-        theCase.views.resize(2);
+        session.vessels.tree = std::make_shared<const VesselTree>(tree);
+        session.vessels.marks = {{7, VesselMarkKind::CheckPoint, "fork", {25.0, 2.0, -4.0}}};
+        session.views.resize(2);
         auto run = std::make_shared<Angiogram>();
         run->frames.assign(3, ImageF(512, 512));
         for (std::size_t k = 0; k < 2; ++k) {
-            View& view = theCase.views[k];
+            View& view = session.views[k];
             view.angiogram = run;
             view.frame = 1;
             view.geometry.cameraOverride = ProjectionCamera{-5000.0, 5200.0, 255.5, 255.5, 512, 512};
@@ -31,14 +31,14 @@ struct Checked {
             view.sightings = {{7, seenAt(k, mark().pointInPatient), 1}};
         }
     }
-    const VesselMark& mark() const { return theCase.vessels.marks.front(); }
+    const VesselMark& mark() const { return session.vessels.marks.front(); }
     Eigen::Vector2d seenAt(std::size_t view, const Eigen::Vector3d& point) const
     {
-        const View& in = theCase.views[view];
+        const View& in = session.views[view];
         return *project(cameraOf(in).value(), in.cameraFromPatient * point);
     }
-    CheckedPoint checked() const { return checkedPoints(theCase).front(); }
-    Case theCase;
+    CheckedPoint checked() const { return checkedPoints(session).front(); }
+    Case session;
 };
 
 /// A covariance that no two steps share.
@@ -59,18 +59,18 @@ TEST(CheckPoints, TheErrorIsTheShiftThatWasImposed)
 {
     Checked seen;
     EXPECT_NEAR(seen.checked().views[0].error.value().mm, 0.0, 1e-9);
-    seen.theCase.views[0].cameraFromPatient.translation += Eigen::Vector3d(3.0, -4.0, 0.0);
+    seen.session.views[0].cameraFromPatient.translation += Eigen::Vector3d(3.0, -4.0, 0.0);
     const CheckedPoint checked = seen.checked();
     ASSERT_EQ(checked.views.size(), 2U);
     const ImageError& error = checked.views[0].error.value();
     EXPECT_NEAR(error.mm, 5.0, 1e-9);
-    const double depthMm = (seen.theCase.views[0].cameraFromPatient * seen.mark().pointInPatient).z();
+    const double depthMm = (seen.session.views[0].cameraFromPatient * seen.mark().pointInPatient).z();
     EXPECT_NEAR(error.depthMm, depthMm, 1e-9);
     EXPECT_NEAR(error.px, std::hypot(3.0 * 5000.0, 4.0 * 5200.0) / depthMm, 1e-9);
     EXPECT_NEAR(checked.views[1].error.value().mm, 0.0, 1e-9);
     EXPECT_FALSE(checked.views[0].claimed) << "no run found this pose";
-    const Messages told = sentencesOf(checked.views[0]);
-    EXPECT_TRUE(told.back().is(says::checkNothingClaimed));
+    const Messages reported = sentencesOf(checked.views[0]);
+    EXPECT_TRUE(reported.back().is(says::checkNothingClaimed));
     EXPECT_EQ(labelOf(checked, 0)->text(), "5.0 mm off");
 }
 
@@ -79,7 +79,7 @@ TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
     Checked seen;
     const Eigen::Vector3d shift(2.0, -1.0, 2.0);   // 3 mm of the vessels against both cameras
     for (std::size_t k = 0; k < 2; ++k) {
-        seen.theCase.views[k].sightings[0].pixel = seen.seenAt(k, seen.mark().pointInPatient + shift);
+        seen.session.views[k].sightings[0].pixel = seen.seenAt(k, seen.mark().pointInPatient + shift);
     }
     const CheckedPoint checked = seen.checked();
     ASSERT_TRUE(checked.meeting) << checked.meeting.error().message;
@@ -89,19 +89,19 @@ TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
     EXPECT_GT(checked.meeting.value().angleDeg, 80.0);
     EXPECT_EQ(checked.meetingViews, (std::vector<std::size_t>{0, 1}));
 
-    seen.theCase.views[1].sightings[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays do not meet any more
+    seen.session.views[1].sightings[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays do not meet any more
     EXPECT_GT(seen.checked().meeting.value().raysApartMm, 0.5);
 }
 
 TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeTold)
 {
     Checked seen;
-    seen.theCase.views[1].cameraFromPatient = seen.theCase.views[0].cameraFromPatient;
-    seen.theCase.views[1].cameraFromPatient.translation.x() += 10.0;
+    seen.session.views[1].cameraFromPatient = seen.session.views[0].cameraFromPatient;
+    seen.session.views[1].cameraFromPatient.translation.x() += 10.0;
     EXPECT_TRUE(seen.checked().meeting.error().message.is(says::checkRaysAlike));
-    seen.theCase.views[1].sightings.clear();
+    seen.session.views[1].sightings.clear();
     EXPECT_TRUE(seen.checked().meeting.error().message.is(says::checkNeedsTwoViews));
-    seen.theCase.views[0].sightings.clear();
+    seen.session.views[0].sightings.clear();
     EXPECT_TRUE(seen.checked().views.empty());
     EXPECT_FALSE(labelOf(seen.checked(), 0));
 }
@@ -109,19 +109,19 @@ TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeTold)
 TEST(CheckPoints, ThePoseIsOfOneFrame)
 {
     Checked seen;
-    seen.theCase.views[0].sightings[0].frame = 2;
+    seen.session.views[0].sightings[0].frame = 2;
     EXPECT_TRUE(seen.checked().views[0].error.error().message.is(says::checkOtherFrame));
     EXPECT_FALSE(seen.checked().meeting);
-    seen.theCase.views[0].sightings.push_back({7, {100.0, 100.0}, 1});
+    seen.session.views[0].sightings.push_back({7, {100.0, 100.0}, 1});
     EXPECT_TRUE(seen.checked().views[0].error) << "of several frames the one of the pose counts";
-    seen.theCase.views[0].cameraFromPatient.translation.z() = -700.0;
+    seen.session.views[0].cameraFromPatient.translation.z() = -700.0;
     EXPECT_TRUE(seen.checked().views[0].error.error().message.is(says::checkBehindSource));
 }
 
 TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
 {
     Checked seen;
-    View& view = seen.theCase.views[0];
+    View& view = seen.session.views[0];
     view.result.emplace();
     view.result->cameraFromPatient = view.cameraFromPatient;
     const Matrix6d covariance = someCovariance(0.01);
@@ -129,7 +129,7 @@ TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
     view.result->uncertainty.imageCovariance = covariance;
     const ClaimedError claimed = *seen.checked().views[0].claimed;
 
-    const Eigen::Vector3d centroid = centroidInPatient(*seen.theCase.vessels.tree);
+    const Eigen::Vector3d centroid = centroidInPatient(*seen.session.vessels.tree);
     const Eigen::LLT<Matrix6d> root(Matrix6d(covariance + 1e-15 * Matrix6d::Identity()));
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
@@ -157,11 +157,11 @@ TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
 TEST(CheckPoints, APoseLookedAtForAWhileHasNoClaim)
 {
     Checked seen;
-    seen.theCase.views[0].result.emplace();
-    seen.theCase.views[0].result->cameraFromPatient = seen.theCase.views[0].cameraFromPatient;
+    seen.session.views[0].result.emplace();
+    seen.session.views[0].result->cameraFromPatient = seen.session.views[0].cameraFromPatient;
     EXPECT_TRUE(seen.checked().views[0].claimed);
-    const auto moved = checkedPoints(seen.theCase, [&](std::size_t view) {
-        RigidTransform pose = seen.theCase.views[view].cameraFromPatient;
+    const auto moved = checkedPoints(seen.session, [&](std::size_t view) {
+        RigidTransform pose = seen.session.views[view].cameraFromPatient;
         pose.translation.x() += 1.0;
         return pose;
     });

@@ -107,7 +107,7 @@ TEST(MeasureImage, WhatMeansNothingIsSaidNotInvented)
     EXPECT_TRUE(why(Length, {{0, 0}, {std::nan(""), 1}}).is(says::measureNotFinite));
 }
 
-TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimetres)
+TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimeters)
 {
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {10, 0}};

@@ -1,6 +1,6 @@
 #include "core/registration/follow_run.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ struct SwayingRun {
         return input;
     }
 
-    std::shared_ptr<const DeformableResult> firstBend() const
+    std::shared_ptr<const DeformableResult> firstDeformation() const
     {
         const DeformableView view{inputAt(0), poseAt(0), 0};
         return std::make_shared<const DeformableResult>(deformVessels(std::span(&view, 1)).value());
@@ -63,27 +63,27 @@ struct SwayingRun {
     test::CleanCase clean{3};
 };
 
-TEST(RunFollower, FollowsHowVesselsBend)
+TEST(RunFollower, FollowsHowVesselsDeformation)
 {
     const SwayingRun run;
-    auto follower = RunFollower::from(run.inputAt(0), run.firstBend(), {});
+    auto follower = RunFollower::from(run.inputAt(0), run.firstDeformation(), {});
     ASSERT_TRUE(follower);
-    RunFollower bent = std::move(follower).value();
+    RunFollower deformed = std::move(follower).value();
     RunFollower rigid = RunFollower::from(run.inputAt(0), nullptr, {}).value();
-    double bentMm = 0.0;
+    double deformedMm = 0.0;
     double rigidMm = 0.0;
     for (int frame = 1; frame <= 20; ++frame) {
-        const auto found = bent.next(run.inputAt(frame).target);
+        const auto found = deformed.next(run.inputAt(frame).target);
         ASSERT_TRUE(found);
         EXPECT_TRUE(found.value().tracked.isTrustworthy) << frame;
-        ASSERT_TRUE(found.value().bent) << frame;
+        ASSERT_TRUE(found.value().deformed) << frame;
         const RigidTransform& pose = found.value().tracked.cameraFromPatient;
-        bentMm += run.errorMm(bentTreeAt(run.clean.tree, *found.value().bent, pose), pose, frame) / 20.0;
+        deformedMm += run.errorMm(deformedTreeAt(run.clean.tree, *found.value().deformed, pose), pose, frame) / 20.0;
         const RigidTransform rigidPose = rigid.next(run.inputAt(frame).target).value().tracked.cameraFromPatient;
         rigidMm += run.errorMm(run.clean.tree, rigidPose, frame) / 20.0;
     }
-    EXPECT_LT(bentMm, 0.3);
-    EXPECT_LT(bentMm, 0.25 * rigidMm);
+    EXPECT_LT(deformedMm, 0.3);
+    EXPECT_LT(deformedMm, 0.25 * rigidMm);
 }
 
 TEST(RunFollower, FollowsRigidVesselsWithoutABend)
@@ -92,26 +92,26 @@ TEST(RunFollower, FollowsRigidVesselsWithoutABend)
     RunFollower follower = RunFollower::from(run.inputAt(0), nullptr, {}).value();
     const auto found = follower.next(run.inputAt(1).target);
     ASSERT_TRUE(found);
-    EXPECT_FALSE(found.value().bent);
+    EXPECT_FALSE(found.value().deformed);
 }
 
 TEST(RunFollower, StaysAsItWasAtAFrameWithoutVessels)
 {
     const SwayingRun run;
-    RunFollower follower = RunFollower::from(run.inputAt(0), run.firstBend(), {}).value();
+    RunFollower follower = RunFollower::from(run.inputAt(0), run.firstDeformation(), {}).value();
     EXPECT_FALSE(follower.next({}));
     const auto found = follower.next(run.inputAt(1).target);
     ASSERT_TRUE(found);
-    EXPECT_TRUE(found.value().bent);
+    EXPECT_TRUE(found.value().deformed);
 }
 
-TEST(RunFollower, TakesNoBendOfAnotherTree)
+TEST(RunFollower, TakesNoDeformationOfAnotherTree)
 {
     const SwayingRun run;
     RegistrationInput other = run.inputAt(0);
     other.tree.branches.pop_back();
-    RunFollower follower = RunFollower::from(other, run.firstBend(), {}).value();
-    EXPECT_FALSE(follower.next(run.inputAt(1).target).value().bent);
+    RunFollower follower = RunFollower::from(other, run.firstDeformation(), {}).value();
+    EXPECT_FALSE(follower.next(run.inputAt(1).target).value().deformed);
 }
 
 }   // namespace

@@ -56,7 +56,7 @@ RegistrationOptions methodLocking(std::string_view method, std::initializer_list
     return options;
 }
 
-bool heedsLocks(std::string_view method)
+bool respectsLocks(std::string_view method)
 {
     return method != "assembled-icp";
 }
@@ -74,7 +74,7 @@ TEST_P(LockedAxes, KeepTheirValueExactly)
     const RegistrationOptions options =
         methodLocking(GetParam(), {PoseAxis::AlongRay, PoseAxis::LaoRao, PoseAxis::Right});
     const auto result = registerVessels(counted, options);
-    if (!heedsLocks(GetParam())) {
+    if (!respectsLocks(GetParam())) {
         ASSERT_FALSE(result);
         EXPECT_NE(result.error().message.text().find("cannot keep"), std::string::npos);
         return;
@@ -93,7 +93,7 @@ TEST_P(LockedAxes, KeepTheirValueExactly)
 
 TEST_P(LockedAxes, FindTheOthersWhenTheLockedAreRight)
 {
-    if (!heedsLocks(GetParam())) {
+    if (!respectsLocks(GetParam())) {
         GTEST_SKIP() << "refuses locks";
     }
     const LockedCase locked(3);
@@ -109,7 +109,7 @@ TEST_P(LockedAxes, FindTheOthersWhenTheLockedAreRight)
 
 TEST_P(LockedAxes, LeaveOneFree)
 {
-    if (!heedsLocks(GetParam())) {
+    if (!respectsLocks(GetParam())) {
         GTEST_SKIP() << "refuses locks";
     }
     const LockedCase locked(4);

@@ -96,13 +96,13 @@ TEST(OddViews, EndWithAPoseOfEachViewOrAnError)
         SCOPED_TRACE("seed " + std::to_string(seed));
         const OddViews odd(seed);
         RegistrationOptions options;
-        options.bending = Bending::Always;
+        options.deformation = Deformation::Always;
         const auto joint = registerViews(odd.inputs, options, {});
-        const auto bent = deformVessels(odd.deformable(), {.geometryDeg = 0.5, .geometryMm = 1.5});
+        const auto deformed = deformVessels(odd.deformable(), {.geometryDeg = 0.5, .geometryMm = 1.5});
         refused += joint ? 0 : 1;
         for (const auto& result : {joint ? joint.value().corrections.size() : odd.inputs.size(),
                                    joint ? joint.value().views.size() : odd.inputs.size(),
-                                   bent ? bent.value().viewPoses.size() : odd.inputs.size()}) {
+                                   deformed ? deformed.value().viewPoses.size() : odd.inputs.size()}) {
             EXPECT_EQ(result, odd.inputs.size());
         }
         if (joint) {
@@ -110,7 +110,7 @@ TEST(OddViews, EndWithAPoseOfEachViewOrAnError)
                 EXPECT_TRUE(view.cameraFromPatient.matrix().allFinite());
             }
         }
-        EXPECT_TRUE(!bent || bent.value().cameraFromPatient.matrix().allFinite());
+        EXPECT_TRUE(!deformed || deformed.value().cameraFromPatient.matrix().allFinite());
     }
     EXPECT_LT(refused, runCount());
 }

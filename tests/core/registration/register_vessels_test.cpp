@@ -163,7 +163,7 @@ TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
     for (std::size_t i = 0; i < trunk.radiusMm.size(); ++i) {
         trunk.radiusMm[i] = 3.0 - 2.0 * static_cast<double>(i) / static_cast<double>(trunk.radiusMm.size());
     }
-    const double mmPerPx = millimetresPerPixel(clean.camera, 800.0);
+    const double mmPerPx = millimetersPerPixel(clean.camera, 800.0);
     const auto registered = [&](const VesselTree& seen, const std::function<double(double)>& seenRadiusMm) {
         RegistrationInput input = clean.from(clean.nearbyStart(random));
         input.target = projectTree(seen, clean.camera, clean.truth);
@@ -341,7 +341,7 @@ std::vector<double> effectOfChoice(const RegistrationResult& result)
     return numbers;
 }
 
-TEST(RegisterVessels, ChosenBranchesOfBentVesselsFitBetterAndItIsSaid)
+TEST(RegisterVessels, ChosenBranchesOfDeformedVesselsFitBetterAndItIsSaid)
 {
     test::CleanCase clean(3);
     Curve2d& curve = *std::ranges::max_element(clean.target.curves, {}, [](const Curve2d& each) {
@@ -431,7 +431,7 @@ TEST(RegisterVessels, FindsAPoseFromOneTerritoryAndNamesTheRest)
             << "tree " << seed;
         EXPECT_TRUE(result.value().trustworthy) << "tree " << seed;
         EXPECT_EQ(clean.tree.branches.size(), result.value().branches.size());
-        EXPECT_FALSE(result.value().unfilled.empty()) << "tree " << seed;
+        EXPECT_FALSE(result.value().unopacified.empty()) << "tree " << seed;
     }
 }
 

@@ -80,8 +80,9 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
         double cost = 0.0;
         perView.clear();
         for (std::size_t k = 0; k < 2; ++k) {
-            const CentroidPose wish = moved(poseInView(joint, geometry, k), (k == 0 ? 0.01 : 0.02) * Vector6d::Ones());
-            const Vector6d step = stepBetween(wish, poseInView(at, geometry, k));
+            const CentroidPose request =
+                moved(poseInView(joint, geometry, k), (k == 0 ? 0.01 : 0.02) * Vector6d::Ones());
+            const Vector6d step = stepBetween(request, poseInView(at, geometry, k));
             cost += step.squaredNorm();
             NormalEquations equations;
             equations.hessian.setIdentity();

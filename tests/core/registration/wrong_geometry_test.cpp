@@ -30,7 +30,7 @@ void stretchFocalLength(RegistrationInput& input, double factor)
 }
 
 /// Squared error over covariance.
-double normalisedError(const test::CleanCase& clean, const RigidTransform& truth, const RigidTransform& pose,
+double normalizedError(const test::CleanCase& clean, const RigidTransform& truth, const RigidTransform& pose,
                        const Matrix6d& covariance)
 {
     const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
@@ -53,7 +53,7 @@ TEST(WrongGeometry, TheCovarianceHoldsTheTruthOfAWrongDistance)
         input.cameraSpread = headerSpread;
         const RegistrationResult result = registerVessels(input).value();
         const auto nees = [&](const RegistrationResult& each) {
-            return normalisedError(clean, clean.truth, each.cameraFromPatient, each.uncertainty.covariance);
+            return normalizedError(clean, clean.truth, each.cameraFromPatient, each.uncertainty.covariance);
         };
         EXPECT_GT(nees(trusting), 100.0) << factor;
         EXPECT_LT(nees(result), inside95) << factor;
@@ -96,10 +96,10 @@ TEST(WrongGeometry, OptionsOverruleWhereTheValuesComeFrom)
 MultiViewResult twoViews(double factor)
 {
     const test::CleanCase clean(3);
-    const Eigen::Vector3d isocentre(0.0, 0.0, 790.0);
+    const Eigen::Vector3d isocenter(0.0, 0.0, 790.0);
     const Eigen::Matrix3d turn = expSo3({0.0, std::numbers::pi / 3.0, 0.0});
     const std::array<RigidTransform, 2> truth{clean.truth,
-                                              RigidTransform{turn, isocentre - turn * isocentre} * clean.truth};
+                                              RigidTransform{turn, isocenter - turn * isocenter} * clean.truth};
     std::array<RegistrationInput, 2> inputs;
     for (std::size_t k = 0; k < 2; ++k) {
         inputs[k] = noisyInput(clean, truth[k], 11 + k);

@@ -46,8 +46,8 @@ TEST(ContrastPath, ATubeTiltedTowardsTheRayLooksDenser)
 {
     const double tilt = std::numbers::pi / 3.0;   // 60° out of the detector plane: path length doubles
     const Eigen::Vector3d half(20.0 * std::cos(tilt), 0.0, 20.0 * std::sin(tilt));
-    const Eigen::Vector3d centre(0.0, 0.0, depthMm);
-    const ImageF image = filledThickness(tubePath(centre - half, centre + half, 1.5));
+    const Eigen::Vector3d center(0.0, 0.0, depthMm);
+    const ImageF image = filledThickness(tubePath(center - half, center + half, 1.5));
     EXPECT_NEAR(image.at(100, 100) / fullConcentration(), 2.0 * 3.0, 0.25);
 }
 

@@ -45,12 +45,12 @@ TEST(ProjectCurves, LieOnTheSameCurvesAndHaveNoPartners)
     const VesselTree tree = simulateTree(2);
     const RigidTransform pose{expSo3({0.2, 0.1, -0.4}), {2.0, -3.0, 800.0}};
     const Centerline2d own = projectTree(tree, projectingCamera, pose);
-    const Centerline2d anew = projectCurves(tree, projectingCamera, pose);
-    ASSERT_EQ(anew.curves.size(), own.curves.size());
+    const Centerline2d again = projectCurves(tree, projectingCamera, pose);
+    ASSERT_EQ(again.curves.size(), own.curves.size());
     std::size_t partners = 0;
     std::size_t asked = 0;
     for (std::size_t c = 0; c < own.curves.size(); ++c) {
-        const auto& points = anew.curves[c].pointsPx;
+        const auto& points = again.curves[c].pointsPx;
         for (std::size_t i = 1; i + 1 < points.size(); ++i) {
             EXPECT_LT(distancePx(own.curves[c], points[i]), 1e-6);
             EXPECT_NEAR((points[i] - points[i - 1]).norm(), 1.0, 0.4);   // across a bend it is less

@@ -13,7 +13,7 @@ namespace {
 
 using namespace core;
 
-constexpr double midGrey = 2048.0;
+constexpr double midGray = 2048.0;
 
 /// Vessels alone: no noise, motion, catheter, extra vessels or shutter.
 DsaOptions cleanDsa()
@@ -64,7 +64,7 @@ double ridgeOffset(const ImageF& image, const Eigen::Vector2d& pixel, const Eige
     double weight = 0.0;
     double moment = 0.0;
     for (double s = -reachPx; s <= reachPx; s += 0.25) {
-        const double dark = std::max(0.0, midGrey - bilinear(image, pixel + s * normal));
+        const double dark = std::max(0.0, midGray - bilinear(image, pixel + s * normal));
         weight += dark;
         moment += s * dark;
     }
@@ -87,7 +87,7 @@ TEST(SimulateCase, SameSeedSameBitsOtherSeedOtherCase)
     EXPECT_NE(a.angiogram.frames[1].pixels, c.angiogram.frames[1].pixels);
 }
 
-TEST(SimulateCase, TheProjectedCentrelineLiesOnTheDarkRidge)
+TEST(SimulateCase, TheProjectedCenterlineLiesOnTheDarkRidge)
 {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const SimulatedCase simulated = simulateCase(seed, {}, cleanDsa());
@@ -129,11 +129,11 @@ TEST(SimulateCase, MissingBranchesAreInvisibleAndTheOthersShow)
             }
             if (!isMissing) {
                 ++filled;
-                dark += bilinear(frame, pixel) < midGrey - 30.0 ? 1 : 0;
+                dark += bilinear(frame, pixel) < midGray - 30.0 ? 1 : 0;
             } else if (distanceToOthers(simulated.trueTarget, -1, pixel) > 10.0) {
                 ++checkedMissing;
                 // Scatter from the filled vessels lifts their surroundings a little.
-                EXPECT_NEAR(bilinear(frame, pixel), midGrey, 25.0);
+                EXPECT_NEAR(bilinear(frame, pixel), midGray, 25.0);
             }
         }
         EXPECT_EQ(isMissing, std::none_of(simulated.trueTarget.curves.begin(), simulated.trueTarget.curves.end(),
@@ -173,7 +173,7 @@ TEST(SimulateCase, TheFullestFrameShowsMoreVesselThanTheFirstAndTheLast)
     const auto darkness = [&](int frame) {
         double sum = 0.0;
         for (const float value : angiogram.frames[static_cast<std::size_t>(frame)].pixels) {
-            sum += std::max(0.0, midGrey - value);
+            sum += std::max(0.0, midGray - value);
         }
         return sum;
     };
@@ -273,16 +273,16 @@ TEST(SimulateCase, ABentVesselStillHasABestRigidPose)
     options.width = options.height = 128;
     options.missingBranchShare = 0.0;
     options.nonRigidStdMm = 2.0;
-    const SimulatedCase bent = simulateCase(7, {}, options);
+    const SimulatedCase deformed = simulateCase(7, {}, options);
     options.nonRigidStdMm = 0.0;
     const SimulatedCase rigid = simulateCase(7, {}, options);
     const auto meanErrorPx = [&](const RigidTransform& pose) {
-        const Centerline2d projected = projectTree(bent.tree, bent.camera, pose);
+        const Centerline2d projected = projectTree(deformed.tree, deformed.camera, pose);
         double sum = 0.0;
         double count = 0.0;
         for (std::size_t c = 0; c < projected.curves.size(); ++c) {
             const std::vector<Eigen::Vector2d> found = inEvenShares(projected.curves[c]);
-            const std::vector<Eigen::Vector2d> truth = inEvenShares(bent.trueTarget.curves[c]);
+            const std::vector<Eigen::Vector2d> truth = inEvenShares(deformed.trueTarget.curves[c]);
             for (std::size_t i = 0; i < found.size(); ++i) {
                 sum += (found[i] - truth[i]).squaredNorm();
                 count += 1.0;
@@ -290,9 +290,9 @@ TEST(SimulateCase, ABentVesselStillHasABestRigidPose)
         }
         return std::sqrt(sum / count);
     };
-    EXPECT_GT(meanErrorPx(bent.trueCameraFromPatient), 0.1);
-    EXPECT_LT(meanErrorPx(bent.trueCameraFromPatient), meanErrorPx(rigid.trueCameraFromPatient));
-    EXPECT_TRUE(test::nearPose(bent.trueCameraFromPatient, rigid.trueCameraFromPatient, 8.0, 40.0));
+    EXPECT_GT(meanErrorPx(deformed.trueCameraFromPatient), 0.1);
+    EXPECT_LT(meanErrorPx(deformed.trueCameraFromPatient), meanErrorPx(rigid.trueCameraFromPatient));
+    EXPECT_TRUE(test::nearPose(deformed.trueCameraFromPatient, rigid.trueCameraFromPatient, 8.0, 40.0));
     EXPECT_LT(meanErrorPx(rigid.trueCameraFromPatient), 4.0);
 }
 

@@ -32,9 +32,9 @@ std::size_t connectedBranchCount(const VesselTree& tree)
             if (std::find(node.branchIds.begin(), node.branchIds.end(), branch) == node.branchIds.end()) {
                 continue;
             }
-            for (const int neighbour : node.branchIds) {
-                if (reached.insert(neighbour).second) {
-                    open.push(neighbour);
+            for (const int neighbor : node.branchIds) {
+                if (reached.insert(neighbor).second) {
+                    open.push(neighbor);
                 }
             }
         }
@@ -77,8 +77,8 @@ TEST(SimulateTree, IsSmoothAndEvenlySampled)
                 const Eigen::Vector3d before = p[i] - p[i - 1];
                 const Eigen::Vector3d after = p[i + 1] - p[i];
                 EXPECT_NEAR(before.norm(), 1.0, 0.06) << seed << " " << branch.name;
-                const double bend = std::acos(std::min(1.0, before.normalized().dot(after.normalized())));
-                EXPECT_LT(bend / before.norm(), 1.0 / 3.0) << seed << " " << branch.name << " point " << i;
+                const double deformation = std::acos(std::min(1.0, before.normalized().dot(after.normalized())));
+                EXPECT_LT(deformation / before.norm(), 1.0 / 3.0) << seed << " " << branch.name << " point " << i;
             }
         }
     }

@@ -10,22 +10,22 @@ namespace {
 
 using namespace core;
 
-TEST(SplatDisc, HasTheVolumeAndTheCentreOfTheDisc)
+TEST(SplatDisc, HasTheVolumeAndTheCenterOfTheDisc)
 {
     for (const double radius : {0.3, 0.8, 2.0, 5.5}) {
         for (const double fraction : {0.0, 0.25, 0.5, 0.9}) {
             ImageF image(32, 32);
             splatDisc(image, {15.0 + fraction, 16.0 - fraction}, radius, 2.0);
             double volume = 0.0;
-            Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+            Eigen::Vector2d center = Eigen::Vector2d::Zero();
             for (int y = 0; y < 32; ++y) {
                 for (int x = 0; x < 32; ++x) {
                     volume += image.at(x, y);
-                    centre += image.at(x, y) * Eigen::Vector2d(x, y);
+                    center += image.at(x, y) * Eigen::Vector2d(x, y);
                 }
             }
             EXPECT_NEAR(volume, 2.0 * std::numbers::pi * radius * radius, 1e-4 * volume);
-            EXPECT_LT((centre / volume - Eigen::Vector2d(15.0 + fraction, 16.0 - fraction)).norm(), 0.15) << radius;
+            EXPECT_LT((center / volume - Eigen::Vector2d(15.0 + fraction, 16.0 - fraction)).norm(), 0.15) << radius;
         }
     }
 }

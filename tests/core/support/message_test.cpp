@@ -1,6 +1,6 @@
 #include "core/support/message.h"
 
-#include "core/messages/catalogue.h"
+#include "core/messages/catalog.h"
 #include "core/messages/says.h"
 #include "core/support/result.h"
 

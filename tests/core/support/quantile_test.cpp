@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-TEST(Quantile, InterpolatesBetweenNeighbours)
+TEST(Quantile, InterpolatesBetweenNeighbors)
 {
     EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
     EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.75), 3.25);

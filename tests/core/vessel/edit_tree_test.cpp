@@ -106,7 +106,7 @@ TEST(EditTree, JoinsNearestEndsWhicheverWayTheyRun)
     EXPECT_FALSE(core::joined(tree, 1, 7));
 }
 
-TEST(EditTree, SmoothsNarrowBendsAndKeepsWideOnesAndEnds)
+TEST(EditTree, SmoothsNarrowDeformationAndKeepsWideOnesAndEnds)
 {
     VesselTree tree;
     tree.branches.emplace_back();

@@ -65,7 +65,7 @@ TEST(VesselMark, TangentAndRadiusAreThoseOfTheBranch)
     EXPECT_FALSE(radiusAt(bare, *place));
 }
 
-TEST(VesselMark, GoesWithBentVessels)
+TEST(VesselMark, GoesWithDeformedVessels)
 {
     const VesselTree tree = bow();
     VesselTree moved = tree;

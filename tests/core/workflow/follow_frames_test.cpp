@@ -1,6 +1,6 @@
 #include "core/workflow/follow_frames.h"
 
-#include "core/case/known_bend.h"
+#include "core/case/known_deformation.h"
 #include "core/workflow/register_case.h"
 #include "tests/support/drawn_vessels.h"
 #include "tests/support/simulated_views.h"
@@ -14,44 +14,45 @@ namespace angiopose::core {
 namespace {
 
 /// A run of vessels that lie bent in all of its frames, traced and registered.
-Case registeredRun(double bentStdMm)
+Case registeredRun(double deformedStdMm)
 {
     DsaOptions dsa;
-    dsa.nonRigidStdMm = bentStdMm;
+    dsa.nonRigidStdMm = deformedStdMm;
     dsa.missingBranchShare = dsa.extraBranchShare = dsa.catheterProbability = dsa.shutterProbability = 0.0;
     Case values = test::caseOf(simulateCase(5, {}, dsa));
     values.shown().target.centerline = nullptr;   // traced, frame by frame
     const auto registered = registerCase(values, {}, {});
     EXPECT_TRUE(registered);
-    return registered.value().theCase;
+    return registered.value().session;
 }
 
-TEST(FollowFrames, FollowsBentVesselsBent)
+TEST(FollowFrames, FollowsDeformedVesselsDeformed)
 {
-    Case theCase = registeredRun(3.0);
-    ASSERT_TRUE(knownBend(theCase.shown(), theCase.vessels, theCase.shown().cameraFromPatient));
-    const auto frames = followFrames(theCase);
+    Case session = registeredRun(3.0);
+    ASSERT_TRUE(knownDeformation(session.shown(), session.vessels, session.shown().cameraFromPatient));
+    const auto frames = followFrames(session);
     ASSERT_TRUE(frames);
     int found = 0;
     int carried = 0;
     for (const FollowedFrame& each : frames.value()) {
-        EXPECT_TRUE(each.bent) << each.frame;
-        EXPECT_EQ(each.bentAsInFrame.has_value(), !each.tracked.isTrustworthy) << each.frame;
-        (each.bentAsInFrame ? carried : found) += 1;
+        EXPECT_TRUE(each.deformed) << each.frame;
+        EXPECT_EQ(each.deformedAsInFrame.has_value(), !each.tracked.isTrustworthy) << each.frame;
+        (each.deformedAsInFrame ? carried : found) += 1;
     }
     EXPECT_GE(found, 3);
     EXPECT_GE(carried, 1) << "frames without contrast";
-    theCase.shown().followed = followedFrom(theCase.shown().frame, frames.value());
+    session.shown().followed = followedFrom(session.shown().frame, frames.value());
     for (const FollowedFrame& each : frames.value()) {
-        const auto known = knownBend(theCase.shown(), theCase.vessels, each.tracked.cameraFromPatient);
+        const auto known = knownDeformation(session.shown(), session.vessels, each.tracked.cameraFromPatient);
         ASSERT_TRUE(known) << each.frame;   // frames that were lost may share a pose
-        EXPECT_TRUE(known->cameraFromPatient.matrix().isApprox(each.bent->cameraFromPatient.matrix())) << each.frame;
-        const View there = withFrame(theCase.shown(), each.frame);
+        EXPECT_TRUE(known->cameraFromPatient.matrix().isApprox(each.deformed->cameraFromPatient.matrix()))
+            << each.frame;
+        const View there = withFrame(session.shown(), each.frame);
         EXPECT_EQ(there.cameraFromPatient.matrix(), each.tracked.cameraFromPatient.matrix()) << each.frame;
         EXPECT_FALSE(there.result);
     }
-    takeOver(theCase.shown(), *theCase.shown().result);
-    EXPECT_FALSE(theCase.shown().followed.frames) << "another pose may follow from it";
+    takeOver(session.shown(), *session.shown().result);
+    EXPECT_FALSE(session.shown().followed.frames) << "another pose may follow from it";
 }
 
 /// Things that stand still where the vessels lie agree with their pose in frames without contrast agent too.
@@ -81,12 +82,12 @@ TEST(FollowFrames, DoesNotTrustWhatStandsStillWithoutContrast)
     EXPECT_EQ(first.problem->id(), "follow.stands-still");
 }
 
-TEST(FollowFrames, FindsNoBendWhereNoneIsKnown)
+TEST(FollowFrames, FindsNoDeformationWhereNoneIsKnown)
 {
-    Case theCase = registeredRun(0.0);
-    const auto frames = followFrames(theCase);
+    Case session = registeredRun(0.0);
+    const auto frames = followFrames(session);
     ASSERT_TRUE(frames);
-    EXPECT_TRUE(std::ranges::all_of(frames.value(), [](const FollowedFrame& each) { return !each.bent; }));
+    EXPECT_TRUE(std::ranges::all_of(frames.value(), [](const FollowedFrame& each) { return !each.deformed; }));
 }
 
 }   // namespace

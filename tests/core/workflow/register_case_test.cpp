@@ -1,6 +1,6 @@
 #include "core/workflow/register_case.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 
 #include "core/geometry/angle_units.h"
 #include "core/geometry/rigid_transform.h"
@@ -20,10 +20,10 @@ using Views = RegistrationPlan::Views;
 
 TEST(Course, NeverFallsAndRemembersAStop)
 {
-    std::vector<double> told;
-    const WorkObserver observe = [&told](const WorkReport& report) {
-        told.push_back(report.fraction);
-        return told.size() < 4 ? Verdict::Continue : Verdict::Stop;
+    std::vector<double> reported;
+    const WorkObserver observe = [&reported](const WorkReport& report) {
+        reported.push_back(report.fraction);
+        return reported.size() < 4 ? Verdict::Continue : Verdict::Stop;
     };
     Course course(observe);
     course.enter(0.5, 1.0, 3);
@@ -34,7 +34,7 @@ TEST(Course, NeverFallsAndRemembersAStop)
     EXPECT_EQ(course.tell("b", 7.0), Verdict::Continue);
     EXPECT_EQ(course.tell("b", 1.0), Verdict::Stop);
     EXPECT_EQ(course.tell("b", 1.0), Verdict::Stop);
-    EXPECT_EQ(told, (std::vector{0.75, 0.75, 1.0, 1.0}));
+    EXPECT_EQ(reported, (std::vector{0.75, 0.75, 1.0, 1.0}));
     EXPECT_TRUE(course.isStopped());
 }
 
@@ -60,7 +60,7 @@ TEST(RegisterCase, TellsOfEachViewAndItsProgressNeverFalls)
     EXPECT_EQ(views, (std::set<std::size_t>{0, 1}));
     EXPECT_EQ(run.value().places, (std::vector<std::size_t>{1, 0}));
     ASSERT_TRUE(run.value().joint);
-    for (const View& view : run.value().theCase.views) {
+    for (const View& view : run.value().session.views) {
         ASSERT_TRUE(view.result);
         EXPECT_LT(view.result->metrics.medianPx, 1.0);
         EXPECT_EQ(view.cameraFromPatient.matrix(), view.result->cameraFromPatient.matrix());
@@ -103,7 +103,7 @@ TEST(RegisterCase, TrustsNoFitOfDifferentPatientsUnlessSomebodyMadeSure)
     const RegisteredCase other = registerCase(values).value();
     EXPECT_FALSE(other.joint->trustworthy);
     EXPECT_EQ(other.joint->warnings.front().id(), "patient.of-runs-differs");
-    for (const View& view : other.theCase.views) {
+    for (const View& view : other.session.views) {
         EXPECT_FALSE(view.result->trustworthy);
         EXPECT_EQ(view.result->warnings.front().id(), "patient.of-runs-differs");
     }
@@ -131,7 +131,7 @@ TEST(RegisterCase, TrustsNoViewWhereTheViewsAreNotTrustedTogether)
     values.views[0].target.centerline = std::make_shared<const Centerline2d>(std::move(mirrored));
     const RegisteredCase together = registerCase(values).value();
     ASSERT_FALSE(together.joint->trustworthy);
-    for (const View& view : together.theCase.views) {
+    for (const View& view : together.session.views) {
         EXPECT_FALSE(view.result->trustworthy);
         EXPECT_FALSE(view.result->warnings.empty());
     }
@@ -160,8 +160,8 @@ TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)
     const auto alone = registerCase(values, {Views::Shown});
     ASSERT_TRUE(together && alone);
     EXPECT_FALSE(alone.value().joint);
-    EXPECT_FALSE(alone.value().theCase.views[1].result);
-    EXPECT_EQ(alone.value().theCase.views[1].cameraFromPatient.matrix(), values.views[1].cameraFromPatient.matrix());
+    EXPECT_FALSE(alone.value().session.views[1].result);
+    EXPECT_EQ(alone.value().session.views[1].cameraFromPatient.matrix(), values.views[1].cameraFromPatient.matrix());
     EXPECT_GT(alone.value().result().uncertainty.depthMm, together.value().result().uncertainty.depthMm);
 }
 
@@ -189,8 +189,8 @@ TEST(RegisterCase, EstimatesTheGeometryThatImagesContradictWhereThatIsWanted)
     const auto estimated = registerCase(wrong);
     const auto right = registerCase(exact);
     ASSERT_TRUE(asGiven && estimated && right);
-    EXPECT_EQ(focalPx(asGiven.value().theCase), focalPx(wrong));
-    EXPECT_NEAR(focalPx(estimated.value().theCase) / focalPx(exact), 1.0, 0.06);
+    EXPECT_EQ(focalPx(asGiven.value().session), focalPx(wrong));
+    EXPECT_NEAR(focalPx(estimated.value().session) / focalPx(exact), 1.0, 0.06);
     const auto depthOf = [](const RegisteredCase& run) { return run.result().cameraFromPatient.translation.z(); };
     EXPECT_LT(std::abs(depthOf(estimated.value()) - depthOf(right.value())),
               0.5 * std::abs(depthOf(asGiven.value()) - depthOf(right.value())));
@@ -209,7 +209,7 @@ TEST(RegisterCase, LeavesAGeometryThatIsRightAsItIs)
     values.options.geometry.estimate = true;
     const auto run = registerCase(values);
     ASSERT_TRUE(run);
-    EXPECT_EQ(focalPx(run.value().theCase), focalPx(values));
+    EXPECT_EQ(focalPx(run.value().session), focalPx(values));
 }
 
 TEST(RegisterCase, TellsWhatReadingAndTracingTook)
@@ -254,7 +254,7 @@ TEST(RegisterCase, HearsStopInEveryView)
         ASSERT_TRUE(kept) << kept.error().message;
         EXPECT_EQ(late, 0);
         EXPECT_EQ(kept.value().result().stopReason, StopReason::StoppedByUser);
-        EXPECT_TRUE(isRigid(kept.value().theCase.shown().cameraFromPatient));
+        EXPECT_TRUE(isRigid(kept.value().session.shown().cameraFromPatient));
     }
 }
 
@@ -270,33 +270,34 @@ TEST(RegisterCase, UsesTheKnownTargetOfTheShownView)
     EXPECT_TRUE(registerCase(values, {Views::Shown, known}));
 }
 
-TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
+TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
 {
     Case values = test::twoViewCase();
     const RegistrationPlan plan;
-    values.options.bending = Bending::Always;
+    values.options.deformation = Deformation::Always;
     double last = 0.0;
-    bool hasBent = false;
+    bool hasDeformed = false;
     const auto run = registerCase(values, plan, [&](const WorkReport& report) {
         EXPECT_GE(report.fraction, last);
         last = report.fraction;
-        hasBent = hasBent || report.stage == "bending";
+        hasDeformed = hasDeformed || report.stage == "bending";
         return Verdict::Continue;
     });
     ASSERT_TRUE(run) << run.error().message;
-    EXPECT_TRUE(hasBent);
-    ASSERT_TRUE(run.value().result().bent);
-    for (const View& view : run.value().theCase.views) {   // each has it with its own view as the first
-        ASSERT_TRUE(view.result->bent);
-        EXPECT_TRUE(isOf(*values.vessels.tree, *view.result->bent));
-        ASSERT_EQ(view.result->bent->viewPoses.size(), 2u);
-        EXPECT_EQ(view.result->bent->cameraFromPatient.matrix(), view.result->bent->viewPoses[0].matrix());
+    EXPECT_TRUE(hasDeformed);
+    ASSERT_TRUE(run.value().result().deformed);
+    for (const View& view : run.value().session.views) {   // each has it with its own view as the first
+        ASSERT_TRUE(view.result->deformed);
+        EXPECT_TRUE(isOf(*values.vessels.tree, *view.result->deformed));
+        ASSERT_EQ(view.result->deformed->viewPoses.size(), 2u);
+        EXPECT_EQ(view.result->deformed->cameraFromPatient.matrix(), view.result->deformed->viewPoses[0].matrix());
         const Eigen::Vector3d centroid = centroidInPatient(*values.vessels.tree);
-        EXPECT_LT((view.result->bent->cameraFromPatient * centroid - view.cameraFromPatient * centroid).norm(), 2.0);
+        EXPECT_LT((view.result->deformed->cameraFromPatient * centroid - view.cameraFromPatient * centroid).norm(),
+                  2.0);
     }
     Case rigid = values;
-    rigid.options.bending = Bending::Off;
-    EXPECT_FALSE(registerCase(rigid, {}).value().result().bent);
+    rigid.options.deformation = Deformation::Off;
+    EXPECT_FALSE(registerCase(rigid, {}).value().result().deformed);
 
     // Stopped while bending: the rigid pose stays, untrusted, for it was not looked at to the end.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
@@ -305,13 +306,13 @@ TEST(RegisterCase, BendsTheVesselsWhereTheOptionAsksForIt)
     ASSERT_TRUE(stopped);
     EXPECT_EQ(stopped.value().result().stopReason, StopReason::StoppedByUser);
     EXPECT_FALSE(stopped.value().result().trustworthy);
-    EXPECT_EQ(stopped.value().result().bent->stopReason, StopReason::StoppedByUser);
+    EXPECT_EQ(stopped.value().result().deformed->stopReason, StopReason::StoppedByUser);
 
     // Stopped before: not begun.
     const auto early = registerCase(
         values, plan, [](const WorkReport& report) { return report.iteration ? Verdict::Stop : Verdict::Continue; });
     ASSERT_TRUE(early);
-    EXPECT_FALSE(early.value().result().bent);
+    EXPECT_FALSE(early.value().result().deformed);
 }
 
 }   // namespace

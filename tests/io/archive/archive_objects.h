@@ -84,9 +84,9 @@ inline std::vector<std::string> halfFiles(const std::string& folder)
     return found;
 }
 
-inline io::ObjectStore openStore(const std::string& folder, std::uint64_t mostObjectBytes = 1u << 30)
+inline io::ObjectStore openStore(const std::string& folder, std::uint64_t maxObjectBytes = 1u << 30)
 {
-    auto opened = io::ObjectStore::open(folder, mostObjectBytes);
+    auto opened = io::ObjectStore::open(folder, maxObjectBytes);
     EXPECT_TRUE(opened);
     return std::move(opened).value();
 }

@@ -20,8 +20,8 @@ using namespace std::string_literals;
 class ServedPort {
 public:
     explicit ServedPort(io::ReceiverOptions options, const io::StoreLimit& limit = {},
-                        std::uint64_t mostObject = 1u << 30)
-        : store_(openStore(folder_.file("received"), mostObject)), arrivals_(store_, limit, report_, observe_)
+                        std::uint64_t maxObject = 1u << 30)
+        : store_(openStore(folder_.file("received"), maxObject)), arrivals_(store_, limit, report_, observe_)
     {
         arrivals_.tellProblems([this](const core::Message& problem) {
             const std::lock_guard lock(hearing_);

@@ -1,8 +1,8 @@
 #include "core/messages/says.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
-#include "io/case/followed_bends_file.h"
+#include "io/case/tracked_deformations_file.h"
 #include "io/vessel_tree_file.h"
 #include "tests/io/case/small_case.h"
 
@@ -27,18 +27,18 @@ core::RigidTransform moved(core::RigidTransform pose, double mm)
 }
 
 /// Every point of the tree moved, each otherwise.
-std::shared_ptr<const core::DeformableResult> bendOf(const core::VesselTree& tree, const core::RigidTransform& pose,
-                                                     double size)
+std::shared_ptr<const core::DeformableResult> deformationOf(const core::VesselTree& tree,
+                                                            const core::RigidTransform& pose, double size)
 {
-    auto bent = std::make_shared<core::DeformableResult>();
-    bent->verdict = core::BendVerdict::Bent;
-    bent->cameraFromPatient = moved(pose, 0.7);
-    bent->viewPoses = {bent->cameraFromPatient};
-    bent->largestMotionMm = size / 3.0;
-    bent->messages = {core::says::bendDepthUnknown()};
+    auto deformed = std::make_shared<core::DeformableResult>();
+    deformed->verdict = core::DeformationVerdict::Deformed;
+    deformed->cameraFromPatient = moved(pose, 0.7);
+    deformed->viewPoses = {deformed->cameraFromPatient};
+    deformed->largestMotionMm = size / 3.0;
+    deformed->messages = {core::says::deformationDepthUnknown()};
     double number = size;
     for (const core::VesselBranch& branch : tree.branches) {
-        core::BranchMotion& motion = bent->branches.emplace_back();
+        core::BranchMotion& motion = deformed->branches.emplace_back();
         motion.branchId = branch.id;
         motion.seenShare = 1.0 / 3.0;
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
@@ -50,27 +50,27 @@ std::shared_ptr<const core::DeformableResult> bendOf(const core::VesselTree& tre
         }
         core::roundMotion(motion);
     }
-    return bent;
+    return deformed;
 }
 
 /// Frames 0 to 3 from frame 1: nothing traced in 0, bent in 1 and 2, 3 bent as 2.
-FollowedRun richRun(const core::Case& theCase)
+FollowedRun richRun(const core::Case& session)
 {
-    const core::VesselTree& tree = *theCase.vessels.tree;
+    const core::VesselTree& tree = *session.vessels.tree;
     std::vector<FollowedFrame> frames(4);
     for (int k = 0; k < 4; ++k) {
         FollowedFrame& frame = frames[static_cast<std::size_t>(k)];
         frame.frame = k;
-        frame.tracked.cameraFromPatient = moved(theCase.shown().cameraFromPatient, k - 1.0);
+        frame.tracked.cameraFromPatient = moved(session.shown().cameraFromPatient, k - 1.0);
         frame.tracked.score = 0.9 - 0.1 / 3.0 * k;
         frame.tracked.isTrustworthy = k == 1 || k == 2;
     }
     frames[0].problem = core::says::followOneFrame();
     frames[2].tracked.searched = true;
-    frames[1].bent = bendOf(tree, frames[1].tracked.cameraFromPatient, 3.0);
-    frames[2].bent = bendOf(tree, frames[2].tracked.cameraFromPatient, 5.0);
-    frames[3].bent = core::carriedBend(frames[2], frames[3].tracked.cameraFromPatient);
-    frames[3].bentAsInFrame = 2;
+    frames[1].deformed = deformationOf(tree, frames[1].tracked.cameraFromPatient, 3.0);
+    frames[2].deformed = deformationOf(tree, frames[2].tracked.cameraFromPatient, 5.0);
+    frames[3].deformed = core::carriedDeformation(frames[2], frames[3].tracked.cameraFromPatient);
+    frames[3].deformedAsInFrame = 2;
     return core::followedFrom(1, std::move(frames));
 }
 
@@ -88,13 +88,13 @@ protected:
         json["geometry"]["camera"]["width"] = json["geometry"]["camera"]["height"] = 64;
         auto loaded = small.load(json);
         EXPECT_TRUE(loaded) << loaded.error().message;
-        theCase = std::move(loaded).value();
-        theCase.shown().followed = richRun(theCase);
-        EXPECT_TRUE(io::saveCase(theCase, path()));
+        session = std::move(loaded).value();
+        session.shown().followed = richRun(session);
+        EXPECT_TRUE(io::saveCase(session, path()));
     }
 
     std::string path() const { return small.path("saved.angiopose"); }
-    std::string bendsPath() const { return small.path("saved.bends.nrrd"); }
+    std::string deformationsPath() const { return small.path("saved.bends.nrrd"); }
 
     core::Case afterEditing(const Edit& edit)
     {
@@ -110,28 +110,28 @@ protected:
         EXPECT_TRUE(loaded) << loaded.error().message;
         return loaded ? std::move(loaded).value() : core::Case{};
     }
-    core::Case afterReplacingBends(const std::string& content)
+    core::Case afterReplacingDeformation(const std::string& content)
     {
         small.folder().write("saved.bends.nrrd", content);
         return afterEditing([](nlohmann::json& json) { json["followed"]["bends"].erase("sha256"); });
     }
 
-    void expectPosesWithoutBends(const core::Case& read, const std::string& why)
+    void expectPosesWithoutDeformation(const core::Case& read, const std::string& why)
     {
         const auto& frames = core::framesOf(read.shown().followed);
         ASSERT_EQ(frames.size(), 4U) << why;
         for (std::size_t k = 0; k < 4; ++k) {
             EXPECT_EQ(frames[k].tracked.cameraFromPatient.matrix(),
-                      core::framesOf(theCase.shown().followed)[k].tracked.cameraFromPatient.matrix());
-            EXPECT_FALSE(frames[k].bent) << why;
-            EXPECT_FALSE(frames[k].bentAsInFrame) << why;
+                      core::framesOf(session.shown().followed)[k].tracked.cameraFromPatient.matrix());
+            EXPECT_FALSE(frames[k].deformed) << why;
+            EXPECT_FALSE(frames[k].deformedAsInFrame) << why;
         }
         EXPECT_TRUE(anyContains(small.warnings, "but not bent: ")) << why;
         EXPECT_TRUE(anyContains(small.warnings, why)) << small.warnings.front().text();
     }
 
     SmallCase small;
-    core::Case theCase;
+    core::Case session;
 };
 
 void expectSame(const core::DeformableResult& a, const core::DeformableResult& b)
@@ -156,7 +156,7 @@ TEST_F(CaseFollowed, ReopensWithEveryBit)
     EXPECT_TRUE(io::validateCase(path()).value().empty());
     const FollowedRun& run = again.shown().followed;
     const auto& frames = core::framesOf(run);
-    const auto& kept = core::framesOf(theCase.shown().followed);
+    const auto& kept = core::framesOf(session.shown().followed);
     EXPECT_EQ(run.fromFrame, 1);
     ASSERT_EQ(frames.size(), kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -166,25 +166,25 @@ TEST_F(CaseFollowed, ReopensWithEveryBit)
         EXPECT_EQ(frames[k].tracked.searched, kept[k].tracked.searched);
         EXPECT_EQ(frames[k].tracked.isTrustworthy, kept[k].tracked.isTrustworthy);
         EXPECT_EQ(frames[k].problem, kept[k].problem);
-        EXPECT_EQ(frames[k].bentAsInFrame, kept[k].bentAsInFrame);
-        ASSERT_EQ(frames[k].bent == nullptr, kept[k].bent == nullptr) << k;
-        if (kept[k].bent) {
-            expectSame(*frames[k].bent, *kept[k].bent);
+        EXPECT_EQ(frames[k].deformedAsInFrame, kept[k].deformedAsInFrame);
+        ASSERT_EQ(frames[k].deformed == nullptr, kept[k].deformed == nullptr) << k;
+        if (kept[k].deformed) {
+            expectSame(*frames[k].deformed, *kept[k].deformed);
         }
     }
     ASSERT_TRUE(io::saveCase(again, small.path("again.angiopose")));
-    EXPECT_EQ(test::readText(small.path("again.bends.nrrd")), test::readText(bendsPath()));
+    EXPECT_EQ(test::readText(small.path("again.bends.nrrd")), test::readText(deformationsPath()));
 }
 
-TEST_F(CaseFollowed, OfRigidVesselsNeedsNoFileOfBends)
+TEST_F(CaseFollowed, OfRigidVesselsNeedsNoFileOfDeformation)
 {
-    std::vector<FollowedFrame> rigid = core::framesOf(theCase.shown().followed);
+    std::vector<FollowedFrame> rigid = core::framesOf(session.shown().followed);
     for (FollowedFrame& each : rigid) {
-        each.bent.reset();
-        each.bentAsInFrame.reset();
+        each.deformed.reset();
+        each.deformedAsInFrame.reset();
     }
-    theCase.shown().followed = core::followedFrom(1, std::move(rigid));
-    ASSERT_TRUE(io::saveCase(theCase, small.path("rigid.angiopose")));
+    session.shown().followed = core::followedFrom(1, std::move(rigid));
+    ASSERT_TRUE(io::saveCase(session, small.path("rigid.angiopose")));
     EXPECT_FALSE(std::filesystem::exists(small.path("rigid.bends.nrrd")));
     EXPECT_EQ(core::framesOf(load(small.path("rigid.angiopose")).shown().followed).size(), 4U);
     EXPECT_FALSE(anyContains(small.warnings, "not bent"));
@@ -220,56 +220,56 @@ TEST_F(CaseFollowed, IsLeftOutWhereItFitsNeitherPoseNorRun)
     }
 }
 
-TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfBends)
+TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfDeformation)
 {
-    const std::string whole = test::readText(bendsPath());
+    const std::string whole = test::readText(deformationsPath());
     small.folder().write("saved.bends.nrrd", whole.substr(0, whole.size() - 1) + "x");
-    expectPosesWithoutBends(load(path()), "has changed since the case was saved");
-    expectPosesWithoutBends(afterReplacingBends(whole.substr(0, whole.size() - 4)), "damaged or cut short");
-    expectPosesWithoutBends(afterReplacingBends(whole + "more"), "damaged or cut short");
+    expectPosesWithoutDeformation(load(path()), "has changed since the case was saved");
+    expectPosesWithoutDeformation(afterReplacingDeformation(whole.substr(0, whole.size() - 4)), "damaged or cut short");
+    expectPosesWithoutDeformation(afterReplacingDeformation(whole + "more"), "damaged or cut short");
     std::string endless = whole;
     endless.replace(whole.size() - 4, 4, std::string("\0\0\x80\x7f", 4));   // infinite
-    expectPosesWithoutBends(afterReplacingBends(endless), "damaged or cut short");
+    expectPosesWithoutDeformation(afterReplacingDeformation(endless), "damaged or cut short");
     std::string others = whole;
     others.replace(whole.find("sizes: 9 5 2"), 12, "sizes: 9 5 3");
-    expectPosesWithoutBends(afterReplacingBends(others), "of other vessels or frames");
-    expectPosesWithoutBends(afterReplacingBends("a letter"), "no file of bends");
+    expectPosesWithoutDeformation(afterReplacingDeformation(others), "of other vessels or frames");
+    expectPosesWithoutDeformation(afterReplacingDeformation("a letter"), "no file of bends");
     small.folder().write("saved.bends.nrrd", whole);
-    expectPosesWithoutBends(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "names no file");
-    expectPosesWithoutBends(
+    expectPosesWithoutDeformation(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "names no file");
+    expectPosesWithoutDeformation(
         afterEditing([](auto& json) { json["followed"]["frames"][1]["deformable"]["perBranch"][0]["branch"] = 9; }),
         "of other vessels or frames");
-    std::filesystem::remove(bendsPath());
-    expectPosesWithoutBends(load(path()), "saved.bends.nrrd");
+    std::filesystem::remove(deformationsPath());
+    expectPosesWithoutDeformation(load(path()), "saved.bends.nrrd");
 }
 
 TEST_F(CaseFollowed, ReplacesItsOwnFileAndNoOther)
 {
-    const std::string first = test::readText(bendsPath());
-    std::vector<FollowedFrame> frames = core::framesOf(theCase.shown().followed);
-    frames[1].bent = bendOf(*theCase.vessels.tree, frames[1].tracked.cameraFromPatient, 9.0);
-    theCase.shown().followed = core::followedFrom(1, std::move(frames));
-    ASSERT_TRUE(io::saveCase(theCase, path()));
-    EXPECT_NE(test::readText(bendsPath()), first);
+    const std::string first = test::readText(deformationsPath());
+    std::vector<FollowedFrame> frames = core::framesOf(session.shown().followed);
+    frames[1].deformed = deformationOf(*session.vessels.tree, frames[1].tracked.cameraFromPatient, 9.0);
+    session.shown().followed = core::followedFrom(1, std::move(frames));
+    ASSERT_TRUE(io::saveCase(session, path()));
+    EXPECT_NE(test::readText(deformationsPath()), first);
     EXPECT_FALSE(std::filesystem::exists(small.path("saved.bends-2.nrrd")));
 
     small.folder().write("other.bends.nrrd", "somebody else's");
-    ASSERT_TRUE(io::saveCase(theCase, small.path("other.angiopose")));
+    ASSERT_TRUE(io::saveCase(session, small.path("other.angiopose")));
     EXPECT_EQ(test::readText(small.path("other.bends.nrrd")), "somebody else's");
-    EXPECT_TRUE(core::framesOf(load(small.path("other.angiopose")).shown().followed)[1].bent);
+    EXPECT_TRUE(core::framesOf(load(small.path("other.angiopose")).shown().followed)[1].deformed);
 }
 
 TEST_F(CaseFollowed, IsKeptForEveryView)
 {
-    theCase.views.push_back(theCase.shown());
-    theCase.views.front().followed = {};
-    ASSERT_TRUE(io::saveCase(theCase, small.path("two.angiopose")));
+    session.views.push_back(session.shown());
+    session.views.front().followed = {};
+    ASSERT_TRUE(io::saveCase(session, small.path("two.angiopose")));
     EXPECT_TRUE(std::filesystem::exists(small.path("two.view-2.bends.nrrd")));
     const core::Case again = load(small.path("two.angiopose"));
     ASSERT_EQ(again.views.size(), 2U);
     EXPECT_FALSE(again.views[0].followed.frames);
     ASSERT_EQ(core::framesOf(again.views[1].followed).size(), 4U);
-    EXPECT_TRUE(core::framesOf(again.views[1].followed)[3].bent);
+    EXPECT_TRUE(core::framesOf(again.views[1].followed)[3].deformed);
 }
 
 TEST_F(CaseFollowed, OfALongRunIsNoLargeCase)
@@ -283,25 +283,25 @@ TEST_F(CaseFollowed, OfALongRunIsNoLargeCase)
         }
     }
     ASSERT_EQ(tree->pointCount(), 2000U);
-    theCase.vessels.tree = tree;
-    theCase.vessels.isTreeEdited = true;
+    session.vessels.tree = tree;
+    session.vessels.isTreeEdited = true;
     std::vector<FollowedFrame> frames(60);
     for (int k = 0; k < 60; ++k) {
         FollowedFrame& frame = frames[static_cast<std::size_t>(k)];
         frame.frame = k;
-        frame.tracked.cameraFromPatient = moved(theCase.shown().cameraFromPatient, k - 1.0);
-        frame.bent = bendOf(*tree, frame.tracked.cameraFromPatient, 0.1 * k + 0.3);
+        frame.tracked.cameraFromPatient = moved(session.shown().cameraFromPatient, k - 1.0);
+        frame.deformed = deformationOf(*tree, frame.tracked.cameraFromPatient, 0.1 * k + 0.3);
     }
     const auto sizeOf = [](const std::string& of) { return static_cast<double>(std::filesystem::file_size(of)); };
-    theCase.shown().followed = {};
-    ASSERT_TRUE(io::saveCase(theCase, small.path("before.angiopose")));
-    theCase.shown().followed = core::followedFrom(1, std::move(frames));
-    ASSERT_TRUE(io::saveCase(theCase, small.path("long.angiopose")));
+    session.shown().followed = {};
+    ASSERT_TRUE(io::saveCase(session, small.path("before.angiopose")));
+    session.shown().followed = core::followedFrom(1, std::move(frames));
+    ASSERT_TRUE(io::saveCase(session, small.path("long.angiopose")));
     const double caseMb = 1e-6 * (sizeOf(small.path("long.angiopose")) - sizeOf(small.path("before.angiopose")));
-    const double bendsMb = 1e-6 * sizeOf(small.path("long.bends.nrrd"));
-    std::printf("60 frames of 2000 points: %.2f MB in the case, %.2f MB beside it\n", caseMb, bendsMb);
+    const double deformationsMb = 1e-6 * sizeOf(small.path("long.bends.nrrd"));
+    std::printf("60 frames of 2000 points: %.2f MB in the case, %.2f MB beside it\n", caseMb, deformationsMb);
     EXPECT_LT(caseMb, 0.5);
-    EXPECT_LT(bendsMb, 4.5);
+    EXPECT_LT(deformationsMb, 4.5);
 }
 
 }   // namespace

@@ -107,9 +107,9 @@ TEST(MeasurementTable, TellsValueBasisAndWhatIsMissing)
     SmallCase small;
     auto loaded = small.load(withMeasurements(small));
     ASSERT_TRUE(loaded) << loaded.error().message;
-    core::Case theCase = std::move(loaded).value();
-    theCase.shown().cameraFromPatient.translation = {0.0, 0.0, 740.0};
-    const test::QuotedTable table(io::measurementTable(theCase));
+    core::Case session = std::move(loaded).value();
+    session.shown().cameraFromPatient.translation = {0.0, 0.0, 740.0};
+    const test::QuotedTable table(io::measurementTable(session));
     const auto cell = [&](std::size_t row, const char* column) { return table.cell(row, column); };
     ASSERT_TRUE(table.isEven());
     ASSERT_EQ(table.rowCount(), 3U);

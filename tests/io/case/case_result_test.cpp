@@ -1,5 +1,5 @@
 #include "core/messages/says.h"
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/registration.h"
 #include "io/messages/says.h"
 #include "io/motion_table.h"
@@ -15,15 +15,15 @@ namespace {
 using test::SmallCase;
 
 /// What bending could find: every point of a tree moved, each otherwise.
-core::DeformableResult richBend(const core::Case& theCase)
+core::DeformableResult richDeformation(const core::Case& session)
 {
-    core::DeformableResult bent;
-    bent.verdict = core::BendVerdict::Unsure;
-    bent.cameraFromPatient = theCase.shown().cameraFromPatient;
-    bent.viewPoses = {bent.cameraFromPatient, core::RigidTransform{}};
+    core::DeformableResult deformed;
+    deformed.verdict = core::DeformationVerdict::Unsure;
+    deformed.cameraFromPatient = session.shown().cameraFromPatient;
+    deformed.viewPoses = {deformed.cameraFromPatient, core::RigidTransform{}};
     double number = 1.0;
-    for (const core::VesselBranch& branch : theCase.vessels.tree->branches) {
-        core::BranchMotion& motion = bent.branches.emplace_back();
+    for (const core::VesselBranch& branch : session.vessels.tree->branches) {
+        core::BranchMotion& motion = deformed.branches.emplace_back();
         motion.branchId = branch.id;
         motion.seenShare = 1.0 / 3.0;
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
@@ -35,23 +35,23 @@ core::DeformableResult richBend(const core::Case& theCase)
         }
         core::roundMotion(motion);
     }
-    bent.logEvidenceGain = 100.0 / 3.0;
-    bent.largestMotionMm = 3.25;
-    bent.rigid.meanMm = 0.7;
-    bent.rigid.farthestBranchId = theCase.vessels.tree->branches.front().id;
-    bent.stopReason = core::StopReason::IterationLimit;
-    bent.iterations = 14;
-    bent.timeMs = 99.5;
-    bent.messages = {core::says::bendDepthUnknown()};
-    return bent;
+    deformed.logEvidenceGain = 100.0 / 3.0;
+    deformed.largestMotionMm = 3.25;
+    deformed.rigid.meanMm = 0.7;
+    deformed.rigid.farthestBranchId = session.vessels.tree->branches.front().id;
+    deformed.stopReason = core::StopReason::IterationLimit;
+    deformed.iterations = 14;
+    deformed.timeMs = 99.5;
+    deformed.messages = {core::says::deformationDepthUnknown()};
+    return deformed;
 }
 
-/// A result with every field set, as a run could leave it; the pose is that of `theCase`.
-core::RegistrationResult richResult(const core::Case& theCase)
+/// A result with every field set, as a run could leave it; the pose is that of `session`.
+core::RegistrationResult richResult(const core::Case& session)
 {
     core::RegistrationResult result;
     result.method = "dynaweight";
-    result.cameraFromPatient = theCase.shown().cameraFromPatient;
+    result.cameraFromPatient = session.shown().cameraFromPatient;
     result.stopReason = core::StopReason::StoppedByUser;
     result.iterations = 12;
     result.metrics.medianPx = 1.0 / 3.0;
@@ -62,16 +62,16 @@ core::RegistrationResult richResult(const core::Case& theCase)
     result.uncertainty.observed = {true, false, true, true, true, false};
     result.uncertainty.weakestDirection[5] = 1.0;
     result.branches = {{1, 21, 0.5, 2.5, 0.75}, {2, 9, 1.5, 3.5, 0.25}};
-    result.unfilled = {{4, 0.75}};
-    result.alternatives = {{theCase.shown().cameraFromPatient, 0.9}};
-    result.wirePaths = {{{1, 3, 7}, {1.0 / 3.0, -2.5, 4.0}, 0.8, 1.25, 0.95, theCase.shown().cameraFromPatient, {}},
-                        {{1, 4}, {0.0, 1.0, 2.0}, 0.15, 1.5, 0.9, theCase.shown().cameraFromPatient, {}}};
+    result.unopacified = {{4, 0.75}};
+    result.alternatives = {{session.shown().cameraFromPatient, 0.9}};
+    result.wirePaths = {{{1, 3, 7}, {1.0 / 3.0, -2.5, 4.0}, 0.8, 1.25, 0.95, session.shown().cameraFromPatient, {}},
+                        {{1, 4}, {0.0, 1.0, 2.0}, 0.15, 1.5, 0.9, session.shown().cameraFromPatient, {}}};
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.1 + 0.2;
     result.warnings = {core::says::trustPoseUncertain(core::inMm(2.44, 1)), core::says::trustStopped(),
                        core::says::inView(2, io::says::fileMissing().about("b.dcm")).as(core::Severity::Note)};
     result.time = {1.0, 2.0, 3.0, 6.5};
-    result.provenance = {"Ada", "2026-05-04T12:30:00Z", "0.1.0", theCase.options};
+    result.provenance = {"Ada", "2026-05-04T12:30:00Z", "0.1.0", session.options};
     result.provenance.options.maxIterations = 33;
     result.provenance.frame = 0;
     core::IterationReport report;
@@ -81,7 +81,7 @@ core::RegistrationResult richResult(const core::Case& theCase)
     report.scalePx = 7.5;
     report.medianDistancePx = 4.0 / 3.0;
     report.stepMm = 0.5;
-    report.cameraFromPatient = theCase.shown().cameraFromPatient;
+    report.cameraFromPatient = session.shown().cameraFromPatient;
     report.view = 1;
     result.history = {report, report};
     return result;
@@ -93,9 +93,9 @@ protected:
     {
         auto loaded = small.load(small.json());
         EXPECT_TRUE(loaded);
-        theCase = std::move(loaded).value();
-        theCase.shown().result = richResult(theCase);
-        EXPECT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+        session = std::move(loaded).value();
+        session.shown().result = richResult(session);
+        EXPECT_TRUE(io::saveCase(session, small.path("saved.angiopose")));
     }
 
     core::Case reopened()
@@ -109,14 +109,14 @@ protected:
     nlohmann::json saved() const { return nlohmann::json::parse(test::readText(small.path("saved.angiopose"))); }
 
     SmallCase small;
-    core::Case theCase;
+    core::Case session;
 };
 
 TEST_F(CaseResult, IsRestoredToTheLastBit)
 {
     const core::Case copy = reopened();
     ASSERT_TRUE(copy.shown().result);
-    const core::RegistrationResult& was = *theCase.shown().result;
+    const core::RegistrationResult& was = *session.shown().result;
     const core::RegistrationResult& is = *copy.shown().result;
     EXPECT_EQ(is.method, was.method);
     EXPECT_EQ(is.cameraFromPatient.matrix(), was.cameraFromPatient.matrix());
@@ -130,9 +130,9 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     EXPECT_EQ(is.uncertainty.weakestDirection, was.uncertainty.weakestDirection);
     ASSERT_EQ(is.branches.size(), 2U);
     EXPECT_EQ(is.branches[1].agreement, was.branches[1].agreement);
-    ASSERT_EQ(is.unfilled.size(), 1U);
-    EXPECT_EQ(is.unfilled[0].branchId, 4);
-    EXPECT_EQ(is.unfilled[0].share, 0.75);
+    ASSERT_EQ(is.unopacified.size(), 1U);
+    EXPECT_EQ(is.unopacified[0].branchId, 4);
+    EXPECT_EQ(is.unopacified[0].share, 0.75);
     ASSERT_EQ(is.alternatives.size(), 1U);
     EXPECT_EQ(is.alternatives[0].score, 0.9);
     ASSERT_EQ(is.wirePaths.size(), 2U);
@@ -163,18 +163,18 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
 }
 
-TEST_F(CaseResult, KeepsTheBentVessels)
+TEST_F(CaseResult, KeepsTheDeformedVessels)
 {
-    const core::DeformableResult was = richBend(theCase);
-    theCase.shown().result->bent = std::make_shared<const core::DeformableResult>(was);
-    ASSERT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+    const core::DeformableResult was = richDeformation(session);
+    session.shown().result->deformed = std::make_shared<const core::DeformableResult>(was);
+    ASSERT_TRUE(io::saveCase(session, small.path("saved.angiopose")));
     const core::Case copy = reopened();
-    ASSERT_TRUE(copy.shown().result && copy.shown().result->bent);
-    const core::DeformableResult& is = *copy.shown().result->bent;
+    ASSERT_TRUE(copy.shown().result && copy.shown().result->deformed);
+    const core::DeformableResult& is = *copy.shown().result->deformed;
     EXPECT_EQ(is.verdict, was.verdict);
     EXPECT_EQ(is.cameraFromPatient.matrix(), was.cameraFromPatient.matrix());
     ASSERT_EQ(is.viewPoses.size(), 2U);
-    ASSERT_TRUE(core::isOf(*theCase.vessels.tree, is));
+    ASSERT_TRUE(core::isOf(*session.vessels.tree, is));
     for (std::size_t b = 0; b < was.branches.size(); ++b) {
         EXPECT_EQ(is.branches[b].displacementMm, was.branches[b].displacementMm);
         EXPECT_EQ(is.branches[b].covariance, was.branches[b].covariance);
@@ -182,8 +182,8 @@ TEST_F(CaseResult, KeepsTheBentVessels)
     EXPECT_EQ(is.rigid.meanMm, 0.7);
     EXPECT_EQ(is.stopReason, core::StopReason::IterationLimit);
     EXPECT_EQ(is.messages, was.messages);
-    EXPECT_EQ(io::resultJson(copy, *copy.shown().result), io::resultJson(theCase, *theCase.shown().result));
-    ASSERT_TRUE(io::writeMotion(*theCase.vessels.tree, was, small.path("was.csv")));
+    EXPECT_EQ(io::resultJson(copy, *copy.shown().result), io::resultJson(session, *session.shown().result));
+    ASSERT_TRUE(io::writeMotion(*session.vessels.tree, was, small.path("was.csv")));
     ASSERT_TRUE(io::writeMotion(*copy.vessels.tree, is, small.path("is.csv")));
     EXPECT_EQ(test::readText(small.path("is.csv")), test::readText(small.path("was.csv")));
 
@@ -192,12 +192,12 @@ TEST_F(CaseResult, KeepsTheBentVessels)
     EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
 }
 
-TEST_F(CaseResult, WithBentVesselsOfAnotherTreeGoes)
+TEST_F(CaseResult, WithDeformedVesselsOfAnotherTreeGoes)
 {
-    core::DeformableResult bent = richBend(theCase);
-    bent.branches.front().displacementMm.pop_back();
-    theCase.shown().result->bent = std::make_shared<const core::DeformableResult>(bent);
-    ASSERT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+    core::DeformableResult deformed = richDeformation(session);
+    deformed.branches.front().displacementMm.pop_back();
+    session.shown().result->deformed = std::make_shared<const core::DeformableResult>(deformed);
+    ASSERT_TRUE(io::saveCase(session, small.path("saved.angiopose")));
     EXPECT_FALSE(reopened().shown().result);
     EXPECT_TRUE(test::anyContains(small.warnings, "Register again"));
 }

@@ -23,15 +23,15 @@ TEST(CaseSettings, SetOptionsAndTracingByTheNamesOfCaseFiles)
           "vessel.tracing.seedsInPatientMm=[[1,2,3],[4,5,6.5]]", "priorWeight=0.5"}) {
         ASSERT_TRUE(settings.add(assignment)) << assignment;
     }
-    core::Case theCase;
-    theCase.views.emplace_back();
-    settings.applyTo(theCase);
-    EXPECT_EQ(theCase.options.seed.priorWeight, 0.5);
-    for (const core::View& view : theCase.views) {
+    core::Case session;
+    session.views.emplace_back();
+    settings.applyTo(session);
+    EXPECT_EQ(session.options.seed.priorWeight, 0.5);
+    for (const core::View& view : session.views) {
         EXPECT_EQ(view.traceOptions.sensitivity, 1.5);
         EXPECT_EQ(view.traceOptions.minBranchLengthPx, 30);
     }
-    const core::VesselTracingOptions& tracing = theCase.vessels.input.tracing;
+    const core::VesselTracingOptions& tracing = session.vessels.input.tracing;
     EXPECT_EQ(tracing.threshold, 180.0);
     EXPECT_TRUE(tracing.tubesOnly);
     EXPECT_EQ(tracing.loops, core::VesselLoops::Kept);

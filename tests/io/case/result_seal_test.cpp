@@ -25,12 +25,12 @@ protected:
     {
         auto loaded = small.load(small.json());
         EXPECT_TRUE(loaded);
-        theCase = std::move(loaded).value();
-        theCase.views.push_back(theCase.shown());
-        for (core::View& view : theCase.views) {
+        session = std::move(loaded).value();
+        session.views.push_back(session.shown());
+        for (core::View& view : session.views) {
             view.result = resultAt(view);
         }
-        EXPECT_TRUE(io::saveCase(theCase, small.path("saved.angiopose")));
+        EXPECT_TRUE(io::saveCase(session, small.path("saved.angiopose")));
     }
 
     core::Case afterEditing(const Edit& edit)
@@ -50,7 +50,7 @@ protected:
     }
 
     SmallCase small;
-    core::Case theCase;
+    core::Case session;
 };
 
 TEST_F(ResultSeal, HoldsWhereNothingWasChanged)

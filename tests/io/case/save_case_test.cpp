@@ -29,7 +29,7 @@ TEST(SaveCase, RestoresEveryBit)
     original.options.locks = {true, false, true, false, true, false};
     original.shown().traceOptions.sensitivity = 1.1;
     original.shown().geometry.cArm.rollDeg = {0.1 + 0.2, core::Origin::User, ""};
-    original.shown().geometry.cArm.isocentreInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived,
+    original.shown().geometry.cArm.isocenterInPatientMm = {Eigen::Vector3d(0.1, -1.0 / 3.0, 7e5), core::Origin::Derived,
                                                            "clicked"};
     original.shown().landmarks = {{{1.0 / 3.0, -2.0, 600.5}, {10.1, 511.0 / 3.0}, "bifurcation 3 / 5", ""},
                                   {{1, 2, 3}, {4, 5}, "", ""}};
@@ -48,9 +48,9 @@ TEST(SaveCase, RestoresEveryBit)
     ASSERT_EQ(copy.value().views.size(), 2U);
     EXPECT_EQ(copy.value().views[1].caseFile, original.views[1].caseFile);
     EXPECT_EQ(copy.value().vessels.pickedPivotInPatient, original.vessels.pickedPivotInPatient);
-    EXPECT_EQ(copy.value().shown().geometry.cArm.isocentreInPatientMm.value,
-              original.shown().geometry.cArm.isocentreInPatientMm.value);
-    EXPECT_EQ(copy.value().shown().geometry.cArm.isocentreInPatientMm.basis, "clicked");
+    EXPECT_EQ(copy.value().shown().geometry.cArm.isocenterInPatientMm.value,
+              original.shown().geometry.cArm.isocenterInPatientMm.value);
+    EXPECT_EQ(copy.value().shown().geometry.cArm.isocenterInPatientMm.basis, "clicked");
     EXPECT_EQ(copy.value().vessels.auxiliaryBranchIds, original.vessels.auxiliaryBranchIds);
     EXPECT_EQ(copy.value().vessels.excludedBranchIds, original.vessels.excludedBranchIds);
     EXPECT_EQ(copy.value().shown().frame, 7);

@@ -9,10 +9,10 @@ using namespace angiopose;
 
 namespace {
 
-core::Case renamed(core::Case theCase, const std::string& title)
+core::Case renamed(core::Case session, const std::string& title)
 {
-    theCase.title = title;
-    return theCase;
+    session.title = title;
+    return session;
 }
 
 TEST(SaveCaseOver, KeepsWhatAnotherProgramHasSavedMeanwhile)

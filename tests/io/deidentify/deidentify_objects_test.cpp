@@ -38,13 +38,13 @@ protected:
         return report;
     }
 
-    core::Result<io::DeidentifiedFiles> freed(const io::Deidentification& wished = {})
+    core::Result<io::DeidentifiedFiles> freed(const io::Deidentification& requested = {})
     {
         written("state", io::presentationState(plantedState(), angiogram, origin));
         written("registration", io::spatialRegistration(registration(), angiogram, origin));
         written("segmentation", io::vesselSegmentation(vessels(), "PLANTED algorithm", scan, origin));
         written("measurements", io::measurementReport(plantedMeasurements(), angiogram, origin));
-        auto done = io::deidentifyFiles({folder.file("")}, outPath(), wished, pseudonyms);
+        auto done = io::deidentifyFiles({folder.file("")}, outPath(), requested, pseudonyms);
         EXPECT_TRUE(done) << done.error().message.text();
         return done;
     }

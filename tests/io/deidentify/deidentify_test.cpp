@@ -32,9 +32,9 @@ protected:
         folder.write("DOE_JANE_4711/run.dcm", planted.content(pixels));
     }
 
-    core::Messages freed(const io::Deidentification& wished = {})
+    core::Messages freed(const io::Deidentification& requested = {})
     {
-        const auto done = io::deidentifyFile(in(), out(), wished, pseudonyms);
+        const auto done = io::deidentifyFile(in(), out(), requested, pseudonyms);
         EXPECT_TRUE(done) << done.error().message.text();
         return done ? done.value() : core::Messages{};
     }
@@ -133,9 +133,9 @@ TEST_F(Deidentify, TellsOfLettersOrBlacksThemOut)
         pixels[n] = static_cast<std::int16_t>(letters.pixels[n % pixelsPerFrame]);
     }
     folder.write("DOE_JANE_4711/run.dcm", test::PlantedRun().content(pixels));
-    const core::Messages told = freed();
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].id(), "deidentify.letters-stay");
+    const core::Messages reported = freed();
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported[0].id(), "deidentify.letters-stay");
     EXPECT_EQ(parsed().dataset.text(0x00280301), "YES");
     const core::Messages blackened = freed({.letters = io::DrawnLetters::BlackedOut});
     ASSERT_EQ(blackened.size(), 1U);

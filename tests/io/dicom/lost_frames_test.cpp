@@ -32,7 +32,7 @@ bool isFlat(const core::ImageF& frame)
     return std::ranges::all_of(frame.pixels, [&](float value) { return value == frame.pixels.front(); });
 }
 
-const std::string colourPicture = "exotic-dicom/pydicom/SC_rgb_jpeg_dcmtk.dcm";   // one frame of lossy JPEG
+const std::string colorPicture = "exotic-dicom/pydicom/SC_rgb_jpeg_dcmtk.dcm";   // one frame of lossy JPEG
 
 std::string littleEndian(std::size_t value)
 {
@@ -76,9 +76,9 @@ std::string runOf(std::string content, const std::vector<std::string>& streams)
 
 TEST(LostFrames, DamagedInPartShowWhatCanBeDecoded)
 {
-    ANGIOPOSE_NEEDS_DATA(colourPicture);
+    ANGIOPOSE_NEEDS_DATA(colorPicture);
     const test::TemporaryFolder folder;
-    const std::string picture = test::readText(test::dataFile(colourPicture));
+    const std::string picture = test::readText(test::dataFile(colorPicture));
     const std::string sound = streamOf(picture);
     const auto read = io::readAngiogram(folder.write("run.dcm", runOf(picture, {sound, withAHole(sound), sound})));
     ASSERT_TRUE(read) << read.error().message;
@@ -97,9 +97,9 @@ TEST(LostFrames, DamagedInPartShowWhatCanBeDecoded)
 
 TEST(LostFrames, APictureDamagedInPartIsShownAndSaidToBe)
 {
-    ANGIOPOSE_NEEDS_DATA(colourPicture);
+    ANGIOPOSE_NEEDS_DATA(colorPicture);
     const test::TemporaryFolder folder;
-    const std::string sound = streamOf(test::readText(test::dataFile(colourPicture)));
+    const std::string sound = streamOf(test::readText(test::dataFile(colorPicture)));
     const auto isFlawed = [](const core::Message& found) { return found.is(io::says::imageFlawed); };
     const auto whole = io::readAngiogram(folder.write("whole.jpg", sound));
     ASSERT_TRUE(whole) << whole.error().message;
@@ -115,26 +115,26 @@ TEST(LostFrames, AreNamedAndEmptyWhileTheOthersAreWhole)
     const test::TemporaryFolder folder;
     const auto whole = io::readAngiogram(test::dataFile(phantomRun).string());
     ASSERT_TRUE(whole) << whole.error().message;
-    const int fullest = whole.value().suggestedFrame;
+    const int peak = whole.value().suggestedFrame;
     const auto damaged = io::readAngiogram(
-        folder.write("run.dcm", withoutFrames(test::readText(test::dataFile(phantomRun)), {0, fullest})));
+        folder.write("run.dcm", withoutFrames(test::readText(test::dataFile(phantomRun)), {0, peak})));
     ASSERT_TRUE(damaged) << damaged.error().message;
     const core::Angiogram& run = damaged.value();
     ASSERT_EQ(run.frameCount(), 14);
     for (int k = 0; k < run.frameCount(); ++k) {
         const auto at = static_cast<std::size_t>(k);
-        if (k == 0 || k == fullest) {
+        if (k == 0 || k == peak) {
             EXPECT_TRUE(isFlat(run.frames[at])) << k;
         } else {
             EXPECT_EQ(run.frames[at].pixels, whole.value().frames[at].pixels) << k;
         }
     }
-    EXPECT_NE(run.suggestedFrame, fullest);
+    EXPECT_NE(run.suggestedFrame, peak);
     const auto warning = std::ranges::find_if(
         run.warnings, [](const core::Message& found) { return found.is(io::says::dicomFramesLost); });
     ASSERT_NE(warning, run.warnings.end());
     EXPECT_EQ(std::get<std::vector<std::string>>(warning->arguments()[0]),
-              (std::vector<std::string>{"1", std::to_string(fullest + 1)}));
+              (std::vector<std::string>{"1", std::to_string(peak + 1)}));
 }
 
 TEST(LostFrames, ARunWithoutAnyOtherIsRefused)

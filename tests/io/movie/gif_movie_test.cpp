@@ -167,24 +167,24 @@ TEST_F(GifMovie, LeavesNothingWithoutAnEnd)
 }
 
 /// Every grey there is, and more colours than there are places: greys stay within one step, colours near.
-TEST(GifPalette, KeepsGreysAndColoursApart)
+TEST(GifPalette, KeepsGraysAndColorsApart)
 {
     core::ColorImage picture{256, 64, {}};
     for (int y = 0; y < 64; ++y) {
         for (int x = 0; x < 256; ++x) {
-            const auto grey = static_cast<std::uint8_t>(x);
+            const auto gray = static_cast<std::uint8_t>(x);
             const std::uint8_t mixed[3]{static_cast<std::uint8_t>(x / 2 + 2 * y), static_cast<std::uint8_t>(x), 250};
-            const std::uint8_t plain[3]{grey, grey, grey};
+            const std::uint8_t plain[3]{gray, gray, gray};
             const std::uint8_t* color = y % 4 == 0 && mixed[2] - std::min(mixed[0], mixed[1]) > 20 ? mixed : plain;
             picture.rgb.insert(picture.rgb.end(), color, color + 3);
         }
     }
     GifPalette palette(picture);
     EXPECT_LE(palette.colors().size(), 255U);
-    for (int grey = 0; grey < 256; ++grey) {
-        const auto value = static_cast<std::uint8_t>(grey);
+    for (int gray = 0; gray < 256; ++gray) {
+        const auto value = static_cast<std::uint8_t>(gray);
         const auto shown = palette.colors()[palette.indexOf({value, value, value})];
-        EXPECT_LE(std::abs(shown[0] - grey), 2) << grey;
+        EXPECT_LE(std::abs(shown[0] - gray), 2) << gray;
         EXPECT_EQ(shown[0], shown[2]) << "grey stays grey";
     }
     for (std::size_t at = 0; at < picture.rgb.size(); at += 3) {

@@ -13,8 +13,8 @@ inline core::ColorImage moviePicture(int width, int height, int step)
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const bool isLine = std::abs(x - y * width / height - 3 * step) < 4;
-            const auto grey = static_cast<std::uint8_t>(40 + 150 * y / height + 20 * x / width);
-            const std::uint8_t line[3]{40, 130, 250}, ground[3]{grey, grey, grey};
+            const auto gray = static_cast<std::uint8_t>(40 + 150 * y / height + 20 * x / width);
+            const std::uint8_t line[3]{40, 130, 250}, ground[3]{gray, gray, gray};
             picture.rgb.insert(picture.rgb.end(), isLine ? line : ground, (isLine ? line : ground) + 3);
         }
     }

@@ -248,7 +248,7 @@ TEST_F(Mp4Movie, HoldsOnePictureAlone)
     EXPECT_LT(meanError(moviePicture(48, 96, 0), decoder.decodeAll(movie).at(0)), 4.0);
 }
 
-TEST_F(Mp4Movie, TellsTitleColoursAndSize)
+TEST_F(Mp4Movie, TellsTitleColorsAndSize)
 {
     written(64, 64, 1, 40.0);
     const std::string bytes = movieBytes(path_);

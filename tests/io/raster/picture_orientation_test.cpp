@@ -22,7 +22,7 @@ namespace {
 constexpr int shownWidth = 24, shownHeight = 16;
 
 /// Bright at the upper right, where no turn and no mirror leaves it.
-float shownGrey(int x, int y)
+float shownGray(int x, int y)
 {
     return x >= 16 && y < 8 ? 200.0F : 40.0F;
 }
@@ -58,7 +58,7 @@ core::ImageF storedFor(int orientation)
     for (int y = 0; y < stored.height; ++y) {
         for (int x = 0; x < stored.width; ++x) {
             const auto [column, row] = placeOf(x, y, orientation);
-            stored.at(x, y) = shownGrey(column, row);
+            stored.at(x, y) = shownGray(column, row);
         }
     }
     return stored;
@@ -149,7 +149,7 @@ std::string pngOf(const test::TemporaryFolder& folder, const core::ImageF& image
 {
     core::Angiogram run;
     run.frames = {image};
-    EXPECT_TRUE(io::writeGreyPng(run, 0, folder.file("plain.png"), {}));
+    EXPECT_TRUE(io::writeGrayPng(run, 0, folder.file("plain.png"), {}));
     std::string content = test::readText(folder.file("plain.png"));
     const std::string chunk = "eXIf" + exif;
     const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(chunk.data()), chunk.size());
@@ -170,7 +170,7 @@ void expectShown(const std::string& path, int orientation)
     ASSERT_EQ(frame.height, shownHeight);
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
-            ASSERT_NEAR(frame.at(x, y), shownGrey(x, y), 2.0F) << path << " " << orientation << " at " << x << "," << y;
+            ASSERT_NEAR(frame.at(x, y), shownGray(x, y), 2.0F) << path << " " << orientation << " at " << x << "," << y;
         }
     }
     const bool isNamed = std::ranges::any_of(
@@ -219,7 +219,7 @@ TEST(PictureOrientation, HoldsForMasksToo)
     }
     const auto two = io::readCenterline2d(tiffOf(folder.file("two.tif"), {{mask, 0}, {mask, 0}}));
     ASSERT_FALSE(two);
-    EXPECT_TRUE(two.error().message.is(io::says::centrelineMaskPages)) << two.error().message;
+    EXPECT_TRUE(two.error().message.is(io::says::centerlineMaskPages)) << two.error().message;
 }
 
 TEST(PictureOrientation, StaysWhereAPictureIsFreedOfWhatIsBeside)

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t side = 16;
 
 struct PngKind {
-    int colour = PNG_COLOR_TYPE_GRAY;
+    int color = PNG_COLOR_TYPE_GRAY;
     int depth = 8;
     int interlace = PNG_INTERLACE_NONE;
     /// Adds chunks before the pixels.
@@ -29,7 +29,7 @@ std::string writtenPng(const test::TemporaryFolder& folder, const PngKind& kind,
     png_struct* png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_info* info = png_create_info_struct(png);
     png_init_io(png, file);
-    png_set_IHDR(png, info, side, side, kind.depth, kind.colour, kind.interlace, PNG_COMPRESSION_TYPE_DEFAULT,
+    png_set_IHDR(png, info, side, side, kind.depth, kind.color, kind.interlace, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     kind.adorn(png, info);
     png_write_info(png, info);
@@ -58,7 +58,7 @@ std::vector<png_byte> repeated(std::initializer_list<png_byte> pixel)
     return row;
 }
 
-TEST(PngKinds, GreyOfAllDepthsSpansItsRange)
+TEST(PngKinds, GrayOfAllDepthsSpansItsRange)
 {
     const test::TemporaryFolder folder;
     EXPECT_EQ(thirdPixel(writtenPng(folder, {.depth = 1}, repeated({0x20}))), 255.0F);
@@ -78,7 +78,7 @@ TEST(PngKinds, InterlacedRowsFindTheirPlace)
     EXPECT_EQ(thirdPixel(writtenPng(folder, {.interlace = PNG_INTERLACE_ADAM7}, row)), 20.0F);
 }
 
-TEST(PngKinds, ColoursBecomeLuminance)
+TEST(PngKinds, ColorsBecomeLuminance)
 {
     const test::TemporaryFolder folder;
     const std::string wide = writtenPng(folder, {PNG_COLOR_TYPE_RGB, 16}, repeated({1, 0, 2, 0, 3, 0}));
@@ -87,8 +87,8 @@ TEST(PngKinds, ColoursBecomeLuminance)
 
     PngKind palette{PNG_COLOR_TYPE_PALETTE, 4};
     palette.adorn = [](png_struct* png, png_info* info) {
-        const png_color colours[] = {{0, 0, 0}, {90, 90, 90}};
-        png_set_PLTE(png, info, colours, 2);
+        const png_color colors[] = {{0, 0, 0}, {90, 90, 90}};
+        png_set_PLTE(png, info, colors, 2);
     };
     EXPECT_EQ(thirdPixel(writtenPng(folder, palette, repeated({0x11}))), 90.0F);
 }
@@ -96,9 +96,9 @@ TEST(PngKinds, ColoursBecomeLuminance)
 TEST(PngKinds, TransparencyIsNotedAndIgnored)
 {
     const test::TemporaryFolder folder;
-    const std::string greyAlpha = writtenPng(folder, {PNG_COLOR_TYPE_GRAY_ALPHA}, repeated({123, 0}));
-    EXPECT_EQ(thirdPixel(greyAlpha), 123.0F);
-    EXPECT_EQ(io::readAngiogram(greyAlpha).value().warnings.front().id(), "image.transparency-ignored");
+    const std::string grayAlpha = writtenPng(folder, {PNG_COLOR_TYPE_GRAY_ALPHA}, repeated({123, 0}));
+    EXPECT_EQ(thirdPixel(grayAlpha), 123.0F);
+    EXPECT_EQ(io::readAngiogram(grayAlpha).value().warnings.front().id(), "image.transparency-ignored");
     EXPECT_EQ(thirdPixel(writtenPng(folder, {PNG_COLOR_TYPE_RGB_ALPHA}, repeated({9, 9, 9, 128}))), 9.0F);
 
     PngKind keyed;

@@ -163,7 +163,7 @@ TEST(DicomSegmentation, ReadsFractionsFromHalfOn)
         readLabelsOrFail(folder.write("seg.dcm", segmentationBytes({.type = "FRACTIONAL", .bitsAllocated = 8}))));
 }
 
-TEST(DicomSegmentation, ReadsLabelMapsInGreyAndInColour)
+TEST(DicomSegmentation, ReadsLabelMapsInGrayAndInColor)
 {
     const TemporaryFolder folder;
     for (const char* photometric : {"MONOCHROME2", "PALETTE COLOR"}) {

@@ -27,23 +27,23 @@ protected:
         json["angiogram"]["centerline"]["path"] = "in/curves.csv";
         auto loaded = small.load(json);
         EXPECT_TRUE(loaded) << loaded.error().message.text();
-        core::Case theCase = std::move(loaded).value();
+        core::Case session = std::move(loaded).value();
         core::RegistrationResult result;
         result.method = "angiopose";
-        result.cameraFromPatient = theCase.shown().cameraFromPatient;
+        result.cameraFromPatient = session.shown().cameraFromPatient;
         result.provenance.author = "Dr Doe";
-        theCase.shown().result = result;
-        theCase.shown().annotations.push_back({core::AnnotationKind::Text, {{2, 2}}, "Jane Doe"});
-        EXPECT_TRUE(io::saveCase(theCase, casePath()));
+        session.shown().result = result;
+        session.shown().annotations.push_back({core::AnnotationKind::Text, {{2, 2}}, "Jane Doe"});
+        EXPECT_TRUE(io::saveCase(session, casePath()));
     }
 
     std::string casePath() const { return small.path("JaneDoe.angiopose"); }
 
     /// The folder it was unpacked to.
-    std::string unpacked(const std::optional<io::Deidentification>& wished)
+    std::string unpacked(const std::optional<io::Deidentification>& requested)
     {
         const std::string archive = small.path("pack.zip");
-        const auto packed = io::packCaseFile(casePath(), archive, {wished, pseudonyms});
+        const auto packed = io::packCaseFile(casePath(), archive, {requested, pseudonyms});
         EXPECT_TRUE(packed) << packed.error().message.text();
         const std::string folder = small.path("unpacked");
         fs::remove_all(folder);

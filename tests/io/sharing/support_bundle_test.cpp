@@ -86,26 +86,26 @@ protected:
         json["title"] = "PLANTED title";
         auto loaded = small.load(json);
         EXPECT_TRUE(loaded) << loaded.error().message.text();
-        theCase = std::move(loaded).value();
-        theCase.shown().imageFile.path = runPath;
-        theCase.shown().name = "PLANTED view";
-        theCase.shown().annotations.push_back({core::AnnotationKind::Text, {{2, 2}}, "PLANTED word"});
+        session = std::move(loaded).value();
+        session.shown().imageFile.path = runPath;
+        session.shown().name = "PLANTED view";
+        session.shown().annotations.push_back({core::AnnotationKind::Text, {{2, 2}}, "PLANTED word"});
     }
 
     test::SmallCase small;
     test::TemporaryFolder folder;
     test::PlantedRun run;
     std::string runPath;
-    core::Case theCase;
+    core::Case session;
 };
 
 TEST_F(SupportBundle, HoldsNothingOfWhatWasPlanted)
 {
     io::Redaction redaction;
-    io::addIdentifiers(theCase, redaction);
+    io::addIdentifiers(session, redaction);
     io::addIdentifiersOfFile(runPath, redaction);
     std::vector<io::SupportText> texts = io::programTexts("OpenGL: 4.5 by PLANTED00\n");
-    texts.push_back({"case.txt", io::caseSummary(theCase)});
+    texts.push_back({"case.txt", io::caseSummary(session)});
     std::string log = "0:01 Opened " + runPath + "\n";
     for (int i = 0; i < run.count(); ++i) {
         std::array<char, 24> planted{};

@@ -30,12 +30,12 @@ double unitOf(const std::string& header, double asked = 0.0)
 
 TEST(StatedCoordinates, UnitsAreReadInTheWordsOfManyPrograms)
 {
-    for (const char* centimetres :
+    for (const char* centimeters :
          {"# vertex coordinates are measured in units, where 1 unit = 10.000000 mm", "# Units: cm", "# units are in cm",
           "# File units = centimeters", "UNITS=cm", "solid part unit cm", "comment unit: Centimetre",
           "# 100 units = 1 m", "# 10 mm per unit", "unitMm = 10", "LengthUnit = cm", "# all coordinates are in cm",
           "# points (cm)", "# Coordinates [cm]", "Exported in centimeters", "# one unit is 1 cm", "#units cm"}) {
-        EXPECT_DOUBLE_EQ(unitOf(centimetres), 10.0) << centimetres;
+        EXPECT_DOUBLE_EQ(unitOf(centimeters), 10.0) << centimeters;
     }
     EXPECT_DOUBLE_EQ(unitOf("# 1 unit = 1000.0 mm"), 1000.0);
     EXPECT_DOUBLE_EQ(unitOf("# units: inches"), 25.4);
@@ -201,7 +201,7 @@ TEST(StatedCoordinates, AreNotAskedForAgain)
     }
 }
 
-TEST(StatedCoordinates, HoldForCentrelinesOfEveryFormat)
+TEST(StatedCoordinates, HoldForCenterlinesOfEveryFormat)
 {
     const test::TemporaryFolder folder;
     const std::vector<std::pair<std::string, std::string>> files = {

@@ -167,7 +167,7 @@ TEST(ReadSurface, EveryFormatGivesTheSameBox)
     expectBox(io::readSurface(folder.file("binary.stl")));
 }
 
-TEST(ReadSurface, RasIsTurnedAndUnitsAreMillimetres)
+TEST(ReadSurface, RasIsTurnedAndUnitsAreMillimeters)
 {
     const TemporaryFolder folder;
     const auto surface = io::readSurface(folder.write("box.vtk", legacyVtk("vtk output SPACE=RAS")), 2.0);
@@ -319,13 +319,13 @@ TEST(ReadSurface, PlyIsTakenAtItsWord)
                 }).isStopped());
 }
 
-TEST(ReadSurface, AortaInCentimetresKeepsItsVolume)
+TEST(ReadSurface, AortaInCentimetersKeepsItsVolume)
 {
     ANGIOPOSE_NEEDS_DATA("abdominal-aorta-mesh/demo.vtp");
     const std::string path = test::dataFile("abdominal-aorta-mesh/demo.vtp").string();
-    const auto asMillimetres = io::readSurface(path);
-    ASSERT_TRUE(asMillimetres) << asMillimetres.error().message;
-    EXPECT_FALSE(asMillimetres.value().warnings.empty()) << "34 mm of aorta";
+    const auto asMillimeters = io::readSurface(path);
+    ASSERT_TRUE(asMillimeters) << asMillimeters.error().message;
+    EXPECT_FALSE(asMillimeters.value().warnings.empty()) << "34 mm of aorta";
 
     const auto surface = io::readSurface(path, 10.0);
 

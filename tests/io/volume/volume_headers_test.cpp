@@ -116,9 +116,9 @@ TEST(Nifti, RefusesWhatIsNoVolume)
     put(series, 40, std::array<std::int16_t, 8>{4, 2, 3, 4, 7, 1, 1, 1});
     expectRefused(folder.write("4d.nii", series), "7 volumes");
 
-    std::string colour = plainNifti();
-    put(colour, 70, std::int16_t{128});
-    expectRefused(folder.write("rgb.nii", colour), "colours");
+    std::string color = plainNifti();
+    put(color, 70, std::int16_t{128});
+    expectRefused(folder.write("rgb.nii", color), "colours");
 
     std::string huge = plainNifti();
     put(huge, 40, std::array<std::int16_t, 8>{3, 30000, 30000, 30000, 1, 1, 1, 1});

@@ -52,7 +52,7 @@ void roughenBone(ScanPainter& painter, ScanGrid& grid, const HeadValues& values,
 {
     const TurnedEllipsoid outer{{0.0, 8.0, 2.0}, Eigen::Matrix3d::Identity(), {74.0, 90.0, 78.0}};
     painter.around(
-        outer.centre, Eigen::Vector3d::Constant(120.0), [&](std::size_t voxel, const Eigen::Vector3d& place) {
+        outer.center, Eigen::Vector3d::Constant(120.0), [&](std::size_t voxel, const Eigen::Vector3d& place) {
             float& value = grid.voxels[voxel];
             const double overBrain = value - values.brain;
             if (overBrain / (values.skull - values.brain) < 0.5) {

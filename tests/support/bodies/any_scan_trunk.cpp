@@ -9,7 +9,7 @@ namespace {
 constexpr double trunkBlurVoxels = 0.6;
 constexpr double coarser = 1.7;   ///< than heads: larger fields
 constexpr double trunkMrNoisePerHu = 0.6;
-constexpr double greyOfAir = 1024.0;
+constexpr double grayOfAir = 1024.0;
 const TrunkValues mrTrunk{120.0, 100.0, 20.0, 90.0, 15.0, 180.0, 380.0, 160.0, 700.0, 1000.0};
 
 ScanBox trunkBox(ScanKind kind, CounterRandom& random)
@@ -57,9 +57,9 @@ AnyScan drawTrunkCt(ScanKind kind, const ScanDraw& draw, ScanGrid& grid, Counter
     paintTree(painter, scan.arteries, grid.geometry, draw.bloodHu);
     blurScan(grid, trunkBlurVoxels);
     scan.volume = asStored(grid, draw.noise, random.fork(1));
-    if (kind == ScanKind::AbdomenGrey) {
+    if (kind == ScanKind::AbdomenGray) {
         for (std::int16_t& voxel : scan.volume.voxels) {
-            voxel = static_cast<std::int16_t>(std::max(0.0, voxel + greyOfAir));
+            voxel = static_cast<std::int16_t>(std::max(0.0, voxel + grayOfAir));
         }
     }
     return scan;

@@ -6,7 +6,7 @@ namespace angiopose::core {
 
 void paintEllipsoid(ScanPainter& painter, const TurnedEllipsoid& shape, double hu)
 {
-    painter.around(shape.centre, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
+    painter.around(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
                    [&](std::size_t voxel, const Eigen::Vector3d& place) {
                        painter.blend(voxel, shareInside(shape.distanceMm(place), painter.voxelMm()), hu);
                    });
@@ -14,7 +14,7 @@ void paintEllipsoid(ScanPainter& painter, const TurnedEllipsoid& shape, double h
 
 void paintDifference(ScanPainter& painter, const TurnedEllipsoid& shape, const TurnedEllipsoid& without, double hu)
 {
-    painter.around(shape.centre, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
+    painter.around(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
                    [&](std::size_t voxel, const Eigen::Vector3d& place) {
                        const double outsideMm = std::max(shape.distanceMm(place), -without.distanceMm(place));
                        painter.blend(voxel, shareInside(outsideMm, painter.voxelMm()), hu);

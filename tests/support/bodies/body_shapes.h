@@ -8,14 +8,14 @@ namespace angiopose::core {
 
 /// An ellipsoid in any direction.
 struct TurnedEllipsoid {
-    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();   ///< columns: unit directions
     Eigen::Vector3d halfAxesMm = Eigen::Vector3d::Ones();
 
     /// About how far outside a place is, mm; negative inside.
     double distanceMm(const Eigen::Vector3d& place) const
     {
-        const Eigen::Vector3d share = (axes.transpose() * (place - centre)).cwiseQuotient(halfAxesMm);
+        const Eigen::Vector3d share = (axes.transpose() * (place - center)).cwiseQuotient(halfAxesMm);
         return (share.norm() - 1.0) * halfAxesMm.minCoeff();
     }
 };

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostStoredMagnitude = 32000.0;
+constexpr double maxStoredMagnitude = 32000.0;
 
 template <class Work>
 void eachPlace(ScanGrid& grid, const Work& work)
@@ -42,19 +42,19 @@ Volume asMagnitudes(const ScanGrid& grid, double noise, const CounterRandom& ran
 {
     return asWholeNumbers(grid, random, [noise](double signal, CounterRandom& ofSlice) {
         const double real = signal + noise * ofSlice.normal();
-        return std::min(std::hypot(real, noise * ofSlice.normal()), mostStoredMagnitude);
+        return std::min(std::hypot(real, noise * ofSlice.normal()), maxStoredMagnitude);
     });
 }
 
 void addConeBeamArtefacts(ScanGrid& grid, double strength, CounterRandom& random)
 {
     const Eigen::Vector3d half = halfOf(grid.geometry);
-    const Eigen::Vector3d centre = grid.geometry.originInPatient + half;
+    const Eigen::Vector3d center = grid.geometry.originInPatient + half;
     const double radius = std::min(half.x(), half.y());
     const double turn = random.uniform(0.0, std::numbers::pi);
     const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
     eachPlace(grid, [&](float& value, const Eigen::Vector3d& place) {
-        const Eigen::Vector3d at = (place - centre) / radius;
+        const Eigen::Vector3d at = (place - center) / radius;
         const double across = std::cos(turn) * at.x() + std::sin(turn) * at.y();
         const double fromMiddle = std::hypot(at.x(), at.y());
         if (fromMiddle > 1.0) {

@@ -22,14 +22,14 @@ constexpr std::array<NamedScanKind, 13> kinds{{
     {"leg-mra", ScanKind::LegMra},
     {"head-rotational", ScanKind::HeadRotational},
     {"abdomen-thick", ScanKind::AbdomenThick},
-    {"abdomen-grey", ScanKind::AbdomenGrey},
+    {"abdomen-grey", ScanKind::AbdomenGray},
     {"thorax-cropped", ScanKind::ThoraxCropped},
 }};
 
 bool isTrunk(ScanKind kind)
 {
     return kind == ScanKind::BodyMra || kind == ScanKind::LegMra || kind == ScanKind::AbdomenThick ||
-           kind == ScanKind::AbdomenGrey || kind == ScanKind::ThoraxCropped;
+           kind == ScanKind::AbdomenGray || kind == ScanKind::ThoraxCropped;
 }
 
 /// The stretches whose axes lie in the scan.

@@ -23,7 +23,7 @@ enum class ScanKind {
     LegMra,   ///< the same, from the aorta's end to the popliteal arteries
     HeadRotational,   ///< rotational angiography: one carotid filled, cone-beam artefacts, round truncated field
     AbdomenThick,   ///< CT, slices of 3 to 5 mm
-    AbdomenGrey,   ///< CT whose values are no Hounsfield units
+    AbdomenGray,   ///< CT whose values are no Hounsfield units
     ThoraxCropped,   ///< CT, faces cut through heart and aorta
 };
 

@@ -28,7 +28,7 @@ struct HeartSurface {
         const Eigen::Vector3d unit(across * std::cos(angle), across * std::sin(angle), share);
         const Eigen::Vector3d place = unit.cwiseProduct(muscle.halfAxesMm);
         const Eigen::Vector3d outward = unit.cwiseQuotient(muscle.halfAxesMm).normalized();
-        return muscle.centre + muscle.axes * (place + offMm * outward);
+        return muscle.center + muscle.axes * (place + offMm * outward);
     }
 };
 
@@ -104,7 +104,7 @@ struct AorticRoot {
 AorticRoot aorticRoot(const HeartSurface& surface, CounterRandom& random)
 {
     AorticRoot root;
-    root.base = surface.muscle.centre - 0.72 * surface.muscle.halfAxesMm.z() * surface.muscle.axes.col(2);
+    root.base = surface.muscle.center - 0.72 * surface.muscle.halfAxesMm.z() * surface.muscle.axes.col(2);
     root.up = Eigen::Vector3d(-0.25, -0.05, 1.0).normalized();
     root.tube = taperedBranch(smoothPath({root.base, root.base + 75.0 * root.up, root.up, root.up, 0.1}, random),
                               rootWidthMm, 13.0);
@@ -114,10 +114,10 @@ AorticRoot aorticRoot(const HeartSurface& surface, CounterRandom& random)
 VesselTree coronaries(const HeartSurface& surface, const AorticRoot& root, CounterRandom& random)
 {
     const auto wallTowards = [&](const Eigen::Vector3d& place, double upMm) {
-        const Eigen::Vector3d centre = root.base + upMm * root.up;
-        const Eigen::Vector3d way = place - centre;
+        const Eigen::Vector3d center = root.base + upMm * root.up;
+        const Eigen::Vector3d way = place - center;
         const Eigen::Vector3d outward = (way - way.dot(root.up) * root.up).normalized();
-        return std::pair((centre + rootWidthMm * outward).eval(), outward);
+        return std::pair((center + rootWidthMm * outward).eval(), outward);
     };
     VesselTree tree;
     const Eigen::Vector2d leftStart(grooveShare, 14.0);
@@ -157,7 +157,7 @@ void paintChambers(ScanPainter& painter, const HeartSurface& surface, const Aort
     paintEllipsoid(painter, fat, epicardialFatHu);
     paintEllipsoid(painter, muscle, heartMuscleHu);
     TurnedEllipsoid left = muscle;
-    left.centre += 9.0 * leftward - 2.0 * forward;
+    left.center += 9.0 * leftward - 2.0 * forward;
     left.halfAxesMm = {18.0, 18.0, 0.78 * muscle.halfAxesMm.z()};
     TurnedEllipsoid leftWall = left;
     leftWall.halfAxesMm += Eigen::Vector3d::Constant(9.0);
@@ -165,7 +165,7 @@ void paintChambers(ScanPainter& painter, const HeartSurface& surface, const Aort
     right.halfAxesMm -= Eigen::Vector3d::Constant(4.0);
     paintDifference(painter, right, leftWall, rightHu);
     paintEllipsoid(painter, left, bloodHu);
-    const Eigen::Vector3d base = muscle.centre - 1.25 * muscle.halfAxesMm.z() * apexward;
+    const Eigen::Vector3d base = muscle.center - 1.25 * muscle.halfAxesMm.z() * apexward;
     paintEllipsoid(painter, {base - 8.0 * forward + 12.0 * leftward, muscle.axes, {17.0, 20.0, 15.0}}, bloodHu);
     paintEllipsoid(painter, {base + 2.0 * forward - 22.0 * leftward, muscle.axes, {16.0, 16.0, 15.0}}, 0.9 * rightHu);
     VesselTree pulmonary;

@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-NumberFormat millimetres()
+NumberFormat millimeters()
 {
     return {-100.0, 100.0, 2, QStringLiteral("mm"), 1.0, NumberSign::Always};
 }
@@ -23,7 +23,7 @@ void typeInto(NumberField& field, const QString& text)
 
 TEST(NumberField, AcceptsPointAndComma)
 {
-    NumberField field(millimetres());
+    NumberField field(millimeters());
     QSignalSpy edited(&field, &NumberField::edited);
     typeInto(field, QStringLiteral("1.5"));
     typeInto(field, QStringLiteral("-2,25"));
@@ -35,7 +35,7 @@ TEST(NumberField, AcceptsPointAndComma)
 
 TEST(NumberField, KeepsItsValueOnNonsenseAndOnEscape)
 {
-    NumberField field(millimetres());
+    NumberField field(millimeters());
     field.showValue(3.0);
     QSignalSpy edited(&field, &NumberField::edited);
     typeInto(field, QStringLiteral("abc"));
@@ -48,14 +48,14 @@ TEST(NumberField, KeepsItsValueOnNonsenseAndOnEscape)
 
 TEST(NumberField, StaysInItsRange)
 {
-    NumberField field(millimetres());
+    NumberField field(millimeters());
     typeInto(field, QStringLiteral("5000"));
     EXPECT_DOUBLE_EQ(field.value().value_or(0.0), 100.0);
 }
 
 TEST(NumberField, StepsFineAndCoarse)
 {
-    NumberField field(millimetres());
+    NumberField field(millimeters());
     field.showValue(0.0);
     QTest::keyClick(&field, Qt::Key_Up);
     QTest::keyClick(&field, Qt::Key_Up, Qt::ShiftModifier);
@@ -65,7 +65,7 @@ TEST(NumberField, StepsFineAndCoarse)
 
 TEST(NumberField, IgnoresTheWheelWithoutFocus)
 {
-    NumberField field(millimetres());
+    NumberField field(millimeters());
     field.showValue(1.0);
     QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                       false);

@@ -72,11 +72,11 @@ TEST(Words, AChoiceIsAsNarrowAsItsWordsOnceLongerOnesAreGone)
     box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
     setWords(box, {QStringLiteral("by name"), QStringLiteral("by length")});
     box.show();
-    const int leastPx = box.minimumSizeHint().width();
+    const int minPx = box.minimumSizeHint().width();
     setWords(box, {QStringLiteral("nach dem Namen der Gefäße"), QStringLiteral("nach der Länge")});
-    ASSERT_GT(box.minimumSizeHint().width(), leastPx);
+    ASSERT_GT(box.minimumSizeHint().width(), minPx);
     setWords(box, {QStringLiteral("by name"), QStringLiteral("by length")});
-    EXPECT_EQ(box.minimumSizeHint().width(), leastPx);
+    EXPECT_EQ(box.minimumSizeHint().width(), minPx);
 }
 
 }   // namespace

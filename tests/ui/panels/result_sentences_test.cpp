@@ -51,22 +51,24 @@ TEST(ResultSentences, NameTheBranchThatDisagrees)
 TEST(ResultSentences, DoNotRepeatThatABranchIsEmpty)
 {
     core::RegistrationResult result = resultWith({1.0, 10.0});
-    result.unfilled = {{2, 0.9}};
+    result.unopacified = {{2, 0.9}};
     const auto sentences = sentencesOf(result, treeOf({"LM", ""}), 0.3);
     EXPECT_FALSE(sentences.doubtful.join(' ').contains(QStringLiteral("Branch 2"))) << "the run's warning names it";
 }
 
 TEST(ResultSentences, DoNotCallABranchEmptyThatABendExplains)
 {
-    for (const core::BendVerdict verdict : {core::BendVerdict::Bent, core::BendVerdict::Unsure}) {
+    for (const core::DeformationVerdict verdict :
+         {core::DeformationVerdict::Deformed, core::DeformationVerdict::Unsure}) {
         core::RegistrationResult result = resultWith({10.0, 10.0});
-        core::DeformableResult bent;
-        bent.verdict = verdict;
-        bent.branches = {{1, {}, {}, 0.9}, {2, {}, {}, 0.1}};
-        result.bent = std::make_shared<const core::DeformableResult>(bent);
+        core::DeformableResult deformed;
+        deformed.verdict = verdict;
+        deformed.branches = {{1, {}, {}, 0.9}, {2, {}, {}, 0.1}};
+        result.deformed = std::make_shared<const core::DeformableResult>(deformed);
         const QString said = sentencesOf(result, treeOf({"LM", ""}), 0.3).doubtful.join(' ');
         EXPECT_TRUE(said.contains(QStringLiteral("Branch 2"))) << "it was not seen where the bend has it";
-        EXPECT_EQ(said.contains(QStringLiteral("LM")), verdict != core::BendVerdict::Bent) << said.toStdString();
+        EXPECT_EQ(said.contains(QStringLiteral("LM")), verdict != core::DeformationVerdict::Deformed)
+            << said.toStdString();
     }
 }
 

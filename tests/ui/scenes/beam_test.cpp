@@ -26,7 +26,7 @@ ui::ScreenFromPatient fromTheSide(double pxPerMm, const Eigen::Vector3d& focalPo
     ui::ScreenFromPatient screen;
     screen.rotation << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
     screen.focalPoint = focalPointInPatient;
-    screen.centrePx = Eigen::Vector2d::Constant(0.5 * sizePx);
+    screen.centerPx = Eigen::Vector2d::Constant(0.5 * sizePx);
     screen.pxPerMm = pxPerMm;
     return screen;
 }

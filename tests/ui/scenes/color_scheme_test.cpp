@@ -49,7 +49,7 @@ Eigen::Vector3d seen(const Color& color, const Eigen::Matrix3d& eye)
     return labFrom((eye * rgb).cwiseMax(0.0).cwiseMin(1.0));
 }
 
-TEST_F(ColorSchemes, TellResidualsApartWithAnyColourVision)
+TEST_F(ColorSchemes, TellResidualsApartWithAnyColorVision)
 {
     for (const ColorScheme scheme : schemes) {
         setColorScheme(scheme);
@@ -65,7 +65,7 @@ TEST_F(ColorSchemes, TellResidualsApartWithAnyColourVision)
     }
 }
 
-TEST_F(ColorSchemes, TheLastNeedsNoColourAtAll)
+TEST_F(ColorSchemes, TheLastNeedsNoColorAtAll)
 {
     setColorScheme(ColorScheme::Brightness);
     double before = 0.0;

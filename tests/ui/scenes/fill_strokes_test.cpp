@@ -56,7 +56,7 @@ TEST(FillStrokes, CoversAFanOfTrianglesOnceAndWithoutGaps)
     }
 }
 
-TEST(FillStrokes, PaintsExactlyThePixelsWhoseCentresAreInside)
+TEST(FillStrokes, PaintsExactlyThePixelsWhoseCentersAreInside)
 {
     ui::StrokeMesh mesh;   // a square from (2, 1) to (5, 4), y up
     addVertex(mesh, 2.0F, 1.0F, 255, 255);

@@ -17,7 +17,7 @@ bool overlaps(const ViewRect& a, const ViewRect& b)
 
 }   // namespace
 
-TEST(LabelPlaces, LabelsOfNeighboursDoNotCoverEachOther)
+TEST(LabelPlaces, LabelsOfNeighborsDoNotCoverEachOther)
 {
     std::vector<WantedLabel> labels;
     for (int i = 0; i < 5; ++i) {

@@ -41,7 +41,7 @@ TEST_P(RenderOffscreenOf, PutsEveryPointWhereTheCameraProjectsIt)
             core::project(test::obliqueCamera(GetParam()), test::obliquePose() * branch.pointsInPatient.front());
         const Eigen::Vector2d expected = 2.0 * (*pixel + Eigen::Vector2d(0.5, 0.5)) - Eigen::Vector2d(0.5, 0.5);
         const auto found =
-            test::centreOfLight([&](int x, int y) { return brightnessAt(picture.value(), x, y); }, expected);
+            test::centerOfLight([&](int x, int y) { return brightnessAt(picture.value(), x, y); }, expected);
         EXPECT_LT((found - expected).norm(), 0.25) << "branch " << branch.id;
     }
 }
@@ -49,7 +49,7 @@ TEST_P(RenderOffscreenOf, PutsEveryPointWhereTheCameraProjectsIt)
 INSTANTIATE_TEST_SUITE_P(BothMirrors, RenderOffscreenOf,
                          ::testing::Values(test::Mirror::SeenFromDetector, test::Mirror::SeenFromSource));
 
-TEST(RenderOffscreen, ShowsEveryPixelOfTheFrameAsItsGreyValue)
+TEST(RenderOffscreen, ShowsEveryPixelOfTheFrameAsItsGrayValue)
 {
     core::ImageF frame(16, 16);
     for (int i = 0; i < 256; ++i) {

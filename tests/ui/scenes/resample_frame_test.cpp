@@ -8,13 +8,13 @@ using namespace angiopose;
 
 namespace {
 
-using Grey = core::Image2d<std::uint8_t>;
+using Gray = core::Image2d<std::uint8_t>;
 
-std::vector<int> resampled(const Grey& grey, const ui::ViewRect& rect, ui::Interpolation interpolation, int width,
+std::vector<int> resampled(const Gray& gray, const ui::ViewRect& rect, ui::Interpolation interpolation, int width,
                            int height)
 {
     std::vector<std::uint32_t> pixels(static_cast<std::size_t>(width * height));
-    ui::resampleFrame(grey, rect, interpolation, {0, 0, 0}, {pixels.data(), width, height});
+    ui::resampleFrame(gray, rect, interpolation, {0, 0, 0}, {pixels.data(), width, height});
     std::vector<int> values;
     for (const std::uint32_t pixel : pixels) {
         EXPECT_EQ(pixel >> 24U, 0xFFU);
@@ -23,36 +23,36 @@ std::vector<int> resampled(const Grey& grey, const ui::ViewRect& rect, ui::Inter
     return values;
 }
 
-Grey rampFrame(int width, int height)
+Gray rampFrame(int width, int height)
 {
-    Grey grey(width, height);
+    Gray gray(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            grey.at(x, y) = static_cast<std::uint8_t>(2 * x + 3 * y);
+            gray.at(x, y) = static_cast<std::uint8_t>(2 * x + 3 * y);
         }
     }
-    return grey;
+    return gray;
 }
 
 TEST(ResampleFrame, KeepsEveryPixelAtScaleOne)
 {
-    const Grey grey = rampFrame(13, 9);
+    const Gray gray = rampFrame(13, 9);
     for (const auto interpolation : {ui::Interpolation::Smooth, ui::Interpolation::Nearest}) {
-        const auto values = resampled(grey, {-0.5, 12.5, -0.5, 8.5}, interpolation, 13, 9);
+        const auto values = resampled(gray, {-0.5, 12.5, -0.5, 8.5}, interpolation, 13, 9);
         for (std::size_t i = 0; i < values.size(); ++i) {
-            EXPECT_EQ(values[i], grey.pixels[i]);
+            EXPECT_EQ(values[i], gray.pixels[i]);
         }
     }
 }
 
 TEST(ResampleFrame, PutsAPlaneWhereItBelongsAtAnyZoom)
 {
-    const Grey grey = rampFrame(40, 30);
+    const Gray gray = rampFrame(40, 30);
     for (const double zoom : {0.37, 0.8, 1.7, 5.3}) {
         const ui::ViewRect rect{5.2, 30.7, 6.1, 22.9};
         const int width = static_cast<int>(rect.width() * zoom);
         const int height = static_cast<int>(rect.height() * zoom);
-        const auto values = resampled(grey, rect, ui::Interpolation::Smooth, width, height);
+        const auto values = resampled(gray, rect, ui::Interpolation::Smooth, width, height);
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
                 const double u = rect.left + (x + 0.5) * rect.width() / width;
@@ -65,7 +65,7 @@ TEST(ResampleFrame, PutsAPlaneWhereItBelongsAtAnyZoom)
 
 TEST(ResampleFrame, CountsEveryPixelWhenItShrinks)
 {
-    Grey stripes(240, 240);
+    Gray stripes(240, 240);
     for (int y = 0; y < 240; ++y) {
         for (int x = 0; x < 240; ++x) {
             stripes.at(x, y) = x % 2 == 0 ? 0 : 200;
@@ -78,8 +78,8 @@ TEST(ResampleFrame, CountsEveryPixelWhenItShrinks)
 
 TEST(ResampleFrame, EndsAtThePicturesEdge)
 {
-    const Grey grey(4, 4, 90);
-    const auto values = resampled(grey, {-4.5, 7.5, -4.5, 7.5}, ui::Interpolation::Smooth, 12, 12);
+    const Gray gray(4, 4, 90);
+    const auto values = resampled(gray, {-4.5, 7.5, -4.5, 7.5}, ui::Interpolation::Smooth, 12, 12);
     for (int y = 0; y < 12; ++y) {
         for (int x = 0; x < 12; ++x) {
             const bool isInside = x >= 4 && x < 8 && y >= 4 && y < 8;

@@ -65,7 +65,7 @@ protected:
                 continue;   // off the picture or below the texts
             }
             ++seen;
-            EXPECT_LT((test::centreOfLight(brightness, expected) - expected).norm(), 0.5) << "branch " << branch.id;
+            EXPECT_LT((test::centerOfLight(brightness, expected) - expected).norm(), 0.5) << "branch " << branch.id;
         }
         EXPECT_GT(seen, 0);
     }
@@ -200,8 +200,8 @@ TEST_F(AngiogramViewInput, DraggingTheRingRollsClockwise)
     core::PoseOffset offset;
     QObject::connect(&nudge, &ui::NudgeTool::dragged, [&](const core::PoseOffset& o) { offset = o; });
     const double radius = 0.12 * view_->height();
-    const QPointF centre = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
-    const auto onRing = [&](double rad) { return (centre + radius * QPointF(std::cos(rad), std::sin(rad))).toPoint(); };
+    const QPointF center = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
+    const auto onRing = [&](double rad) { return (center + radius * QPointF(std::cos(rad), std::sin(rad))).toPoint(); };
     drag(Qt::LeftButton, onRing(0.0), {onRing(0.2), onRing(0.5), onRing(0.8)});
     QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, onRing(0.8));
     EXPECT_NEAR(offset.rollDeg, 0.8 * 57.2958, 2.0);   // the mouse moves in whole pixels
@@ -216,10 +216,10 @@ TEST_F(AngiogramViewInput, TheHandlesAroundTheRingTurnAndMoveInDepth)
     core::PoseOffset offset;
     QObject::connect(&nudge, &ui::NudgeTool::dragged, [&](const core::PoseOffset& o) { offset = o; });
     const double outer = 0.12 * view_->height() + ui::outerHandleGapPx;
-    const QPointF centre = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
+    const QPointF center = view_->widgetFromImage(projected(Eigen::Vector3d::Zero()));
     const auto dragFrom = [&](const QPointF& from, const QPointF& way) {
         offset = {};
-        const QPoint start = (centre + from).toPoint();
+        const QPoint start = (center + from).toPoint();
         drag(Qt::LeftButton, start, {start + (0.5 * way).toPoint(), start + way.toPoint()});
         QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, start + way.toPoint());
     };

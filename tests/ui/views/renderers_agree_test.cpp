@@ -16,14 +16,14 @@ protected:
     ui::GlOverlay gl_;
 };
 
-TEST_F(RenderersAgree, InLinesAndColours)
+TEST_F(RenderersAgree, InLinesAndColors)
 {
     for (const test::OverlayState& state : test::overlayStates(2)) {
         for (const double scale : {1.0, 2.0}) {
             const test::Agreement agreement = test::agreementOf(state, gl_, static_cast<int>(512.0 * scale), scale);
             EXPECT_GT(agreement.lineSamples, 40U) << state.name;
             EXPECT_LT(agreement.lineShiftPx, 0.1) << state.name << " at " << agreement.worstLineAt.transpose();
-            EXPECT_LE(agreement.greyDifference, 3) << state.name << " at " << agreement.worstGreyAt.transpose();
+            EXPECT_LE(agreement.grayDifference, 3) << state.name << " at " << agreement.worstGrayAt.transpose();
             EXPECT_LT(agreement.edgeShare, 0.3) << state.name;
         }
     }

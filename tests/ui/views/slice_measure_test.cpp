@@ -130,7 +130,7 @@ struct MeasuredSliceView {
     std::vector<SliceMeasurement> drawn;
 };
 
-void expectTubeOf12Mm(const core::VolumeGeometry& geometry, BodyPlane plane, double leastVoxelMm)
+void expectTubeOf12Mm(const core::VolumeGeometry& geometry, BodyPlane plane, double minVoxelMm)
 {
     MeasuredSliceView s(geometry, plane, MeasurementKind::Length);
     const auto [left, right] = s.edgesInPicture();
@@ -138,7 +138,7 @@ void expectTubeOf12Mm(const core::VolumeGeometry& geometry, BodyPlane plane, dou
     s.drag(left, right);
     ASSERT_EQ(s.drawn.size(), 1U);
     const double chordMm = 2.0 * std::sqrt(tubeRadiusMm * tubeRadiusMm - awayMm * awayMm);
-    EXPECT_NEAR(core::valueOf(s.drawn[0]).value().value, chordMm, 0.5 * leastVoxelMm + 1.0 / s.view.pxPerMm());
+    EXPECT_NEAR(core::valueOf(s.drawn[0]).value().value, chordMm, 0.5 * minVoxelMm + 1.0 / s.view.pxPerMm());
     EXPECT_EQ(s.drawn[0].plane, plane);
 }
 

@@ -35,7 +35,7 @@ ImageViewport fittedViewport()
     return viewport;
 }
 
-constexpr GreyWindow wholeRamp{800.0, 400.0};
+constexpr GrayWindow wholeRamp{800.0, 400.0};
 
 QRgb middleOf(const QImage& picture, int column, int row, int scale = 1)
 {
@@ -71,7 +71,7 @@ TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
     EXPECT_GT(qRed(middleOf(picture, 5, 4)), qBlue(middleOf(picture, 5, 4)));
 }
 
-TEST(SlicePicture, TintsEachLabelInItsColour)
+TEST(SlicePicture, TintsEachLabelInItsColor)
 {
     SliceContent content = rampSlice();
     content.values.clear();

@@ -90,14 +90,14 @@ TEST_F(TreeViewTest, ShowsVesselsWithoutAnImageFromTheFrontHeadUp)
 {
     settle();
     const ui::TreeScene& scene = view_->scene();
-    const Eigen::Vector2d centre = scene.deviceFromPatient({0.0, 0.0, 0.0});
+    const Eigen::Vector2d center = scene.deviceFromPatient({0.0, 0.0, 0.0});
     const Eigen::Vector2d head = scene.deviceFromPatient({0.0, 0.0, 10.0});
     const Eigen::Vector2d left = scene.deviceFromPatient({10.0, 0.0, 0.0});
     const Eigen::Vector2d back = scene.deviceFromPatient({0.0, 10.0, 0.0});
-    EXPECT_GT((head - centre).norm(), 20.0);
-    EXPECT_NEAR(head.x(), centre.x(), 1e-6);
-    EXPECT_GT(left.x(), centre.x() + 20.0);   // the patient's left is on the viewer's right
-    EXPECT_LT((back - centre).norm(), 1e-6);
+    EXPECT_GT((head - center).norm(), 20.0);
+    EXPECT_NEAR(head.x(), center.x(), 1e-6);
+    EXPECT_GT(left.x(), center.x() + 20.0);   // the patient's left is on the viewer's right
+    EXPECT_LT((back - center).norm(), 1e-6);
 }
 
 TEST_F(TreeViewTest, ManyChangesMakeOneRedrawAndOneMoreWhenAtRest)
@@ -173,8 +173,8 @@ TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
     pose.translation = {0.0, 0.0, 750.0};
     for (const int size : {5, 301, 512, 2048}) {
         const double focalPx = 5.0 * size;
-        const double centrePx = 0.5 * (size - 1);
-        view_->scene().setCamera({-focalPx, focalPx, centrePx, centrePx, size, size}, 1000.0);
+        const double centerPx = 0.5 * (size - 1);
+        view_->scene().setCamera({-focalPx, focalPx, centerPx, centerPx, size, size}, 1000.0);
         view_->scene().setPose(pose);
         core::ImageF frame(size, size);
         const int half = size / 2;
@@ -188,16 +188,16 @@ TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
         view_->requestRender();
         settle();
         const QImage picture = view_->grab().toImage();
-        const auto greyAt = [&](double across, double down) {   // shares of the image
-            const Eigen::Vector3d inPatient((across * size - 0.5 - centrePx) * 1000.0 / -focalPx,
-                                            (down * size - 0.5 - centrePx) * 1000.0 / focalPx, 250.0);
+        const auto grayAt = [&](double across, double down) {   // shares of the image
+            const Eigen::Vector3d inPatient((across * size - 0.5 - centerPx) * 1000.0 / -focalPx,
+                                            (down * size - 0.5 - centerPx) * 1000.0 / focalPx, 250.0);
             const Eigen::Vector2d px = view_->scene().deviceFromPatient(inPatient);
             return qGray(picture.pixel(static_cast<int>(px.x()), picture.height() - 1 - static_cast<int>(px.y())));
         };
         const double near = 0.5 * half / size;
         for (const auto& [across, down] :
              {std::pair{0.7, near}, {near, 0.8}, {0.7, 0.8}}) {   // beside the beam's edges
-            EXPECT_GT(greyAt(near, near), greyAt(across, down) + 50) << size << ": " << across << ", " << down;
+            EXPECT_GT(grayAt(near, near), grayAt(across, down) + 50) << size << ": " << across << ", " << down;
         }
     }
 }
@@ -301,19 +301,19 @@ TEST_F(TreeViewTest, ShowsThePictureOfAScanBehindTheTree)
 TEST_F(TreeViewTest, TellsThatItIsSeenFromElsewhere)
 {
     settle();
-    int told = 0;
-    QObject::connect(view_.get(), &ui::TreeView::sightChanged, [&told] { ++told; });
+    int reported = 0;
+    QObject::connect(view_.get(), &ui::TreeView::sightChanged, [&reported] { ++reported; });
     const core::ParallelSight before = view_->scene().sight(10000);
     QTest::keyClick(view_.get(), Qt::Key_Left);
-    EXPECT_TRUE(QTest::qWaitFor([&told] { return told > 0; }, patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&reported] { return reported > 0; }, patienceMs));
     const core::ParallelSight after = view_->scene().sight(10000);
     EXPECT_LT(before.right.dot(after.right), 0.99);
     EXPECT_NEAR(after.toViewer().norm(), 1.0, 1e-9);
     settle();
-    told = 0;
+    reported = 0;
     view_->requestRender();   // from the same place
     settle();
-    EXPECT_EQ(told, 0);
+    EXPECT_EQ(reported, 0);
 }
 
 }   // namespace

@@ -37,7 +37,7 @@ QPainterPath wireSign()
 
 /// A tick, a wire or a cross beside a suspect curve, in widget px.
 struct EditCurvesTool::Sign {
-    QPointF centre;
+    QPointF center;
     int curveId = 0;
     Decision decision = Decision::Nothing;
 };
@@ -63,7 +63,7 @@ bool EditCurvesTool::clickSign(const ToolPoint& point)
 {
     const std::vector<Sign> all = signs();
     const auto hit = std::ranges::find_if(all, [&](const Sign& sign) {
-        const QPointF way = point.position - sign.centre;
+        const QPointF way = point.position - sign.center;
         return std::hypot(way.x(), way.y()) <= signRadius + 2.0;
     });
     if (hit == all.end()) {
@@ -141,10 +141,10 @@ void EditCurvesTool::paint(QPainter& painter) const
         painter.setPen(QPen(toQColor(tone), 1.5));
         painter.setBrush(toQColor(suspectTones().field, 0.85));
         const double radius = sign.curveId == chosenSuspect_ ? signRadius + 2.0 : signRadius;
-        painter.drawEllipse(sign.centre, radius, radius);
+        painter.drawEllipse(sign.center, radius, radius);
         painter.setPen(QPen(toQColor(tone), 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(Qt::NoBrush);
-        painter.translate(sign.centre);
+        painter.translate(sign.center);
         switch (sign.decision) {
             case Decision::Vessel:
                 painter.drawPolyline(QPolygonF({{-4.5, 0.0}, {-1.0, 3.5}, {4.5, -3.5}}));
@@ -157,7 +157,7 @@ void EditCurvesTool::paint(QPainter& painter) const
                 painter.drawLine(QPointF(-3.5, 3.5), QPointF(3.5, -3.5));
                 break;
         }
-        painter.translate(-sign.centre);
+        painter.translate(-sign.center);
     }
 }
 

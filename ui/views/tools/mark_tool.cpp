@@ -17,7 +17,7 @@ namespace {
 
 constexpr double markReachPx = 9.0;
 constexpr int wordsWidth = 220;
-constexpr int mostLetters = 200;
+constexpr int maxLetters = 200;
 
 }   // namespace
 
@@ -117,7 +117,7 @@ void MarkTool::askWords()
 {
     words_ = new QLineEdit(&view());
     withName(words_, [] { return tr("Text on the image"); });
-    words_->setMaxLength(mostLetters);
+    words_->setMaxLength(maxLetters);
     words_->setPlaceholderText(tr("Text, then Enter"));
     const QPointF at = view().widgetFromImage(points_.front());
     const QSize size(std::min(wordsWidth, view().width()), words_->sizeHint().height());

@@ -16,7 +16,7 @@ namespace {
 using core::MeasurementKind;
 
 constexpr double measureReachPx = 8.0;
-constexpr std::size_t mostOutlinePoints = 1000;   // as many as a case keeps
+constexpr std::size_t maxOutlinePoints = 1000;   // as many as a case keeps
 
 double awayPx(const QPointF& a, const QPointF& b)
 {
@@ -137,7 +137,7 @@ bool MeasureTool::click(const ToolPoint& point)
     }
     const std::size_t whole = kind_ == MeasurementKind::Length  ? 2
                               : kind_ == MeasurementKind::Angle ? 3
-                                                                : mostOutlinePoints;
+                                                                : maxOutlinePoints;
     if (points_.size() == whole) {
         finish();
     }

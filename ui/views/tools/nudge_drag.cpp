@@ -32,9 +32,9 @@ PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& way)
 
 }   // namespace
 
-double screenAngleRad(const Eigen::Vector2d& centre, const Eigen::Vector2d& position)
+double screenAngleRad(const Eigen::Vector2d& center, const Eigen::Vector2d& position)
 {
-    const Eigen::Vector2d ray = position - centre;
+    const Eigen::Vector2d ray = position - center;
     return std::atan2(ray.y(), ray.x());
 }
 
@@ -43,7 +43,7 @@ PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position)
     if (!(grip.ringRadius > 0.0)) {
         return PoseHandle::None;
     }
-    const Eigen::Vector2d way = position - grip.centre;
+    const Eigen::Vector2d way = position - grip.center;
     if (std::abs(way.norm() - grip.ringRadius) <= ringReachPx) {
         return PoseHandle::Roll;
     }
@@ -53,17 +53,17 @@ PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position)
 
 NudgeDrag::NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start)
     : handle_(handle),
-      centre_(grip.centre),
+      center_(grip.center),
       mmPerPx_(grip.mmPerPx),
       degPerPx_(180.0 / std::numbers::pi / outerRadius(grip)),
       last_(start),
-      startRad_(screenAngleRad(grip.centre, start))
+      startRad_(screenAngleRad(grip.center, start))
 {
 }
 
 core::PoseOffset NudgeDrag::moveTo(const Eigen::Vector2d& position, double pace)
 {
-    const double turn = screenAngleRad(centre_, position) - screenAngleRad(centre_, last_);
+    const double turn = screenAngleRad(center_, position) - screenAngleRad(center_, last_);
     sweepRad_ += pace * std::remainder(turn, 2.0 * std::numbers::pi);
     shiftPx_ += pace * (position - last_);
     last_ = position;

@@ -9,7 +9,7 @@ namespace angiopose::ui {
 
 /// Where the tree is grasped, in widget px (v down).
 struct NudgeGrip {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double ringRadius = 0.0;   ///< 0: there is nothing to grasp
     Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< widget px at the pivot's depth, along u and v
 };
@@ -27,14 +27,14 @@ public:
     core::PoseOffset moveTo(const Eigen::Vector2d& position, double pace);
 
     PoseHandle handle() const { return handle_; }
-    const Eigen::Vector2d& centre() const { return centre_; }
+    const Eigen::Vector2d& center() const { return center_; }
     double startAngleRad() const { return startRad_; }   ///< clockwise on screen from the right
     double sweepRad() const { return sweepRad_; }
     double slidePx() const;   ///< of an outer handle: to the right, or up
 
 private:
     PoseHandle handle_;
-    Eigen::Vector2d centre_;
+    Eigen::Vector2d center_;
     Eigen::Vector2d mmPerPx_;
     double degPerPx_;
     Eigen::Vector2d last_;
@@ -44,6 +44,6 @@ private:
 };
 
 /// Clockwise angle on screen (v down) of a position seen from a centre.
-double screenAngleRad(const Eigen::Vector2d& centre, const Eigen::Vector2d& position);
+double screenAngleRad(const Eigen::Vector2d& center, const Eigen::Vector2d& position);
 
 }   // namespace angiopose::ui

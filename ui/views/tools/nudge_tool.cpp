@@ -143,7 +143,7 @@ void NudgeTool::hover(const ToolPoint& point)
 {
     const NudgeGrip grasped = grip();
     const PoseHandle handle = handleAt(grasped, nudgeVector(point.position));
-    hotAngleRad_ = screenAngleRad(grasped.centre, nudgeVector(point.position));
+    hotAngleRad_ = screenAngleRad(grasped.center, nudgeVector(point.position));
     if (handle != hotHandle_ || handle == PoseHandle::Roll) {
         view().redraw();
     }
@@ -193,7 +193,7 @@ PoseHandleLook NudgeTool::look() const
     if (!(grasped.ringRadius > 0.0)) {
         return shown;
     }
-    shown.centre = grasped.centre * ratio;
+    shown.center = grasped.center * ratio;
     shown.radius = grasped.ringRadius * ratio;
     shown.pixelScale = ratio;
     shown.hot = hotHandle_;
@@ -210,7 +210,7 @@ PoseHandleLook NudgeTool::look() const
 StrokeMesh NudgeTool::strokes(int heightPx) const
 {
     PoseHandleLook shown = look();
-    shown.centre.y() = heightPx - shown.centre.y();
+    shown.center.y() = heightPx - shown.center.y();
     return poseHandleStrokes(shown);
 }
 
@@ -249,8 +249,8 @@ void NudgeTool::paint(QPainter& painter) const
     font.setPixelSize(12);
     painter.setFont(font);
     const double width = painter.fontMetrics().horizontalAdvance(text) + 16.0;
-    const double above = grasped.centre.y() - grasped.ringRadius - outerHandleGapPx - 8.0;
-    QRectF box(grasped.centre.x() - 0.5 * width, above - 20.0, width, 20.0);
+    const double above = grasped.center.y() - grasped.ringRadius - outerHandleGapPx - 8.0;
+    QRectF box(grasped.center.x() - 0.5 * width, above - 20.0, width, 20.0);
     box.moveTo(std::clamp(box.left(), 4.0, std::max(4.0, view().width() - width - 4.0)),
                std::clamp(box.top(), 30.0, std::max(30.0, view().height() - 24.0)));
     QColor ground(0, 0, 0, 165);

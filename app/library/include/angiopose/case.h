@@ -71,25 +71,25 @@ ANGIOPOSE_EXPORT Case readCase(const std::string& vesselPath, const std::string&
 /// Writes a case file, with paths relative to it. What comes from no file is written beside it first, called after it:
 /// of a.angiopose the vessels are a.tree.vtp, the angiogram a.angiogram.dcm, a target that was set a.curves.csv (the
 /// case file calls it edited, as it holds for one frame). The case names them from then on.
-ANGIOPOSE_EXPORT void writeCase(Case& theCase, const std::string& path);
+ANGIOPOSE_EXPORT void writeCase(Case& session, const std::string& path);
 
 /// The image points of the case: given with it, else traced in its frame.
-ANGIOPOSE_EXPORT Centerline2d targetOf(const Case& theCase);
+ANGIOPOSE_EXPORT Centerline2d targetOf(const Case& session);
 
 /// What `registerVessels` needs, as arrays; traces the angiogram where no target is given. Method, settings and locks
-/// of the case are not among it: `registerVessels(inputOf(theCase), theCase.options())` finds the pose that
+/// of the case are not among it: `registerVessels(inputOf(session), session.options())` finds the pose that
 /// `registerCase` finds. Only a case knows how far its geometry may be off by where it comes from; see option
 /// `geometryErrors`.
-ANGIOPOSE_EXPORT RegistrationInput inputOf(const Case& theCase);
+ANGIOPOSE_EXPORT RegistrationInput inputOf(const Case& session);
 
 /// Registers the case with its options and takes over the pose. Throws for a case of several views, see registerViews.
-ANGIOPOSE_EXPORT RegistrationResult registerCase(Case& theCase, const Observer& observe = {});
+ANGIOPOSE_EXPORT RegistrationResult registerCase(Case& session, const Observer& observe = {});
 
 /// Registers all views of a case together and takes over the pose.
-ANGIOPOSE_EXPORT MultiViewResult registerViews(Case& theCase, const Observer& observe = {});
+ANGIOPOSE_EXPORT MultiViewResult registerViews(Case& session, const Observer& observe = {});
 
 /// Writes result.json of the last registration of the case.
-ANGIOPOSE_EXPORT void writeResult(const Case& theCase, const std::string& path);
+ANGIOPOSE_EXPORT void writeResult(const Case& session, const std::string& path);
 
 /// How a case is made up; lengths mm.
 struct SimulationOptions {
@@ -102,7 +102,7 @@ struct SimulationOptions {
 
 /// A case with known answer.
 struct SimulatedCase {
-    Case theCase;   ///< with a start pose as a header gives it
+    Case session;   ///< with a start pose as a header gives it
     Pose trueCameraFromPatient = Pose::Identity();
     Centerline2d trueTarget;   ///< the curves of what is filled, sampled every px
     std::vector<int> missingBranchIds;   ///< not filled in the image

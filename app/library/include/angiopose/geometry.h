@@ -40,14 +40,14 @@ struct CArm {
     std::optional<double> principalPointUPx;   ///< not set: image centre
     std::optional<double> principalPointVPx;   ///< not set: image centre
     bool mirrored = false;   ///< true: shown as seen from the source
-    std::optional<Eigen::Vector3d> isocentreInPatientMm;   ///< not set: not known in the vessels' coordinates
+    std::optional<Eigen::Vector3d> isocenterInPatientMm;   ///< not set: not known in the vessels' coordinates
 };
 
 /// The camera of a C-arm for images of this size; needs sourceToDetectorMm and the spacings.
 ANGIOPOSE_EXPORT ProjectionCamera cameraFromCArm(const CArm& cArm, int width, int height);
 
-/// The pose of a C-arm that turns about `isocentreInPatient` (LPS, mm); needs sourceToPatientMm and both angles.
-ANGIOPOSE_EXPORT Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocentreInPatient);
+/// The pose of a C-arm that turns about `isocenterInPatient` (LPS, mm); needs sourceToPatientMm and both angles.
+ANGIOPOSE_EXPORT Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient);
 
 /// The image point (px) of a patient point (mm); nothing when it lies at or behind the source.
 ANGIOPOSE_EXPORT std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Pose& cameraFromPatient,

@@ -92,7 +92,8 @@ struct RegistrationResult {
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
     std::vector<WirePath> wirePaths;   ///< of the method `wire`, most likely first; the pose is that of the first
-    std::optional<BentVessels> bent;   ///< where bending was asked (option `deformable`); the pose stays the rigid one
+    std::optional<DeformedVessels>
+        deformed;   ///< where bending was asked (option `deformable`); the pose stays the rigid one
     bool trustworthy = false;   ///< false: look before you use the pose; `warnings` say why
     /// That the overlay lies within 2 mm of the vessels, in the mean over the tree; learned from made-up vessels. Known
     /// of what the default method found in one view, else empty.
@@ -115,7 +116,8 @@ struct MultiViewResult {
     std::vector<RegistrationResult> views;   ///< each judged at its joint pose, in the order given
     std::vector<Vector6d> corrections;   ///< of each view's geometry to the first: turn (rad), shift (mm), camera axes
     PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
-    std::optional<BentVessels> bent;   ///< from all views, in space; where bending was asked (option `deformable`)
+    std::optional<DeformedVessels>
+        deformed;   ///< from all views, in space; where bending was asked (option `deformable`)
     bool trustworthy = false;
     std::vector<Message> warnings;
 };

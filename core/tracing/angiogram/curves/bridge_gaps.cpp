@@ -102,7 +102,7 @@ void drawLine(Mask2d& mask, const Eigen::Vector2d& from, const Eigen::Vector2d& 
 
 }   // namespace
 
-Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx, double leastRidge)
+Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge)
 {
     Mask2d bridged = mask;
     Image2d<int> labels;
@@ -110,7 +110,7 @@ Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx,
     atOnce([&] { ends = freeEndsOf(skeletonGraph(thinned(mask))); }, [&] { labels = componentLabels(mask); });
     for (const FreeEnd& end : ends) {
         const std::optional<Eigen::Vector2d> target = targetAhead(end, labels, reachPx);
-        if (target && meanAlong(ridges, end.point, *target) >= leastRidge) {
+        if (target && meanAlong(ridges, end.point, *target) >= minRidge) {
             drawLine(bridged, end.point, *target);
         }
     }

@@ -16,7 +16,7 @@ double contrastSeen(const Centerline2d& centerline, const std::vector<int>& susp
 
 /// Less than this is no vessel filled with contrast medium, as a rule. Chosen on the even ones of the annotated
 /// angiograms, as they are and with their vessels painted over, and the phantom's frames; see `contrast_table`.
-constexpr double leastContrast = 8.0;
+constexpr double minContrast = 8.0;
 
 /// From here on vessels are filled, whatever another frame shows: three in five annotated angiograms reach it, no
 /// frame without contrast medium does.

@@ -16,7 +16,7 @@ constexpr double profileMarginPx = 3.0;
 constexpr double skeletonLambda = 4.0;
 constexpr double finalLambda = 10.0;
 constexpr double unsureWeight = 0.05;
-constexpr double leastRadiusAtEnd = 0.6;   // times the usual one
+constexpr double minRadiusAtEnd = 0.6;   // times the usual one
 constexpr int curveTangentReach = 4;
 // A round tube absorbs along its chord 2√(r² − x²), which halves at x = r √3/2.
 constexpr double halfDepthPerRadius = 0.8660254;
@@ -100,13 +100,13 @@ double usualRadius(const Curve2d& curve)
 std::size_t pointsToCut(const Curve2d& curve, const std::vector<bool>& hasWalls, const ImageF& opacity)
 {
     const double radius = usualRadius(curve);
-    const auto mostBeyond = static_cast<std::size_t>(std::ceil(3.0 * radius)) + 4;
-    const auto mostHooked = std::min(static_cast<std::size_t>(std::ceil(radius)) + 1, hasWalls.size() / 3);
+    const auto maxBeyond = static_cast<std::size_t>(std::ceil(3.0 * radius)) + 4;
+    const auto maxHooked = std::min(static_cast<std::size_t>(std::ceil(radius)) + 1, hasWalls.size() / 3);
     std::size_t hooked = 0;
-    while (hooked < mostHooked && (!hasWalls[hooked] || curve.radiusPx[hooked] < leastRadiusAtEnd * radius)) {
+    while (hooked < maxHooked && (!hasWalls[hooked] || curve.radiusPx[hooked] < minRadiusAtEnd * radius)) {
         ++hooked;
     }
-    return std::max(pointsBeyondEnd(curve, opacity, mostBeyond), hooked);
+    return std::max(pointsBeyondEnd(curve, opacity, maxBeyond), hooked);
 }
 
 void trimEnds(Curve2d& curve, std::vector<bool> hasWalls, const ImageF& opacity)
@@ -130,7 +130,7 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id)
     return {id, smoothed(even, std::vector<double>(even.size(), 1.0), skeletonLambda), {}};
 }
 
-Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx)
+Curve2d centerdCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx)
 {
     Curve2d curve = smoothCurve(pathPx, id);
     std::vector<bool> hasWalls(curve.pointsPx.size());

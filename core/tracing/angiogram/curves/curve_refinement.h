@@ -14,6 +14,6 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
 /// The path moved sub-pixel to the middle between both vessel walls (half of the depth of the profile across it in
 /// `opacity`, averaged along the curve), smoothed, with the radius from the same walls, and without what runs on beyond
 /// the ends of the vessel. `maxRadiusPx` bounds the profile.
-Curve2d centredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
+Curve2d centerdCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
 
 }   // namespace angiopose::core

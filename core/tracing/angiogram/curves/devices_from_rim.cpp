@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastShareOfField = 0.2;   // of the frame's longer side
-constexpr double leastDevicePx = 60.0;   // shorter parts of vessels bend as evenly
-constexpr double leastShareOfWhole = 0.5;
+constexpr double minShareOfField = 0.2;   // of the frame's longer side
+constexpr double minDevicePx = 60.0;   // shorter parts of vessels bend as evenly
+constexpr double minShareOfWhole = 0.5;
 constexpr std::size_t stepPoints = 4;
 
 Curve2d beginningOf(const Curve2d& curve, std::size_t count)
@@ -23,9 +23,9 @@ Curve2d beginningOf(const Curve2d& curve, std::size_t count)
     return part;
 }
 
-bool beginsLikeDevice(const Curve2d& curve, double leastLengthPx)
+bool beginsLikeDevice(const Curve2d& curve, double minLengthPx)
 {
-    const double least = std::max(leastLengthPx, leastShareOfWhole * curve.lengthPx());
+    const double least = std::max(minLengthPx, minShareOfWhole * curve.lengthPx());
     for (std::size_t count = stepPoints; count <= curve.pointsPx.size(); count += stepPoints) {
         const Curve2d part = beginningOf(curve, count);
         if (part.lengthPx() >= least && runsLikeDevice(part)) {
@@ -46,12 +46,12 @@ Curve2d turned(Curve2d curve)
 
 std::vector<int> devicesFromRim(const Centerline2d& centerline, const Mask2d& field)
 {
-    const double leastLengthPx = std::max(leastDevicePx, leastShareOfField * std::max(field.width, field.height));
+    const double minLengthPx = std::max(minDevicePx, minShareOfField * std::max(field.width, field.height));
     std::vector<int> devices;
     for (const Curve2d& curve : centerline.curves) {
         const auto comesFromRim = [&](const Curve2d& from) {
             return !from.pointsPx.empty() && isAtRim(from.pointsPx.front(), field) &&
-                   beginsLikeDevice(from, leastLengthPx);
+                   beginsLikeDevice(from, minLengthPx);
         };
         if (comesFromRim(curve) || comesFromRim(turned(curve))) {
             devices.push_back(curve.id);

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastPointsOfEdge = 10;   // of shorter ones noise decides
+constexpr std::size_t minPointsOfEdge = 10;   // of shorter ones noise decides
 constexpr double nearestSidePx = 2.0;
 constexpr double farthestSidePx = 4.0;   // patients move more, but then the two sides look like lines of their own
 constexpr std::size_t edgeTangentReach = 4;
@@ -28,7 +28,7 @@ std::vector<Eigen::Vector2d> normalsAlong(const std::vector<Eigen::Vector2d>& pa
 
 bool isMovedEdge(const std::vector<Eigen::Vector2d>& pathPx, const ImageF& opacity)
 {
-    if (pathPx.size() < leastPointsOfEdge) {
+    if (pathPx.size() < minPointsOfEdge) {
         return false;
     }
     const std::vector<Eigen::Vector2d> normals = normalsAlong(pathPx);

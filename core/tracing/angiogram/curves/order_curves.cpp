@@ -104,12 +104,12 @@ SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
         if (!isCrossing(graph, ofStart, ofEnd, i)) {
             continue;
         }
-        const int centre = static_cast<int>(graph.nodesPx.size());
+        const int center = static_cast<int>(graph.nodesPx.size());
         graph.nodesPx.emplace_back(0.5 * (edge.pointsPx.front() + edge.pointsPx.back()));
         for (const auto* group : {&ofStart, &ofEnd}) {
             for (const Arm arm : *group) {
                 if (arm / 2 != i) {
-                    reattach(graph, arm, centre, length);
+                    reattach(graph, arm, center, length);
                 }
             }
         }

@@ -17,7 +17,7 @@ std::vector<int> degreesOf(const SkeletonGraph& graph)
 }
 
 /// Index of the spur of least worth below `least`; -1 if none.
-int leastSpur(const SkeletonGraph& graph, const std::vector<double>& worths, double least)
+int minSpur(const SkeletonGraph& graph, const std::vector<double>& worths, double least)
 {
     const std::vector<int> degrees = degreesOf(graph);
     int found = -1;
@@ -99,7 +99,7 @@ SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double
     for (const SkeletonEdge& edge : graph.edges) {
         worths.push_back(worth(edge));
     }
-    for (int spur = leastSpur(graph, worths, least); spur >= 0; spur = leastSpur(graph, worths, least)) {
+    for (int spur = minSpur(graph, worths, least); spur >= 0; spur = minSpur(graph, worths, least)) {
         const int startNode = graph.edges[static_cast<std::size_t>(spur)].startNode;
         const int endNode = graph.edges[static_cast<std::size_t>(spur)].endNode;
         graph.edges.erase(graph.edges.begin() + spur);

@@ -34,7 +34,7 @@ public:
     }
 
 private:
-    std::vector<std::size_t> neighboursOf(std::size_t p) const
+    std::vector<std::size_t> neighborsOf(std::size_t p) const
     {
         const int x = static_cast<int>(p % static_cast<std::size_t>(skeleton_.width));
         const int y = static_cast<int>(p / static_cast<std::size_t>(skeleton_.width));
@@ -71,7 +71,7 @@ private:
     {
         Mask2d junctions(skeleton_.width, skeleton_.height);
         for (const std::size_t p : set_) {
-            junctions.pixels[p] = neighboursOf(p).size() > 2 ? 255 : 0;
+            junctions.pixels[p] = neighborsOf(p).size() > 2 ? 255 : 0;
         }
         for (const std::vector<std::size_t>& pixels : componentsOf(junctions)) {
             addNode(pixels);
@@ -81,7 +81,7 @@ private:
     void addEnds()
     {
         for (const std::size_t p : set_) {
-            if (nodeAt_.pixels[p] < 0 && neighboursOf(p).size() == 1) {
+            if (nodeAt_.pixels[p] < 0 && neighborsOf(p).size() == 1) {
                 addNode({p});
             }
         }
@@ -89,7 +89,7 @@ private:
 
     void followFrom(std::size_t nodePixel)
     {
-        for (const std::size_t first : neighboursOf(nodePixel)) {
+        for (const std::size_t first : neighborsOf(nodePixel)) {
             const int start = nodeAt_.pixels[nodePixel];
             const int touching = nodeAt_.pixels[first];
             if (touching > start) {   // two nodes side by side
@@ -113,7 +113,7 @@ private:
         while (nodeAt_.pixels[current] < 0) {
             points.push_back(pointOf(current));
             seen_.pixels[current] = 255;
-            const std::vector<std::size_t> around = neighboursOf(current);
+            const std::vector<std::size_t> around = neighborsOf(current);
             const std::size_t next = around[0] == previous ? around[1] : around[0];
             previous = current;
             current = next;
@@ -130,7 +130,7 @@ private:
     {
         for (const std::size_t p : set_) {
             if (seen_.pixels[p] == 0) {
-                const std::vector<std::size_t> around = neighboursOf(p);
+                const std::vector<std::size_t> around = neighborsOf(p);
                 if (around.size() == 2) {
                     addNode({p});
                     addEdge(p, around[0]);

@@ -1,7 +1,7 @@
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 
 #include "core/support/quantile.h"
-#include "core/tracing/angiogram/curves/bend_of_path.h"
+#include "core/tracing/angiogram/curves/path_curvature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +9,16 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastShareOfSuspect = 0.15;
+constexpr double minShareOfSuspect = 0.15;
 constexpr double evenBendPx = 0.7;   // rms from the best arc, of short curves
 constexpr double evenBendPerLength = 0.006;   // and of long ones
-constexpr double leastLoopPx = 20.0;
-constexpr double mostShareOfLoop = 0.6;
+constexpr double minLoopPx = 20.0;
+constexpr double maxShareOfLoop = 0.6;
 constexpr double loopGap = 0.15;   // from end to end, relative to the length
 constexpr double evenWidth = 0.3;   // spread, relative to the width: walls of hollow ones are seen unevenly
 constexpr double evenTaper = 0.2;   // change from one half to the other
 
-bool bendsEvenly(const Curve2d& curve)
+bool deformationsEvenly(const Curve2d& curve)
 {
     const double tolerance = std::max(evenBendPx, evenBendPerLength * curve.lengthPx());
     return deviationFromLine(curve.pointsPx) <= tolerance || deviationFromArc(curve.pointsPx) <= tolerance;
@@ -36,7 +36,7 @@ bool keepsItsWidth(const std::vector<double>& radii)
 bool isClosedLoop(const Curve2d& curve, int imageSidePx)
 {
     const double length = curve.lengthPx();
-    return length >= leastLoopPx && length <= mostShareOfLoop * imageSidePx &&
+    return length >= minLoopPx && length <= maxShareOfLoop * imageSidePx &&
            (curve.pointsPx.front() - curve.pointsPx.back()).norm() <= loopGap * length;
 }
 
@@ -49,14 +49,15 @@ bool hasWidths(const Curve2d& curve)
 
 bool runsLikeDevice(const Curve2d& curve)
 {
-    return curve.pointsPx.size() > 3 && bendsEvenly(curve) && (!hasWidths(curve) || keepsItsWidth(curve.radiusPx));
+    return curve.pointsPx.size() > 3 && deformationsEvenly(curve) &&
+           (!hasWidths(curve) || keepsItsWidth(curve.radiusPx));
 }
 
 std::vector<int> suspectCurves(const Centerline2d& centerline, int imageSidePx)
 {
     std::vector<int> suspects;
     for (const Curve2d& curve : centerline.curves) {
-        const bool isLong = curve.pointsPx.size() > 3 && curve.lengthPx() >= leastShareOfSuspect * imageSidePx;
+        const bool isLong = curve.pointsPx.size() > 3 && curve.lengthPx() >= minShareOfSuspect * imageSidePx;
         const bool isLoop = hasWidths(curve) && curve.pointsPx.size() > 3 && isClosedLoop(curve, imageSidePx) &&
                             keepsItsWidth(curve.radiusPx);
         if (isLoop || (isLong && runsLikeDevice(curve))) {

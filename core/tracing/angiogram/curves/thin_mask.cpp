@@ -32,7 +32,7 @@ public:
           stride_(mask.width + 2),
           set_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(mask.height + 2)),
           queued_(set_.size()),
-          neighbours_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1}
+          neighbors_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1}
     {
         for (int y = 0; y < mask.height; ++y) {
             for (int x = 0; x < mask.width; ++x) {
@@ -59,14 +59,14 @@ public:
 
 private:
     std::size_t rimmed(int x, int y) const { return cellIndex(y + 1, stride_, x + 1); }
-    std::size_t neighbour(std::size_t p, std::size_t k) const { return p + static_cast<std::size_t>(neighbours_[k]); }
+    std::size_t neighbor(std::size_t p, std::size_t k) const { return p + static_cast<std::size_t>(neighbors_[k]); }
 
     bool isDeletable(std::size_t p) const
     {
         static const std::array<bool, 256> table = makeDeletableTable();
         unsigned bits = 0;
         for (std::size_t k = 0; k < 8; ++k) {
-            bits |= static_cast<unsigned>(set_[neighbour(p, k)]) << k;
+            bits |= static_cast<unsigned>(set_[neighbor(p, k)]) << k;
         }
         return table[bits];
     }
@@ -75,7 +75,7 @@ private:
     {
         std::vector<std::size_t> border;
         for (std::size_t p = 0; p < set_.size(); ++p) {
-            if (set_[p] != 0 && (set_[p + 1] & set_[p - 1] & set_[neighbour(p, 2)] & set_[neighbour(p, 6)]) == 0) {
+            if (set_[p] != 0 && (set_[p + 1] & set_[p - 1] & set_[neighbor(p, 2)] & set_[neighbor(p, 6)]) == 0) {
                 border.push_back(p);
             }
         }
@@ -88,7 +88,7 @@ private:
     {
         std::vector<std::size_t> candidates;
         for (const std::size_t p : border) {
-            if (set_[p] != 0 && set_[neighbour(p, side)] == 0 && isDeletable(p)) {
+            if (set_[p] != 0 && set_[neighbor(p, side)] == 0 && isDeletable(p)) {
                 candidates.push_back(p);
             }
         }
@@ -98,7 +98,7 @@ private:
             }
             set_[p] = 0;
             for (std::size_t k = 0; k < 8; ++k) {
-                const std::size_t q = neighbour(p, k);
+                const std::size_t q = neighbor(p, k);
                 if (set_[q] != 0 && queued_[q] == 0) {
                     queued_[q] = 1;
                     next.push_back(q);
@@ -122,7 +122,7 @@ private:
     int stride_;
     std::vector<std::uint8_t> set_;
     std::vector<std::uint8_t> queued_;
-    std::array<int, 8> neighbours_;
+    std::array<int, 8> neighbors_;
 };
 
 }   // namespace

@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/curves/vessel_branches.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/tracing/angiogram/curves/moved_edge.h"
@@ -15,13 +15,13 @@ namespace angiopose::core {
 namespace {
 
 // A side branch must be long or strong: √length times what its weak parts have above half of the evidence.
-constexpr double leastBranchEvidence = 0.5;
-constexpr double leastWorth = 4.5;
+constexpr double minBranchEvidence = 0.5;
+constexpr double minWorth = 4.5;
 constexpr double weakPart = 0.2;
-constexpr double leastWorthOfPiece = 11.0;   // which stands alone and so needs more
+constexpr double minWorthOfPiece = 11.0;   // which stands alone and so needs more
 // Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.
 constexpr int branchRimPx = 6;
-constexpr double mostAlongRim = 0.6;
+constexpr double maxAlongRim = 0.6;
 
 double lengthOf(const SkeletonEdge& edge)
 {
@@ -55,7 +55,7 @@ bool runsAlongRim(const SkeletonEdge& edge, const Mask2d& inside)
     const auto outside = std::count_if(edge.pointsPx.begin(), edge.pointsPx.end(), [&](const Eigen::Vector2d& point) {
         return inside.at(static_cast<int>(std::lround(point.x())), static_cast<int>(std::lround(point.y()))) == 0;
     });
-    return static_cast<double>(outside) > mostAlongRim * static_cast<double>(edge.pointsPx.size());
+    return static_cast<double>(outside) > maxAlongRim * static_cast<double>(edge.pointsPx.size());
 }
 
 }   // namespace
@@ -66,7 +66,7 @@ SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, cons
     const auto worth = [&](const SkeletonEdge& edge) {
         const double length = lengthOf(edge);
         const double weak = ranked(evidenceAlong(edge, evidence), weakPart);
-        return length < options.minBranchLengthPx ? 0.0 : std::sqrt(length) * (weak - leastBranchEvidence);
+        return length < options.minBranchLengthPx ? 0.0 : std::sqrt(length) * (weak - minBranchEvidence);
     };
     const Mask2d inside = insideOfRim(field);
     SkeletonGraph graph = skeletonGraph(thinned(vessels));
@@ -74,9 +74,9 @@ SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, cons
         return runsAlongRim(edge, inside) || isMovedEdge(edge.pointsPx, opacity);
     });
     graph = withoutSpurs(std::move(graph), lengthOf, options.minBranchLengthPx);
-    graph = withoutSpurs(std::move(graph), worth, leastWorth);
+    graph = withoutSpurs(std::move(graph), worth, minWorth);
     graph = withoutSmallPieces(std::move(graph), lengthOf, options.minComponentLengthPx);
-    return withoutSmallPieces(std::move(graph), worth, leastWorthOfPiece);
+    return withoutSmallPieces(std::move(graph), worth, minWorthOfPiece);
 }
 
 SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options)

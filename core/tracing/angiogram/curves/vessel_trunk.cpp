@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double touchPx = 4.0;   // beyond the wall: where a branch begins, tracing may end early
-constexpr int leastBranches = 2;
+constexpr int minBranches = 2;
 
 bool endsOn(const Eigen::Vector2d& endPx, const Curve2d& trunk)
 {
@@ -25,7 +25,7 @@ bool hasBranches(const Curve2d& trunk, const Centerline2d& centerline)
     return std::ranges::count_if(centerline.curves, [&](const Curve2d& other) {
                return other.id != trunk.id && !other.pointsPx.empty() &&
                       (endsOn(other.pointsPx.front(), trunk) || endsOn(other.pointsPx.back(), trunk));
-           }) >= leastBranches;
+           }) >= minBranches;
 }
 
 }   // namespace

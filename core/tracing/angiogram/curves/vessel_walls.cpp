@@ -41,10 +41,10 @@ public:
     std::size_t count() const { return count_; }
 
     /// The mean of a few profiles around one.
-    void meanAround(std::size_t centre, std::vector<double>& mean) const
+    void meanAround(std::size_t center, std::vector<double>& mean) const
     {
-        const std::size_t first = centre >= profilesAveraged ? centre - profilesAveraged : 0;
-        const std::size_t last = std::min(count_ - 1, centre + profilesAveraged);
+        const std::size_t first = center >= profilesAveraged ? center - profilesAveraged : 0;
+        const std::size_t last = std::min(count_ - 1, center + profilesAveraged);
         mean.assign(length_, 0.0);
         const auto averaged = static_cast<double>(last - first + 1);
         for (std::size_t row = first * length_; row < (last + 1) * length_; row += length_) {
@@ -79,10 +79,10 @@ std::optional<double> fallBelow(Profile profile, int peak, int direction, double
 
 std::optional<VesselWalls> wallsOf(Profile profile)
 {
-    const int centre = static_cast<int>(profile.size()) / 2;
+    const int center = static_cast<int>(profile.size()) / 2;
     const int search = static_cast<int>(maxShiftPx / profileStepPx);
     const auto peak = static_cast<int>(
-        std::max_element(profile.begin() + std::max(0, centre - search), profile.begin() + centre + search + 1) -
+        std::max_element(profile.begin() + std::max(0, center - search), profile.begin() + center + search + 1) -
         profile.begin());
     const double top = profile[static_cast<std::size_t>(peak)];
     const double left = *std::min_element(profile.begin(), profile.begin() + peak + 1);
@@ -93,7 +93,7 @@ std::optional<VesselWalls> wallsOf(Profile profile)
     if (!before || !after) {
         return std::nullopt;
     }
-    return VesselWalls{(peak - centre + 0.5 * (*after - *before)) * profileStepPx,
+    return VesselWalls{(peak - center + 0.5 * (*after - *before)) * profileStepPx,
                        0.5 * (*before + *after) * profileStepPx};
 }
 

@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/drawing/drawing_ground.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
 #include "core/tracing/angiogram/frame/flatten_background.h"

@@ -101,9 +101,9 @@ std::optional<CurvePlace> nearestPlace(const Centerline2d& centerline, const Eig
 
 }   // namespace
 
-Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centrePx, double radiusPx)
+Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx)
 {
-    return kept(centerline, [&](const Eigen::Vector2d& point) { return (point - centrePx).norm() > radiusPx; });
+    return kept(centerline, [&](const Eigen::Vector2d& point) { return (point - centerPx).norm() > radiusPx; });
 }
 
 Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
@@ -154,7 +154,7 @@ Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::
     if (pathPx.size() >= 2) {
         const int id = freeId(centerline);
         result.curves.push_back(opacity.isEmpty() ? smoothCurve(pathPx, id)
-                                                  : centredCurve(pathPx, id, opacity, maxRadiusPx));
+                                                  : centerdCurve(pathPx, id, opacity, maxRadiusPx));
     }
     return result;
 }

@@ -12,7 +12,7 @@ namespace angiopose::core {
 // to its first part; further parts, and drawn curves, get ids above all others. Parts of a single point are dropped.
 
 /// What lies outside the disc.
-Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centrePx, double radiusPx);
+Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx);
 
 /// What lies inside the polygon (closed by itself, even-odd rule); everything for fewer than three corners.
 Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);

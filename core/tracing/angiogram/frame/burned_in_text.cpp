@@ -14,11 +14,11 @@ constexpr double extremeShare = 0.02;   // of the range: as good as the extreme 
 constexpr double hardEdge = 0.3;   // of the range, from a shape to what surrounds it
 constexpr double hardEdgeOfInk = 0.12;   // where the shape is of one exact value, which X-rays are not
 constexpr int inkLevels = 256;
-constexpr int leastInkPx = 40;
-constexpr std::size_t mostInks = 3;
-constexpr double leastHardShare = 0.8;   // of a shape's border
-constexpr int leastPixelsOfLetter = 4;
-constexpr int leastHeightPx = 5;
+constexpr int minInkPx = 40;
+constexpr std::size_t maxInks = 3;
+constexpr double minHardShare = 0.8;   // of a shape's border
+constexpr int minPixelsOfLetter = 4;
+constexpr int minHeightPx = 5;
 constexpr int textMarginPx = 3;
 
 /// Share of the neighbours outside the shape that differ from `value` by at least `step`, two pixels away: the border
@@ -59,8 +59,8 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink, double greatest
     for (const std::vector<std::size_t>& pixels : componentsOf(drawn)) {
         const Glyph glyph = boundsOf(pixels, frame.width);
         const bool isSmall = glyph.height() <= greatest && glyph.width() <= 2.0 * greatest;
-        if (pixels.size() >= leastPixelsOfLetter && isSmall && glyph.height() >= leastHeightPx &&
-            hardShare(frame, drawn, pixels, ink.value, ink.step) >= leastHardShare) {
+        if (pixels.size() >= minPixelsOfLetter && isSmall && glyph.height() >= minHeightPx &&
+            hardShare(frame, drawn, pixels, ink.value, ink.step) >= minHardShare) {
             glyphs.push_back(glyph);
         }
     }
@@ -97,9 +97,9 @@ std::vector<Ink> inksOf(const ImageF& frame)
     std::vector<Ink> inks{{*least, extremeTolerance, hardEdge * range},
                           {*greatest, extremeTolerance, hardEdge * range}};
     std::vector<int> counts = inkCounts(frame, *least, range);
-    for (std::size_t k = 0; k < mostInks; ++k) {
+    for (std::size_t k = 0; k < maxInks; ++k) {
         const auto most = std::ranges::max_element(counts);
-        if (*most < leastInkPx) {
+        if (*most < minInkPx) {
             break;
         }
         const float level = range / inkLevels;

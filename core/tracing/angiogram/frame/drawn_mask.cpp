@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr float edgeShare = 0.1F;   // of the range: this near to one of the levels
-constexpr double leastOfLevels = 0.97;   // of the pixels; the rest are edges smoothed on drawing or scaling
+constexpr double minOfLevels = 0.97;   // of the pixels; the rest are edges smoothed on drawing or scaling
 
 }   // namespace
 
@@ -25,7 +25,7 @@ std::optional<Mask2d> drawnMask(const ImageF& picture)
         white += value >= *high - margin ? 1 : 0;
     }
     const auto count = static_cast<double>(picture.pixels.size());
-    if (white >= black || static_cast<double>(black + white) < leastOfLevels * count) {
+    if (white >= black || static_cast<double>(black + white) < minOfLevels * count) {
         return std::nullopt;
     }
     Mask2d mask(picture.width, picture.height);

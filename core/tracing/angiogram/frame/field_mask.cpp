@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/frame/field_mask.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr double sharpEdgePerPx = 0.07;
 constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
-constexpr double leastShareOfEdge = 0.6;
+constexpr double minShareOfEdge = 0.6;
 constexpr std::size_t smallestDrawnShare = 200;   // one part in so many of the frame
 constexpr int shutterEdgePx = 4;   // of the whole image: as far as the edge is blurred
 
@@ -114,7 +114,7 @@ ImageF negated(ImageF image)
 }
 
 /// The image with its marked part in the middle grey of the rest, so that nothing stands out against it.
-ImageF greyedOut(ImageF image, const Mask2d& marked)
+ImageF grayedOut(ImageF image, const Mask2d& marked)
 {
     std::vector<float> rest;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -140,7 +140,7 @@ bool surrounds(const Mask2d& marked)
     for (int y = 0; y < marked.height; ++y) {
         count += (marked.at(0, y) != 0 ? 1 : 0) + (marked.at(marked.width - 1, y) != 0 ? 1 : 0);
     }
-    return count > leastShareOfEdge * all;
+    return count > minShareOfEdge * all;
 }
 
 /// What is not exposed, dark or light: pages and inverted displays have light surrounds.
@@ -151,7 +151,7 @@ Mask2d surround(const ImageF& image, int openingPx)
         return unexposedBorder(image, openingPx);
     }
     Mask2d both = dilated(light, edgeReachPx);
-    const Mask2d dark = unexposedBorder(greyedOut(image, both), openingPx);
+    const Mask2d dark = unexposedBorder(grayedOut(image, both), openingPx);
     for (std::size_t i = 0; i < both.pixels.size(); ++i) {
         both.pixels[i] = light.pixels[i] | dark.pixels[i];
     }

@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/frame/flatten_background.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/support/parallel_for.h"
 

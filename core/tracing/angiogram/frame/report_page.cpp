@@ -11,26 +11,26 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t greyLevels = 64;   // of the range, to find the paper's
-constexpr double leastPaper = 0.7;   // of the pixels; a narrow field in a black frame may come near it
+constexpr std::size_t grayLevels = 64;   // of the range, to find the paper's
+constexpr double minPaper = 0.7;   // of the pixels; a narrow field in a black frame may come near it
 constexpr double inkContrast = 0.25;   // of the range, from the paper
-constexpr double mostToneShare = 0.1;   // of the pixels neither paper nor in rows of text: small pictures, frames
+constexpr double maxToneShare = 0.1;   // of the pixels neither paper nor in rows of text: small pictures, frames
 constexpr double greatestLetterShare = 0.05;   // of the longer side
-constexpr std::size_t leastLetters = 30;
-constexpr double leastInRows = 0.5;   // of the shapes as large as letters; specks lie in no rows
+constexpr std::size_t minLetters = 30;
+constexpr double minInRows = 0.5;   // of the shapes as large as letters; specks lie in no rows
 
 /// The value of most pixels, where those are nearly all.
 std::optional<float> paperOf(const ImageF& picture, float low, float range)
 {
-    std::array<std::size_t, greyLevels> counts{};
+    std::array<std::size_t, grayLevels> counts{};
     for (const float value : picture.pixels) {
-        ++counts[std::min(greyLevels - 1, static_cast<std::size_t>((value - low) / range * greyLevels))];
+        ++counts[std::min(grayLevels - 1, static_cast<std::size_t>((value - low) / range * grayLevels))];
     }
     const auto most = std::ranges::max_element(counts);
-    if (static_cast<double>(*most) < leastPaper * static_cast<double>(picture.pixels.size())) {
+    if (static_cast<double>(*most) < minPaper * static_cast<double>(picture.pixels.size())) {
         return {};
     }
-    return low + (static_cast<float>(most - counts.begin()) + 0.5F) * range / greyLevels;
+    return low + (static_cast<float>(most - counts.begin()) + 0.5F) * range / grayLevels;
 }
 
 Mask2d inkOn(const ImageF& picture, float paper, float range)
@@ -78,9 +78,8 @@ bool isReportPage(const ImageF& picture)
         }
     }
     const std::size_t letters = letterCount(textRows(glyphs));
-    return letters >= leastLetters &&
-           static_cast<double>(letters) >= leastInRows * static_cast<double>(glyphs.size()) &&
-           static_cast<double>(tonePx) <= mostToneShare * static_cast<double>(picture.pixels.size());
+    return letters >= minLetters && static_cast<double>(letters) >= minInRows * static_cast<double>(glyphs.size()) &&
+           static_cast<double>(tonePx) <= maxToneShare * static_cast<double>(picture.pixels.size());
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/frame/steady_frame.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ constexpr int smallestSteadySide = 8;
 constexpr double steadySmoothingPx = 1.5;   // of the halved frame
 // Times what white noise leaves after smoothing; detector noise is not quite white, which takes up about one of them.
 constexpr double changedMultiple = 4.0;
-constexpr double mostChanged = 0.01;
+constexpr double maxChanged = 0.01;
 constexpr double medianPerSigma = 0.6745;   // of |x| for normal x
 constexpr std::size_t steadySamples = 20000;
 
@@ -69,7 +69,7 @@ std::optional<Mask2d> unchangedPixels(const ImageF& difference)
         unchanged.pixels[i] = isNoise ? 255 : 0;
         changed += isNoise ? 0 : 1;
     }
-    if (static_cast<double>(changed) > mostChanged * static_cast<double>(smooth.pixels.size())) {
+    if (static_cast<double>(changed) > maxChanged * static_cast<double>(smooth.pixels.size())) {
         return std::nullopt;
     }
     return unchanged;

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t leastInRow = 3;
+constexpr std::size_t minInRow = 3;
 
 /// Side by side in one line: of about one height, on one level, not farther apart than two letters.
 bool areInOneRow(const Glyph& a, const Glyph& b)
@@ -50,7 +50,7 @@ std::vector<std::vector<Glyph>> textRows(std::vector<Glyph> glyphs)
     std::vector<std::vector<Glyph>> rows;
     while (!glyphs.empty()) {
         std::vector<Glyph> row = takeTextRow(glyphs);
-        if (row.size() >= leastInRow) {
+        if (row.size() >= minInRow) {
             rows.push_back(std::move(row));
         }
     }

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double leftMainRadiusMm = 2.5;
-constexpr double mostRadiusPx = 24.0;   // beyond, ribs and the spine are vessels too
+constexpr double maxRadiusPx = 24.0;   // beyond, ribs and the spine are vessels too
 
 }   // namespace
 
@@ -22,7 +22,7 @@ double widestVesselRadiusPx(const CArm& cArm, int width, int height)
     const auto& [sidMm, sodMm] = std::tie(cArm.sourceToDetectorMm.value, vesselDepthOf(cArm).value);
     const double magnification = sidMm && sodMm && *sodMm > 0.0 ? std::clamp(*sidMm / *sodMm, 1.0, 2.5) : 1.0;
     const double storedPx = leftMainRadiusMm * magnification / spacingMm;
-    return std::clamp(storedPx * workingSizeOf(width, height).factor(), usualMaxVesselRadiusPx, mostRadiusPx);
+    return std::clamp(storedPx * workingSizeOf(width, height).factor(), usualMaxVesselRadiusPx, maxRadiusPx);
 }
 
 TraceOptions settledFor(TraceOptions options, const CArm& cArm, int width, int height)

@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int leastSidePx = 176;
-constexpr int mostSidePx = 767;
-constexpr int mostDoublings = 2;   // beyond, there is nothing to see
+constexpr int minSidePx = 176;
+constexpr int maxSidePx = 767;
+constexpr int maxDoublings = 2;   // beyond, there is nothing to see
 
 }   // namespace
 
@@ -23,10 +23,10 @@ WorkingSize workingSizeOf(int width, int height)
 {
     const int side = std::min(width, height);
     WorkingSize size;
-    while (side >> size.halvings > mostSidePx) {
+    while (side >> size.halvings > maxSidePx) {
         ++size.halvings;
     }
-    while (size.halvings <= 0 && size.halvings > -mostDoublings && side << -size.halvings < leastSidePx) {
+    while (size.halvings <= 0 && size.halvings > -maxDoublings && side << -size.halvings < minSidePx) {
         --size.halvings;
     }
     return size;

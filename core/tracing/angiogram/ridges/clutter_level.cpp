@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/ridges/clutter_level.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/mask_morphology.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@ constexpr double rank = 0.9;   // above most noise, below what the flanks of ves
 constexpr double tailRank = 0.98;
 // Of the values at these ranks, where structures are about; in mere noise it is less.
 constexpr double tailRatio = 1.75;
-constexpr double leastWeight = 0.5;   // fine vessels shall be found in some noise too
+constexpr double minWeight = 0.5;   // fine vessels shall be found in some noise too
 constexpr int clutterRimPx = 6;   // where filters see the edge of the field
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
-constexpr std::size_t leastShareLeft = 10;   // one part in so many, else all of the field counts
-constexpr int mostBands = 4;
-constexpr int leastBands = 2;
+constexpr std::size_t minShareLeft = 10;   // one part in so many, else all of the field counts
+constexpr int maxBands = 4;
+constexpr int minBands = 2;
 constexpr int bandRows = 40;
 constexpr int enoughPixels = 82000;   // for the statistics
 constexpr int marginRows = 12;   // on either side, as filters reach
@@ -32,8 +32,8 @@ struct Band {
 /// The whole image, or in larger ones some evenly spread bands.
 std::vector<Band> bandsOf(int width, int height)
 {
-    const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), leastBands, mostBands);
-    if (height < 2 * mostBands * (bandRows + 2 * marginRows)) {
+    const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), minBands, maxBands);
+    if (height < 2 * maxBands * (bandRows + 2 * marginRows)) {
         return {{0, height}};
     }
     std::vector<Band> bands;
@@ -105,7 +105,7 @@ Clutter::Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeSc
         std::vector<float> measured = measuredWhere(inside_, inverted);
         const double level = measured.empty() ? 0.0 : ranked(std::move(measured), rank);
         coarsest = scale == scales_.rbegin() ? level : coarsest;
-        scale->weight = level > coarsest ? std::max(leastWeight, coarsest / level) : 1.0;
+        scale->weight = level > coarsest ? std::max(minWeight, coarsest / level) : 1.0;
         const auto weight = static_cast<float>(scale->weight);
         std::transform(inverted_.pixels.begin(), inverted_.pixels.end(), inverted.pixels.begin(),
                        inverted_.pixels.begin(), [weight](float a, float b) { return std::max(a, weight * b); });
@@ -118,7 +118,7 @@ double Clutter::level(const ImageF& ridges) const
     if (everywhere.empty()) {
         return 0.0;
     }
-    const std::size_t enough = everywhere.size() / leastShareLeft;
+    const std::size_t enough = everywhere.size() / minShareLeft;
     const double first = ranked(std::move(everywhere), rank);
     std::vector<float> away = measuredWhere(awayFromVessels(inside_, ridges, clearMultiple * first), inverted_);
     if (away.size() <= enough) {

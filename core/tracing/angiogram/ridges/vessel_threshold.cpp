@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/ridges/vessel_threshold.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 
@@ -17,12 +17,12 @@ constexpr float flankShare = 0.35F;
 constexpr int haloReachPx = 12;
 constexpr float haloShare = 0.15F;
 constexpr double opacitySigmaPx = 2.0;
-constexpr float leastOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
+constexpr float minOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
 constexpr std::size_t thresholdSamples = 200000;
 constexpr double noiseMultiple = 4.0;
 constexpr double clutterMultiple = 1.9;
 // In pictures without noise: below this share of the strongest ridges there are only traces of the filters.
-constexpr double leastShareOfFrame = 0.02;
+constexpr double minShareOfFrame = 0.02;
 constexpr double strongestRank = 0.999;
 
 }   // namespace
@@ -35,7 +35,7 @@ double ridgeNoiseLimit(const std::vector<float>& ridges)
 double clearRidge(const ImageF& ridges, double clutter, double sensitivity)
 {
     const double strongest = ranked(evenSample(ridges.pixels, thresholdSamples), strongestRank);
-    return std::max(clutterMultiple * clutter, leastShareOfFrame * strongest) / sensitivity;
+    return std::max(clutterMultiple * clutter, minShareOfFrame * strongest) / sensitivity;
 }
 
 ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clearRidge)
@@ -55,7 +55,7 @@ ImageF withoutStars(ImageF ridges, const ImageF& opacity)
 {
     const ImageF smooth = blurred(opacity, opacitySigmaPx);
     for (std::size_t i = 0; i < ridges.pixels.size(); ++i) {
-        ridges.pixels[i] = smooth.pixels[i] < leastOpacityPerRidge * ridges.pixels[i] ? 0.0F : ridges.pixels[i];
+        ridges.pixels[i] = smooth.pixels[i] < minOpacityPerRidge * ridges.pixels[i] ? 0.0F : ridges.pixels[i];
     }
     return ridges;
 }

@@ -27,7 +27,7 @@ constexpr float slopeWeight = 0.85F;
 // Where the ridge goes on to one side only, as at blobs, it counts less by this share of the difference.
 constexpr float oneSidedPenalty = 0.5F;
 constexpr int rowsPerStrip = 32;
-constexpr int mostFilterThreads = 2;   // more wait for memory
+constexpr int maxFilterThreads = 2;   // more wait for memory
 
 /// Scale-normalised first and second Gaussian derivatives of some rows of an image.
 struct Derivatives {
@@ -201,7 +201,7 @@ private:
 /// on it.
 void raiseToRidges(const ImageF& image, const RidgeScale& scale, ImageF& best)
 {
-    const int workers = std::min(mostFilterThreads, threadCount(0));
+    const int workers = std::min(maxFilterThreads, threadCount(0));
     const ImageF smooth = blurred(image, scale.sigmaPx, workers);
     parallelFor(
         static_cast<std::size_t>(workers), workers,

@@ -12,9 +12,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t mostMaskFrames = 8;
+constexpr std::size_t maxMaskFrames = 8;
 constexpr double emptyShare = 0.15;   // of the rise from the emptiest to the fullest frame
-constexpr double leastRise = 1.5;   // fullest to first frame, or the run begins with contrast
+constexpr double minRise = 1.5;   // fullest to first frame, or the run begins with contrast
 
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
@@ -126,22 +126,22 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
     if (!(most > 0.0)) {
         return {};
     }
-    if (most < leastRise * opacity(shown.front())) {   // bones and edges of organs are ridges too
-        const auto isFilled = [&](int frame) {
+    if (most < minRise * opacity(shown.front())) {   // bones and edges of organs are ridges too
+        const auto isOpacified = [&](int frame) {
             return showsContrast(frames[static_cast<std::size_t>(frame)], polarity, shutter);
         };
-        const bool contrastComes = !isFilled(shown.front()) && isFilled(std::ranges::max(shown, {}, opacity));
+        const bool contrastComes = !isOpacified(shown.front()) && isOpacified(std::ranges::max(shown, {}, opacity));
         return contrastComes ? std::vector<int>{shown.front()} : std::vector<int>();
     }
     const double limit = least + emptyShare * (most - least);
     const auto firstFilled = std::ranges::find_if(shown, [&](int frame) { return opacity(frame) > limit; });
     shown.erase(firstFilled, shown.end());
-    shown.resize(std::min(mostMaskFrames, shown.size()));
+    shown.resize(std::min(maxMaskFrames, shown.size()));
     return shown;
 }
 
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
-                                  const StopCheck& isStopWished)
+                                  const StopCheck& isStopRequested)
 {
     const auto chosen = settledPlan(frames, polarity, plan);
     if (!chosen) {
@@ -159,7 +159,7 @@ Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity po
             run.frames[i] = std::move(result.frame);
             run.maskShiftsPx[i] = result.maskShiftPx;
         },
-        [&](double) { return !isStopWished || !isStopWished(); });
+        [&](double) { return !isStopRequested || !isStopRequested(); });
     return isWhole ? Result<SubtractedRun>(std::move(run)) : Stopped{says::subtractionStopped()};
 }
 
@@ -174,7 +174,7 @@ Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarit
     return subtractedFrame(frames, static_cast<std::size_t>(frame), mask, chosen.value());
 }
 
-Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment, const StopCheck& isStopWished)
+Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment, const StopCheck& isStopRequested)
 {
     Angiogram run = stored;
     run.polarity = treatment.polarity.value_or(stored.polarity);
@@ -183,7 +183,7 @@ Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatm
         if (plan.maskFrames.empty() && !plan.interval) {
             plan.maskFrames = suggestMaskFrames(stored.frames, run.polarity, stored.shutter);
         }
-        auto subtracted = subtractRun(stored.frames, run.polarity, plan, isStopWished);
+        auto subtracted = subtractRun(stored.frames, run.polarity, plan, isStopRequested);
         if (!subtracted) {
             return subtracted.error();
         }

@@ -55,7 +55,7 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
 
 /// Every frame less the averaged mask. Fails when mask frames do not exist, none can be suggested, or sizes differ.
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
-                                  const StopCheck& isStopWished = {});
+                                  const StopCheck& isStopRequested = {});
 
 struct SubtractedFrame {
     ImageF frame;
@@ -68,6 +68,6 @@ Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarit
 
 /// The run as the treatment makes it; headers, suggested frame and size stay. Fails as `subtractRun` does.
 Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment,
-                             const StopCheck& isStopWished = {});
+                             const StopCheck& isStopRequested = {});
 
 }   // namespace angiopose::core

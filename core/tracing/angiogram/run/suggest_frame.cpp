@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/run/suggest_frame.h"
 
-#include "core/imaging/grey_statistics.h"
+#include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
@@ -94,10 +94,10 @@ int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity, const Mas
     if (curve.empty()) {
         return 0;
     }
-    const double fullest = *std::max_element(curve.begin(), curve.end());
+    const double peak = *std::max_element(curve.begin(), curve.end());
     std::vector<int> full;
     for (int k = 0; k < static_cast<int>(curve.size()); ++k) {
-        if (curve[static_cast<std::size_t>(k)] >= fullShare * fullest) {
+        if (curve[static_cast<std::size_t>(k)] >= fullShare * peak) {
             full.push_back(k);
         }
     }

@@ -3,25 +3,25 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastSeedRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
-constexpr double leastChamberRadiusMm = 4.0;   ///< thinner leaks are left to pruning
-constexpr double leastNeckShare = 0.3;   ///< of the radius beyond it: stenoses and compressed lumens are wider
-constexpr double leastWideNeckShare = 0.5;   ///< of what is wider than the seeds' vessel: an open valve is narrower
-constexpr double mostChamberShare = 1.35;   ///< of the radius at the seed
+constexpr double minSeedRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
+constexpr double minChamberRadiusMm = 4.0;   ///< thinner leaks are left to pruning
+constexpr double minNeckShare = 0.3;   ///< of the radius beyond it: stenoses and compressed lumens are wider
+constexpr double minWideNeckShare = 0.5;   ///< of what is wider than the seeds' vessel: an open valve is narrower
+constexpr double maxChamberShare = 1.35;   ///< of the radius at the seed
 
 }   // namespace
 
 std::vector<std::uint32_t> voxelsBeyondNecks(const DistanceMap& distances, const Necks& necks)
 {
     std::vector<std::uint32_t> beyond;
-    if (necks.seedRadiusMm < leastSeedRadiusMm) {
+    if (necks.seedRadiusMm < minSeedRadiusMm) {
         return beyond;
     }
     for (std::uint32_t voxel = 0; voxel < necks.units.size(); ++voxel) {
         const double radiusMm = distances.mm(voxel);
-        const bool isWide = radiusMm > mostChamberShare * necks.seedRadiusMm;
-        const double leastNeck = (isWide ? leastWideNeckShare : leastNeckShare) * distances.units[voxel];
-        if (radiusMm >= leastChamberRadiusMm && necks.units[voxel] > 0 && necks.units[voxel] < leastNeck) {
+        const bool isWide = radiusMm > maxChamberShare * necks.seedRadiusMm;
+        const double minNeck = (isWide ? minWideNeckShare : minNeckShare) * distances.units[voxel];
+        if (radiusMm >= minChamberRadiusMm && necks.units[voxel] > 0 && necks.units[voxel] < minNeck) {
             beyond.push_back(voxel);
         }
     }

@@ -9,7 +9,7 @@ constexpr std::uint8_t enclosed = 0;   ///< until found otherwise
 constexpr std::uint8_t inside = 1;
 constexpr std::uint8_t outside = 2;
 constexpr std::uint8_t filled = 2;
-constexpr int mostOfTheNeighbours = 17;   ///< of 26; beside a flat wall 9 are set, in a blunt corner 15
+constexpr int maxOfTheNeighbors = 17;   ///< of 26; beside a flat wall 9 are set, in a blunt corner 15
 
 /// One pass over the rows, `step` = 1 upwards or -1 downwards: what lies beside, behind or below something outside is
 /// outside.
@@ -83,7 +83,7 @@ void fillHoles(VoxelMask& mask, const HoleFilter& isHole)
                         }
                     }
                 }
-                if (set >= mostOfTheNeighbours && (!isHole || isHole(i, j, k))) {
+                if (set >= maxOfTheNeighbors && (!isHole || isHole(i, j, k))) {
                     found.push_back(mask.geometry.index(i, j, k));
                 }
             }

@@ -7,8 +7,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr double wallMm = 4.0;   ///< a flap or a stent's wires, or two walls, and what they blur
-constexpr double leastRadiusMm = 4.0;
-constexpr double leastParallel = 0.85;   ///< cosine; pulmonary arteries cross the aorta
+constexpr double minRadiusMm = 4.0;
+constexpr double minParallel = 0.85;   ///< cosine; pulmonary arteries cross the aorta
 
 bool isLumen(const VoxelMask& lumen, const Eigen::Affine3d& voxelFromPatient, const Eigen::Vector3d& inPatient)
 {
@@ -39,7 +39,7 @@ bool isBeside(const Trunk& trunk, std::size_t at, const Trunk& other)
     for (std::size_t n = 0; n < other.radiusMm.size(); ++n) {
         const double awayMm = (other.pointsInPatient[n] - trunk.pointsInPatient[at]).norm();
         if (awayMm <= trunk.radiusMm[at] + other.radiusMm[n] + wallMm &&
-            std::abs(direction.dot(directionAt(other, n))) >= leastParallel) {
+            std::abs(direction.dot(directionAt(other, n))) >= minParallel) {
             return true;
         }
     }
@@ -71,7 +71,7 @@ OtherLumen otherLumenBeside(const VoxelMask& lumen, const std::vector<GreatVesse
     for (const GreatVessel& great : greatVessels) {
         others.emplace_back();
         for (const Trunk& trunk : great.trunks) {
-            if (trunk.medianRadiusMm() >= leastRadiusMm) {
+            if (trunk.medianRadiusMm() >= minRadiusMm) {
                 (holds(lumen, trunk) ? traced : others.back()).push_back(&trunk);
             }
         }

@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint8_t unreachedVoxel = 1;
 constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
-constexpr double mostBallBeyondSection = 1.3;   ///< largest ball over section
-constexpr double leastNeckFromSeed =
+constexpr double maxBallBeyondSection = 1.3;   ///< largest ball over section
+constexpr double minNeckFromSeed =
     0.45;   ///< of the thinner one's radius, from a seed to a vessel that continues its own
 
 /// A voxel that is next to flooded ones: the widest comes first, of equal ones the earliest.
@@ -50,7 +50,7 @@ public:
         for (const std::uint32_t voxel : voxels) {
             if (mask_.voxels[voxel] == unreachedVoxel) {
                 mask_.voxels[voxel] = label;
-                pushNeighbours(voxel, label);
+                pushNeighbors(voxel, label);
             }
         }
     }
@@ -67,7 +67,7 @@ public:
             if ((turn_ & 0xFFFU) == 0 && !progress.advance(0.5)) {
                 return;
             }
-            pushNeighbours(shore.voxel, shore.label);
+            pushNeighbors(shore.voxel, shore.label);
         }
     }
 
@@ -77,7 +77,7 @@ private:
         shores_.push({distances_.units[voxel], turn_++, voxel, label});
     }
 
-    void pushNeighbours(std::uint32_t from, std::uint8_t label)
+    void pushNeighbors(std::uint32_t from, std::uint8_t label)
     {
         const Eigen::Vector3i voxel = mask_.geometry.voxelAt(from);
         for (int z = -1; z <= 1; ++z) {
@@ -171,8 +171,8 @@ public:
         for (const Trunk& trunk : great.trunks) {
             for (std::size_t n = 0; n < trunk.radiusMm.size(); ++n) {
                 const auto voxel = voxelNear(mask_, trunk.pointsInPatient[n]);
-                if (voxel && distances_.mm(wayToMiddle(*voxel, distances_).back()) <=
-                                 mostBallBeyondSection * trunk.radiusMm[n]) {
+                if (voxel &&
+                    distances_.mm(wayToMiddle(*voxel, distances_).back()) <= maxBallBeyondSection * trunk.radiusMm[n]) {
                     middles.push_back(trunk.pointsInPatient[n]);
                 }
             }
@@ -200,7 +200,7 @@ private:
         return std::any_of(points.begin(), points.end(), [this](const Eigen::Vector3d& point) {
             const std::uint32_t middle = wayToMiddle(*voxelNear(mask_, point), distances_).back();
             return distances_.unitMm * necks_.units[middle] >=
-                   leastNeckFromSeed * std::min(necks_.seedRadiusMm, distances_.mm(middle));
+                   minNeckFromSeed * std::min(necks_.seedRadiusMm, distances_.mm(middle));
         });
     }
 

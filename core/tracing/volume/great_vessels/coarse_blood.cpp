@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double full = 200.0;
-constexpr double mostFillOfCoarse = 1.2;
+constexpr double maxFillOfCoarse = 1.2;
 
 /// Of one block along one axis: the voxels that it holds parts of, or lies between where voxels are longer than blocks.
 struct Extent {
@@ -122,7 +122,7 @@ private:
     double shareAt(int i, int j, int k) const
     {
         const double share = fill_(i, j, k);
-        return share >= 0.5 && lumen_.at(i, j, k) == 0 ? 0.0 : std::clamp(share, 0.0, mostFillOfCoarse);
+        return share >= 0.5 && lumen_.at(i, j, k) == 0 ? 0.0 : std::clamp(share, 0.0, maxFillOfCoarse);
     }
 
     const VoxelMask& lumen_;

@@ -10,16 +10,16 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
-constexpr double leastSlendernessOfPiece = 3.0;   ///< a single chamber of the heart has 2
+constexpr double minRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
+constexpr double minSlendernessOfPiece = 3.0;   ///< a single chamber of the heart has 2
 constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; more counts no more, chambers have it
-constexpr double mostSlenderness = 20.0;   ///< that counts: else thin vessels would win
-constexpr std::size_t leastPointsOfTrunk = 6;
+constexpr double maxSlenderness = 20.0;   ///< that counts: else thin vessels would win
+constexpr std::size_t minPointsOfTrunk = 6;
 constexpr std::uint8_t inTube = 1;
 constexpr std::uint8_t inTrunk = 2;
 
 /// Middles of the lumen, the widest first.
-std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double leastMm)
+std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
 {
     const VolumeGeometry& grid = distances.geometry;
     std::vector<std::uint32_t> middles;
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double leastM
         for (int j = 1; j + 1 < grid.size.y(); ++j) {
             for (int i = 1; i + 1 < grid.size.x(); ++i) {
                 const std::size_t at = grid.index(i, j, k);
-                if (distances.mm(at) < leastMm) {
+                if (distances.mm(at) < minMm) {
                     continue;
                 }
                 const auto row = static_cast<std::size_t>(grid.size.x());
@@ -85,8 +85,8 @@ bool isRepeated(const Tube& tube, const VoxelMask& seen)
 bool isTrunk(const Trunk& trunk)
 {
     const double unusual = std::max(1.0, trunk.medianRadiusMm() / usualRadiusMm);
-    return trunk.radiusMm.size() >= leastPointsOfTrunk &&
-           trunk.slenderness() >= leastSlendernessOfPiece * unusual * unusual;
+    return trunk.radiusMm.size() >= minPointsOfTrunk &&
+           trunk.slenderness() >= minSlendernessOfPiece * unusual * unusual;
 }
 
 }   // namespace
@@ -112,7 +112,7 @@ double Trunk::worth() const
         highMm = std::max(highMm, pointsInPatient[n].z());
     }
     const double widest = *std::max_element(radiusMm.begin(), radiusMm.end());
-    return sideAreaMm2 * std::min((highMm - lowMm) / widest, mostSlenderness) * std::pow(std::min(fill, 1.0), 2);
+    return sideAreaMm2 * std::min((highMm - lowMm) / widest, maxSlenderness) * std::pow(std::min(fill, 1.0), 2);
 }
 
 std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress)
@@ -122,9 +122,8 @@ std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& dista
                             grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
     VoxelMask seen(grid);
     std::vector<Trunk> trunks;
-    const std::vector<std::uint32_t> middles = progress.isStopped()
-                                                   ? std::vector<std::uint32_t>()
-                                                   : middlesOf(distances, leastRadiusInBlocks * blood.finestMm);
+    const std::vector<std::uint32_t> middles =
+        progress.isStopped() ? std::vector<std::uint32_t>() : middlesOf(distances, minRadiusInBlocks * blood.finestMm);
     for (const std::uint32_t middle : middles) {
         if (seen.voxels[middle] != 0) {
             continue;

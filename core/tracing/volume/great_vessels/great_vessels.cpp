@@ -11,18 +11,17 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
-constexpr double mostGapOfSameBlood = 2.5;
-constexpr double leastSlendernessOfTrunks =
-    5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
-constexpr double leastLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
-constexpr double leastNeckBetween =
+constexpr double maxGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
+constexpr double maxGapOfSameBlood = 2.5;
+constexpr double minSlendernessOfTrunks = 5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
+constexpr double minLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
+constexpr double minNeckBetween =
     0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
-constexpr double mostBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
-constexpr double mostFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
-constexpr double mostStepOfSameBlood = 0.1;   ///< as much as it changes along a whole aorta
+constexpr double maxBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
+constexpr double maxFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
+constexpr double maxStepOfSameBlood = 0.1;   ///< as much as it changes along a whole aorta
 constexpr double leastOfOther = 0.5;   ///< thinner over wider radius: else one leaves the other
-constexpr double leastOfFirst = 0.01;   ///< of the first trunk's worth: stumps of branches lead from one to the next
+constexpr double minOfFirst = 0.01;   ///< of the first trunk's worth: stumps of branches lead from one to the next
 
 /// Decides whether trunks continue one another.
 class Joiner {
@@ -46,10 +45,8 @@ private:
     static Blood bloodOf(const Trunk& trunk, const Trunk& other)
     {
         const double step = std::abs(trunk.fill - other.fill);
-        const bool isSlender = std::max(trunk.slenderness(), other.slenderness()) >= leastSlendernessOfTrunks;
-        return step > mostFillStep                        ? Blood::Other
-               : step > mostStepOfSameBlood || !isSlender ? Blood::Alike
-                                                          : Blood::Same;
+        const bool isSlender = std::max(trunk.slenderness(), other.slenderness()) >= minSlendernessOfTrunks;
+        return step > maxFillStep ? Blood::Other : step > maxStepOfSameBlood || !isSlender ? Blood::Alike : Blood::Same;
     }
 
     /// Where the blood is the same, the way between is narrow only if it is so beside the balls that fit into the
@@ -61,8 +58,8 @@ private:
         const double radius = trunk.radiusMm[end];
         const double otherRadius = other.radiusMm[nearest];
         double thinner = std::min(radius, otherRadius);
-        const double mostGap = blood == Blood::Same ? mostGapOfSameBlood : mostGapInRadii;
-        if ((other.pointsInPatient[nearest] - tip).norm() > mostGap * (radius + otherRadius) ||
+        const double maxGap = blood == Blood::Same ? maxGapOfSameBlood : maxGapInRadii;
+        if ((other.pointsInPatient[nearest] - tip).norm() > maxGap * (radius + otherRadius) ||
             thinner < leastOfOther * std::max(radius, otherRadius)) {
             return false;
         }
@@ -76,7 +73,7 @@ private:
             thinnerTrunk = std::min({thinnerTrunk, medianBallMm(trunk), medianBallMm(other)});
         }
         return neckMm(distances_, from, to, std::max(radius, otherRadius)) >=
-               leastNeckBetween * std::max(thinner, thinnerTrunk);
+               minNeckBetween * std::max(thinner, thinnerTrunk);
     }
 
     static std::size_t nearestTo(const Eigen::Vector3d& place, const Trunk& trunk)
@@ -131,7 +128,7 @@ private:
             (gridFromPatient_ * inPatient).array().round().cast<int>().max(0).min(grid.size.array() - 1);
         const auto voxel = static_cast<std::uint32_t>(grid.index(at.x(), at.y(), at.z()));
         const std::uint32_t middle = wayToMiddle(voxel, distances_).back();
-        return grid.voxelAt(distances_.mm(middle) <= mostBeyondSection * radiusMm ? middle : voxel);
+        return grid.voxelAt(distances_.mm(middle) <= maxBeyondSection * radiusMm ? middle : voxel);
     }
 
     const DistanceMap& distances_;
@@ -177,7 +174,7 @@ std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, Tra
         GreatVessel vessel{{left.front()}};
         left.erase(left.begin());
         for (std::size_t t = 0; t < left.size() && progress.advance(0.0);) {
-            const bool isWorthIt = left[t].worth() >= leastOfFirst * vessel.trunks.front().worth();
+            const bool isWorthIt = left[t].worth() >= minOfFirst * vessel.trunks.front().worth();
             const bool isJoined =
                 isWorthIt && std::any_of(vessel.trunks.begin(), vessel.trunks.end(), [&](const Trunk& trunk) {
                     return joiner.isContinued(left[t], trunk) || joiner.isContinued(trunk, left[t]);
@@ -194,8 +191,8 @@ std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, Tra
     }
     std::erase_if(vessels, [](const GreatVessel& vessel) {
         return std::none_of(vessel.trunks.begin(), vessel.trunks.end(), [](const Trunk& trunk) {
-            return trunk.slenderness() >= leastSlendernessOfTrunks &&
-                   polylineLength<3>(trunk.pointsInPatient) >= leastLengthMm;
+            return trunk.slenderness() >= minSlendernessOfTrunks &&
+                   polylineLength<3>(trunk.pointsInPatient) >= minLengthMm;
         });
     });
     std::stable_sort(vessels.begin(), vessels.end(),

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 template <class Visit>
-void eachNeighbour(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& visit)
+void eachNeighbor(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& visit)
 {
     const Eigen::Vector3i place = grid.voxelAt(voxel);
     for (int z = -1; z <= 1; ++z) {
@@ -51,8 +51,8 @@ std::vector<std::uint16_t> necksFrom(const std::vector<std::uint32_t>& seeds, co
             break;
         }
         if (shore.neck == neck[shore.voxel]) {
-            eachNeighbour(distances.geometry, shore.voxel,
-                          [&](std::uint32_t next) { reach(next, std::min(shore.neck, distances.units[next])); });
+            eachNeighbor(distances.geometry, shore.voxel,
+                         [&](std::uint32_t next) { reach(next, std::min(shore.neck, distances.units[next])); });
         }
     }
     return neck;
@@ -64,7 +64,7 @@ std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& d
 {
     for (std::vector<std::uint32_t> way{voxel};;) {
         std::uint32_t best = way.back();
-        eachNeighbour(distances.geometry, way.back(), [&](std::uint32_t next) {
+        eachNeighbor(distances.geometry, way.back(), [&](std::uint32_t next) {
             if (distances.units[next] > distances.units[best]) {
                 best = next;
             }

@@ -10,22 +10,22 @@ namespace angiopose::core {
 namespace {
 
 constexpr double blockMm = 2.5;
-constexpr double leastBoneFill = 1.5;   ///< brighter than blood by half
-constexpr double leastBoneShare = 0.25;   ///< of a block's voxels
-constexpr double mostAirFill = -1.0;
+constexpr double minBoneFill = 1.5;   ///< brighter than blood by half
+constexpr double minBoneShare = 0.25;   ///< of a block's voxels
+constexpr double maxAirFill = -1.0;
 constexpr int sectors = 48;
-constexpr int leastSectors = 44;   ///< with bone in them; ribs and hips close less
-constexpr double leastRingMm = 30.0;
-constexpr double mostRingMm = 130.0;
-constexpr double leastSoftShare = 0.8;   ///< of what the ring encloses; a chest holds air
+constexpr int minSectors = 44;   ///< with bone in them; ribs and hips close less
+constexpr double minRingMm = 30.0;
+constexpr double maxRingMm = 130.0;
+constexpr double minSoftShare = 0.8;   ///< of what the ring encloses; a chest holds air
 constexpr double innerShare = 0.75;   ///< of the ring's radius: what it encloses
-constexpr double leastHeightMm = 20.0;   ///< of closed rings
+constexpr double minHeightMm = 20.0;   ///< of closed rings
 constexpr double besideTableMm = 4.5;   ///< from a sinus' wall to the bone
-constexpr double leastWithinMm = 25.0;   ///< of a vessel within the vault, for its course to say something
-constexpr double mostBesideOfArtery = 0.5;   ///< of that; the petrous bone is beside the carotid
-constexpr double leastBesideOfSinus = 0.6;
-constexpr double leastFillOfLate = 0.75;   ///< of a sinus that is filled as arteries are
-constexpr double mostOutward = 0.45;   ///< at the middle of the head
+constexpr double minWithinMm = 25.0;   ///< of a vessel within the vault, for its course to say something
+constexpr double maxBesideOfArtery = 0.5;   ///< of that; the petrous bone is beside the carotid
+constexpr double minBesideOfSinus = 0.6;
+constexpr double minFillOfLate = 0.75;   ///< of a sinus that is filled as arteries are
+constexpr double maxOutward = 0.45;   ///< at the middle of the head
 constexpr double entryMm = 25.0;   ///< from the lower face of the scan, or from where the vault begins
 
 std::size_t sectorOf(const Eigen::Vector2d& aside)
@@ -49,11 +49,11 @@ Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const Voxe
         }
         const Eigen::Array3i at = block * per + in;
         const double share = fill(at.x(), at.y(), at.z());
-        bone += share > leastBoneFill ? 1 : 0;
+        bone += share > minBoneFill ? 1 : 0;
         sum += share;
         ++looked;
     }
-    return bone >= leastBoneShare * looked ? Block::Bone : sum < mostAirFill * looked ? Block::Air : Block::Soft;
+    return bone >= minBoneShare * looked ? Block::Bone : sum < maxAirFill * looked ? Block::Air : Block::Soft;
 }
 
 /// What fills the blocks of a scan.
@@ -116,7 +116,7 @@ BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
     });
     const double unitMm = blocks.geometry.spacingMm.x();
     const auto covered = std::ranges::count_if(
-        ring.radius, [&](double radius) { return radius * unitMm >= leastRingMm && radius * unitMm <= mostRingMm; });
+        ring.radius, [&](double radius) { return radius * unitMm >= minRingMm && radius * unitMm <= maxRingMm; });
     int soft = 0;
     int within = 0;
     eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
@@ -125,7 +125,7 @@ BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
             soft += block == Block::Soft ? 1 : 0;
         }
     });
-    ring.isClosed = covered >= leastSectors && soft >= leastSoftShare * within;
+    ring.isClosed = covered >= minSectors && soft >= minSoftShare * within;
     return ring;
 }
 
@@ -156,7 +156,7 @@ Skull::Course courseOf(const GreatVessel& great, const Skull& skull)
 
 bool isSinus(const Skull::Course& course)
 {
-    return course.withinMm >= leastWithinMm && course.besideMm >= leastBesideOfSinus * course.withinMm;
+    return course.withinMm >= minWithinMm && course.besideMm >= minBesideOfSinus * course.withinMm;
 }
 
 double fillOf(const GreatVessel& great)
@@ -218,7 +218,7 @@ std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill
         heightMm += ring.isClosed ? blocks.geometry.spacingMm.z() : 0.0;
         skull.rings_.push_back({ring.isClosed, ring.middle, std::move(ring.radius)});
     }
-    if (heightMm < leastHeightMm || progress.isStopped()) {
+    if (heightMm < minHeightMm || progress.isStopped()) {
         return {};
     }
     VoxelMask others(blocks.geometry);
@@ -245,16 +245,15 @@ std::vector<Eigen::Vector3d> sinusPlaces(const std::vector<GreatVessel>& great, 
 std::vector<GreatVessel> arteriesOfHead(std::vector<GreatVessel> great, const Skull& skull, const VolumeGeometry& grid)
 {
     const bool isLate = std::ranges::any_of(great, [&](const GreatVessel& vessel) {
-        return isSinus(courseOf(vessel, skull)) && fillOf(vessel) >= leastFillOfLate;
+        return isSinus(courseOf(vessel, skull)) && fillOf(vessel) >= minFillOfLate;
     });
     const double faceMm = (grid.patientFromVoxel() * Eigen::Vector3d::Zero()).z();
     std::erase_if(great, [&](const GreatVessel& vessel) {
         const Skull::Course course = courseOf(vessel, skull);
         const auto [low, high] = endsOf(vessel);
-        const bool isBeside =
-            course.withinMm >= leastWithinMm && course.besideMm > mostBesideOfArtery * course.withinMm;
+        const bool isBeside = course.withinMm >= minWithinMm && course.besideMm > maxBesideOfArtery * course.withinMm;
         const bool comesFromBelow = low.z() <= faceMm + entryMm || !skull.outwardShare(low);
-        const bool endsInMiddle = skull.outwardShare(high).value_or(1.0) <= mostOutward;
+        const bool endsInMiddle = skull.outwardShare(high).value_or(1.0) <= maxOutward;
         return isBeside || !comesFromBelow || (isLate && !endsInMiddle);
     });
     return great;

@@ -7,14 +7,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
-constexpr double leastFlatTrust = 0.1;   ///< of a section that is closed: the true lumen of a torn aorta
-constexpr double leastClosed = 0.95;
-constexpr double mostWidening = 1.3;   ///< from one section to the next
-constexpr double mostAside = 0.5;   ///< of the radius, from the way expected to the section's centre
+constexpr double minTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
+constexpr double minFlatTrust = 0.1;   ///< of a section that is closed: the true lumen of a torn aorta
+constexpr double minClosed = 0.95;
+constexpr double maxWidening = 1.3;   ///< from one section to the next
+constexpr double maxAside = 0.5;   ///< of the radius, from the way expected to the section's centre
 constexpr double stepInRadii = 0.5;
-constexpr int mostMissed = 3;   ///< sections in a row: a wide branch leaves over one diameter or two
-constexpr int mostSteps = 1000;
+constexpr int maxMissed = 3;   ///< sections in a row: a wide branch leaves over one diameter or two
+constexpr int maxSteps = 1000;
 
 /// Where the walk stands.
 struct Walker {
@@ -26,13 +26,13 @@ struct Walker {
 /// Round, or flattened but with walls on all sides.
 bool isTube(const CrossSection& section)
 {
-    return section.trust >= leastTrustInWall || (section.trust >= leastFlatTrust && section.closed >= leastClosed);
+    return section.trust >= minTrustInWall || (section.trust >= minFlatTrust && section.closed >= minClosed);
 }
 
 bool isLike(const CrossSection& section, const Eigen::Vector3d& expected, double radiusMm)
 {
-    return isTube(section) && section.radiusMm <= mostWidening * radiusMm &&
-           radiusMm <= mostWidening * section.radiusMm && (section.centreMm - expected).norm() <= mostAside * radiusMm;
+    return isTube(section) && section.radiusMm <= maxWidening * radiusMm &&
+           radiusMm <= maxWidening * section.radiusMm && (section.centerMm - expected).norm() <= maxAside * radiusMm;
 }
 
 /// Across the vessel: of the round sections in 13 directions the least.
@@ -40,11 +40,11 @@ std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, c
 {
     std::optional<Walker> best;
     for (int n = 14; n < 27; ++n) {   // one of each two opposite neighbours
-        const Eigen::Vector3i neighbour(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-        const Eigen::Vector3d direction = neighbour.cast<double>().normalized();
+        const Eigen::Vector3i neighbor(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const Eigen::Vector3d direction = neighbor.cast<double>().normalized();
         const CrossSection section = crossSection({startMm, direction, radiusMm, ground.voxelMm}, ground.fill);
-        if (section.trust >= leastTrustInWall && (!best || section.radiusMm < best->radiusMm)) {
-            best = Walker{section.centreMm, direction, section.radiusMm};
+        if (section.trust >= minTrustInWall && (!best || section.radiusMm < best->radiusMm)) {
+            best = Walker{section.centerMm, direction, section.radiusMm};
         }
     }
     return best;
@@ -56,7 +56,7 @@ Tube walkOneWay(Walker walker, const TubeGround& ground)
     Tube tube;
     Eigen::Vector3d last = walker.pointMm;
     int missed = 0;
-    for (int step = 0; step < mostSteps && missed <= mostMissed; ++step) {
+    for (int step = 0; step < maxSteps && missed <= maxMissed; ++step) {
         const Eigen::Vector3d expected =
             walker.pointMm + std::max(ground.voxelMm, stepInRadii * walker.radiusMm) * walker.direction;
         if ((expected.array() < 0.0).any() || (expected.array() > ground.highMm.array()).any()) {
@@ -70,10 +70,10 @@ Tube walkOneWay(Walker walker, const TubeGround& ground)
             continue;
         }
         missed = 0;
-        const Eigen::Vector3d way = (section.centreMm - last).normalized();
-        walker = {section.centreMm, (walker.direction + way).normalized(), 0.5 * (walker.radiusMm + section.radiusMm)};
-        last = section.centreMm;
-        tube.pointsMm.push_back(section.centreMm);
+        const Eigen::Vector3d way = (section.centerMm - last).normalized();
+        walker = {section.centerMm, (walker.direction + way).normalized(), 0.5 * (walker.radiusMm + section.radiusMm)};
+        last = section.centerMm;
+        tube.pointsMm.push_back(section.centerMm);
         tube.radiusMm.push_back(section.radiusMm);
     }
     return tube;

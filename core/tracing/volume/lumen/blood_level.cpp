@@ -14,25 +14,25 @@ namespace {
 
 constexpr std::size_t levelBins = 300;
 constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
-constexpr double mostAirHu = -500.0;   ///< values below this: a CT in HU
+constexpr double maxAirHu = -500.0;   ///< values below this: a CT in HU
 constexpr double wholeAirHu = -1000.0;
 constexpr double darkHu = -20.0;   ///< fat lies below; counts from 0 have nothing there but noise around air
 constexpr double darkShare = 0.001;   ///< of the voxels
 constexpr double denseHu = 800.0;   ///< bone and metal; of HU moved by some 1000 so that air is 0, the whole body
-constexpr double mostDenseShare = 0.2;   ///< of the voxels
-constexpr double leastContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
-constexpr double leastContrastShare = 0.15;   ///< without HU: of the way from tissue to dense bone, some 1000 HU
-constexpr double leastBloodMl = 0.03;
+constexpr double maxDenseShare = 0.2;   ///< of the voxels
+constexpr double minContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
+constexpr double minContrastShare = 0.15;   ///< without HU: of the way from tissue to dense bone, some 1000 HU
+constexpr double minBloodMl = 0.03;
 constexpr double shareOfGreatest = 0.01;   ///< of the mass of the heaviest peak, to be a peak at all
 constexpr double airShare = 0.05;   ///< of the range of values, from the lowest: air
-constexpr double leastBodyShare = 0.05;   ///< of the air's volume; vessels alone fill less
-constexpr double leastMuscleShare = 0.2;   ///< of the largest peak of the body, which may be fat
+constexpr double minBodyShare = 0.05;   ///< of the air's volume; vessels alone fill less
+constexpr double minMuscleShare = 0.2;   ///< of the largest peak of the body, which may be fat
 constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel "nothing changes"
 
 constexpr int brightStep = 2;   ///< voxels between two looked at for the brightest
 constexpr double brightestMl = 0.5;   ///< ten millimetres of a common carotid artery hold as much
 constexpr double airOfBrightest = 0.08;   ///< of the way from the lowest value to blood
-constexpr double leastOfTissue = 1.5;   ///< blood over tissue
+constexpr double minOfTissue = 1.5;   ///< blood over tissue
 
 /// Smoothed histogram of the voxels around which nothing changes.
 struct Histogram {
@@ -59,12 +59,12 @@ public:
     }
 
     /// The greatest difference to the surroundings two voxels away.
-    double change(int i, int j, int k, double centre) const
+    double change(int i, int j, int k, double center) const
     {
         double greatest = 0.0;
         for (const int step : {-2, 2}) {
-            greatest = std::max({greatest, std::abs(mean(i + step, j, k) - centre),
-                                 std::abs(mean(i, j + step, k) - centre), std::abs(mean(i, j, k + step) - centre)});
+            greatest = std::max({greatest, std::abs(mean(i + step, j, k) - center),
+                                 std::abs(mean(i, j + step, k) - center), std::abs(mean(i, j, k + step) - center)});
         }
         return greatest;
     }
@@ -102,8 +102,8 @@ bool showsHu(std::vector<float>& values, double low)
     const auto dark = values.begin() + static_cast<std::ptrdiff_t>(darkShare * static_cast<double>(values.size()));
     std::nth_element(values.begin(), dark, values.end());
     const auto dense = std::count_if(values.begin(), values.end(), [](float value) { return value > denseHu; });
-    return low < mostAirHu ||
-           (*dark < darkHu && static_cast<double>(dense) < mostDenseShare * static_cast<double>(values.size()));
+    return low < maxAirHu ||
+           (*dark < darkHu && static_cast<double>(dense) < maxDenseShare * static_cast<double>(values.size()));
 }
 
 Range rangeOf(const Reader& reader)
@@ -131,9 +131,9 @@ Histogram histogramOf(const Reader& reader, const Range& range, double above, in
         if (reader.at(i, j, k) <= above) {
             return;
         }
-        const double centre = reader.mean(i, j, k);
-        const double bin = (centre - histogram.low) / histogram.binWidth;
-        if (bin >= 0.0 && bin < levelBins && reader.change(i, j, k, centre) < unchanged * (range.high - range.low)) {
+        const double center = reader.mean(i, j, k);
+        const double bin = (center - histogram.low) / histogram.binWidth;
+        if (bin >= 0.0 && bin < levelBins && reader.change(i, j, k, center) < unchanged * (range.high - range.low)) {
             histogram.ml[static_cast<std::size_t>(bin)] += reader.voxelMl() * step * step * step;
         }
     });
@@ -192,21 +192,20 @@ std::size_t highestBin(const Histogram& histogram, double above, double below)
 double tissueWithoutHu(const Histogram& histogram, const Range& range)
 {
     const std::size_t highest = highestBin(histogram, range.low - 1.0, std::numeric_limits<double>::max());
-    const double mostAir = range.low + airShare * (range.high - range.low);
-    if (histogram.valueOf(highest) > mostAir) {
+    const double maxAir = range.low + airShare * (range.high - range.low);
+    if (histogram.valueOf(highest) > maxAir) {
         return histogram.valueOf(highest);
     }
     double airMl = 0.0;
-    for (std::size_t b = 0; b < levelBins && histogram.valueOf(b) <= mostAir; ++b) {
+    for (std::size_t b = 0; b < levelBins && histogram.valueOf(b) <= maxAir; ++b) {
         airMl += histogram.ml[b];
     }
-    const std::vector<Peak> peaks = peaksOf(histogram, mostAir);
-    double leastMl = leastBodyShare * airMl;
+    const std::vector<Peak> peaks = peaksOf(histogram, maxAir);
+    double minMl = minBodyShare * airMl;
     for (const Peak& peak : peaks) {
-        leastMl = std::max(leastMl, leastMuscleShare * peak.ml);
+        minMl = std::max(minMl, minMuscleShare * peak.ml);
     }
-    const auto muscle =
-        std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) { return peak.ml >= leastMl; });
+    const auto muscle = std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) { return peak.ml >= minMl; });
     const bool isBelowBlood = muscle != peaks.rend() && muscle != peaks.rbegin();
     return histogram.valueOf(isBelowBlood ? muscle->bin : highest);
 }
@@ -244,7 +243,7 @@ double valueAbove(std::vector<float>& values, double ml, double mlOfOne)
 }
 
 /// Most of the values between the two lie around it.
-double mostCommon(const std::vector<float>& values, double low, double high)
+double maxCommon(const std::vector<float>& values, double low, double high)
 {
     constexpr std::size_t bins = 60;
     std::array<double, bins + 2> counts{};
@@ -291,19 +290,18 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     BloodLevel level;
     level.isHu = isHu;
     level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), range, isHu);
-    const double leastBlood =
-        threshold ? *threshold
-                  : level.tissue + (isHu ? leastContrastHu : leastContrastShare * (range.high - level.tissue));
+    const double minBlood =
+        threshold ? *threshold : level.tissue + (isHu ? minContrastHu : minContrastShare * (range.high - level.tissue));
     // Blood may be rare, so that every voxel counts.
-    const Histogram histogram = histogramOf(reader, range, leastBlood, 1);
-    const std::vector<Peak> peaks = peaksOf(histogram, leastBlood);
-    double greatest = leastBloodMl;
+    const Histogram histogram = histogramOf(reader, range, minBlood, 1);
+    const std::vector<Peak> peaks = peaksOf(histogram, minBlood);
+    double greatest = minBloodMl;
     for (const Peak& peak : peaks) {
-        greatest = histogram.valueOf(peak.bin) <= search.mostBlood ? std::max(greatest, peak.ml) : greatest;
+        greatest = histogram.valueOf(peak.bin) <= search.maxBlood ? std::max(greatest, peak.ml) : greatest;
     }
     const auto found = std::find_if(peaks.rbegin(), peaks.rend(), [&](const Peak& peak) {
-        return peak.ml >= std::max(leastBloodMl, shareOfGreatest * greatest) &&
-               histogram.valueOf(peak.bin) <= search.mostBlood;
+        return peak.ml >= std::max(minBloodMl, shareOfGreatest * greatest) &&
+               histogram.valueOf(peak.bin) <= search.maxBlood;
     });
     if (found == peaks.rend() && !threshold) {
         return Error(says::noContrast(scanValue(level.tissue, isHu)));
@@ -330,9 +328,9 @@ Result<BloodLevel> brightestLevel(const Volume& volume, const AxisOrder& order)
     BloodLevel level;
     level.blood = valueAbove(values, brightestMl, mlOfOne);
     const double low = *std::min_element(values.begin(), values.end());
-    level.tissue = mostCommon(values, low + airOfBrightest * (level.blood - low), level.blood);
+    level.tissue = maxCommon(values, low + airOfBrightest * (level.blood - low), level.blood);
     level.threshold = 0.5 * (level.tissue + level.blood);
-    if (level.blood - low < leastOfTissue * (level.tissue - low)) {
+    if (level.blood - low < minOfTissue * (level.tissue - low)) {
         return Error(says::noContrast(scanValue(level.tissue, false)));
     }
     return level;

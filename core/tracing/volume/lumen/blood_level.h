@@ -22,7 +22,7 @@ struct BloodLevel {
 /// Where blood is looked for.
 struct BloodSearch {
     std::optional<double> threshold = std::nullopt;   ///< where the lumen begins, if that was said
-    double mostBlood = std::numeric_limits<double>::max();   ///< bone is brighter
+    double maxBlood = std::numeric_limits<double>::max();   ///< bone is brighter
 };
 
 /// By its values; see `BloodLevel`.

@@ -45,20 +45,20 @@ void widen(VoxelMask& mask)
 
 }   // namespace
 
-void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const MetalOf& metalOf)
+void markBrightPieces(VoxelMask& mask, double minLargeMl, const BrightMarks& marks, const MetalOf& metalOf)
 {
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel != 0 ? bright : 0;
     }
     widen(mask);
     const double voxelMl = mask.geometry.spacingMm.prod() / 1000.0;
-    const auto leastVoxels = static_cast<std::size_t>(std::ceil(leastLargeMl / voxelMl));
+    const auto minVoxels = static_cast<std::size_t>(std::ceil(minLargeMl / voxelMl));
     const auto isBright = [&mask](std::uint32_t voxel) { return mask.voxels[voxel] == bright; };
-    std::vector<VoxelPiece> large = piecesOf(mask, leastVoxels);
+    std::vector<VoxelPiece> large = piecesOf(mask, minVoxels);
     for (VoxelPiece& piece : large) {
         std::erase_if(piece, [&](std::uint32_t voxel) { return !isBright(voxel); });
     }
-    std::erase_if(large, [&](const VoxelPiece& piece) { return piece.size() < leastVoxels; });
+    std::erase_if(large, [&](const VoxelPiece& piece) { return piece.size() < minVoxels; });
     for (std::uint8_t& voxel : mask.voxels) {
         voxel = voxel == bright ? marks.small : std::uint8_t{0};
     }

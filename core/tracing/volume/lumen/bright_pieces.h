@@ -20,7 +20,7 @@ struct BrightMarks {
 using MetalOf = std::function<VoxelPiece(const VoxelPiece& piece)>;
 
 /// Turns what is set into `marks`. What lies within some millimetres belongs to one piece: where voxels are fine, the
-/// wires of a stent and the beams of bone fall apart. Large pieces have `leastLargeMl` or more.
-void markBrightPieces(VoxelMask& mask, double leastLargeMl, const BrightMarks& marks, const MetalOf& metalOf = {});
+/// wires of a stent and the beams of bone fall apart. Large pieces have `minLargeMl` or more.
+void markBrightPieces(VoxelMask& mask, double minLargeMl, const BrightMarks& marks, const MetalOf& metalOf = {});
 
 }   // namespace angiopose::core

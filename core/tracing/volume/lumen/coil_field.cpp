@@ -14,16 +14,16 @@ constexpr double cellMm = 12.0;
 constexpr int samplesAlong = 5;   ///< of a cell, along each axis
 constexpr double overNoise = 1.6;   ///< a cell's median over that of air, for it to be tissue
 constexpr double airCells = 0.05;   ///< of the cells, if there is any
-constexpr double leastOfRange = 0.02;   ///< of the brightest cell: darker is air where air has no noise
-constexpr std::size_t leastCells = 60;
+constexpr double minOfRange = 0.02;   ///< of the brightest cell: darker is air where air has no noise
+constexpr std::size_t minCells = 60;
 constexpr int coilRounds = 10;
 constexpr double otherTissue = 0.7;   ///< natural logarithm: organs that differ more say nothing of the coil
 constexpr double coilStiffness = 1e-3;   ///< of the cells, against bends that few cells ask for
-constexpr double leastFallOff = 2.0;
-constexpr double mostFallOff = 8.0;   ///< beyond, noise alone would be made brighter
-constexpr double mostScatter = 0.3;   ///< median deviation from the field, natural logarithm
-constexpr double leastExplained = 0.5;   ///< of the variance of the tissue
-constexpr double mostStoredOfCoil = 32000.0;
+constexpr double minFallOff = 2.0;
+constexpr double maxFallOff = 8.0;   ///< beyond, noise alone would be made brighter
+constexpr double maxScatter = 0.3;   ///< median deviation from the field, natural logarithm
+constexpr double minExplained = 0.5;   ///< of the variance of the tissue
+constexpr double maxStoredOfCoil = 32000.0;
 
 using Terms = Eigen::Matrix<double, 10, 1>;
 
@@ -106,7 +106,7 @@ std::vector<Cell> tissueAmong(std::vector<Cell> cells)
     std::ranges::sort(cells, {}, &Cell::median);
     const double air =
         std::max(0.0, cells[static_cast<std::size_t>(airCells * static_cast<double>(cells.size()))].median);
-    const double least = std::max(overNoise * air, leastOfRange * cells.back().median);
+    const double least = std::max(overNoise * air, minOfRange * cells.back().median);
     std::erase_if(cells, [&](const Cell& cell) { return cell.median <= least; });
     for (Cell& cell : cells) {
         cell.logarithm = 0.5 * std::log(cell.median * cell.median - air * air);
@@ -165,16 +165,16 @@ std::optional<FieldReach> reachOf(const Terms& field, const std::vector<Cell>& c
         return fields[static_cast<std::size_t>(share * static_cast<double>(fields.size() - 1))];
     };
     const FieldReach reach{at(0.02), at(0.98)};
-    const bool isCoil = reach.high - reach.low >= std::log(leastFallOff) && left <= (1.0 - leastExplained) * all &&
-                        medianOf(std::move(deviations)) <= mostScatter;
+    const bool isCoil = reach.high - reach.low >= std::log(minFallOff) && left <= (1.0 - minExplained) * all &&
+                        medianOf(std::move(deviations)) <= maxScatter;
     return isCoil ? std::optional(reach) : std::nullopt;
 }
 
 Volume dividedBy(const Terms& field, const FieldReach& reach, const CoilScan& scan, const Volume& volume)
 {
-    const double least = std::max(reach.low, reach.high - std::log(mostFallOff));
+    const double least = std::max(reach.low, reach.high - std::log(maxFallOff));
     const VolumeGeometry& grid = scan.order().geometry;
-    const auto eachEvened = [&](const auto& visit) {
+    const auto eachCorrected = [&](const auto& visit) {
         for (int k = 0; k < grid.size.z(); ++k) {
             for (int j = 0; j < grid.size.y(); ++j) {
                 for (int i = 0; i < grid.size.x(); ++i) {
@@ -186,22 +186,22 @@ Volume dividedBy(const Terms& field, const FieldReach& reach, const CoilScan& sc
         }
     };
     double most = 1.0;
-    eachEvened([&](std::size_t, double value) { most = std::max(most, std::abs(value)); });
-    Volume evened(volume.geometry);
-    evened.slope = std::max(std::abs(volume.slope), most / mostStoredOfCoil);
-    eachEvened([&](std::size_t voxel, double value) {
-        evened.voxels[voxel] = static_cast<std::int16_t>(std::lround(value / evened.slope));
+    eachCorrected([&](std::size_t, double value) { most = std::max(most, std::abs(value)); });
+    Volume corrected(volume.geometry);
+    corrected.slope = std::max(std::abs(volume.slope), most / maxStoredOfCoil);
+    eachCorrected([&](std::size_t voxel, double value) {
+        corrected.voxels[voxel] = static_cast<std::int16_t>(std::lround(value / corrected.slope));
     });
-    return evened;
+    return corrected;
 }
 
 }   // namespace
 
-std::optional<EvenedScan> evenedOut(const Volume& volume, const AxisOrder& order)
+std::optional<BiasCorrectedScan> biasCorrected(const Volume& volume, const AxisOrder& order)
 {
     const CoilScan scan(volume, order);
     const std::vector<Cell> tissue = tissueAmong(scan.cells());
-    if (tissue.size() < leastCells) {
+    if (tissue.size() < minCells) {
         return {};
     }
     const Terms field = fieldThrough(tissue);
@@ -209,7 +209,7 @@ std::optional<EvenedScan> evenedOut(const Volume& volume, const AxisOrder& order
     if (!reach) {
         return {};
     }
-    return EvenedScan{dividedBy(field, *reach, scan, volume), std::exp(reach->high - reach->low)};
+    return BiasCorrectedScan{dividedBy(field, *reach, scan, volume), std::exp(reach->high - reach->low)};
 }
 
 }   // namespace angiopose::core

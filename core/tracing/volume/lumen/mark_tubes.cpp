@@ -15,9 +15,9 @@ namespace {
 constexpr int blockSize = 64;
 constexpr std::array<double, 3> scalesInVoxels{0.9, 1.7, 3.0};
 constexpr double reachInSigmas = 3.0;
-constexpr float leastCurvature = 0.075F;   ///< times σ², of the blood's contrast; a vessel of radius σ has 0.3
-constexpr float leastRoundness = 0.33F;   ///< weaker over stronger curvature across: a sheet has none
-constexpr float mostAlong = 0.75F;   ///< curvature along over the weaker one across: a ball has 1
+constexpr float minCurvature = 0.075F;   ///< times σ², of the blood's contrast; a vessel of radius σ has 0.3
+constexpr float minRoundness = 0.33F;   ///< weaker over stronger curvature across: a sheet has none
+constexpr float maxAlong = 0.75F;   ///< curvature along over the weaker one across: a ball has 1
 
 /// Part of the scan with a margin, as share of blood.
 struct TubeBlock {
@@ -80,8 +80,8 @@ void smoothAlong(TubeBlock& block, std::vector<float>& scratch, int axis, double
         for (std::ptrdiff_t base = 0; base < total; base += run * count) {
             for (int n = 0; n < count; ++n) {
                 for (std::size_t tap = 0; tap < kernel.size(); ++tap) {
-                    const int neighbour = std::clamp(n + static_cast<int>(tap) - reach, 0, count - 1);
-                    addRow(&block.fill[static_cast<std::size_t>(base + run * neighbour)], kernel[tap],
+                    const int neighbor = std::clamp(n + static_cast<int>(tap) - reach, 0, count - 1);
+                    addRow(&block.fill[static_cast<std::size_t>(base + run * neighbor)], kernel[tap],
                            &scratch[static_cast<std::size_t>(base + run * n)], run);
                 }
             }
@@ -112,24 +112,24 @@ Eigen::Matrix3f curvatureAt(const TubeBlock& block, std::ptrdiff_t at, const Eig
 
 bool isTube(const Eigen::Matrix3f& hessian)
 {
-    if (hessian.trace() >= -2.0F * leastCurvature) {
+    if (hessian.trace() >= -2.0F * minCurvature) {
         return false;
     }
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
     solver.computeDirect(hessian, Eigen::EigenvaluesOnly);
     const Eigen::Vector3f& values = solver.eigenvalues();   // ascending: strongest across, weaker across, along
-    return values[1] < -leastCurvature && values[1] < leastRoundness * values[0] &&
-           std::abs(values[2]) < -mostAlong * values[1];
+    return values[1] < -minCurvature && values[1] < minRoundness * values[0] &&
+           std::abs(values[2]) < -maxAlong * values[1];
 }
 
 /// One scan, its settings, and the work on one block.
 class TubeMarker {
 public:
-    TubeMarker(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double leastFill)
+    TubeMarker(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill)
         : volume_(volume),
           order_(order),
           level_(level),
-          leastFill_(static_cast<float>(leastFill)),
+          minFill_(static_cast<float>(minFill)),
           voxelMm_(std::cbrt(order.geometry.spacingMm.prod()))
     {
         const double widest = scalesInVoxels.back() * voxelMm_ / order.geometry.spacingMm.minCoeff();
@@ -179,7 +179,7 @@ private:
         for (int k = low.z(); k < high.z(); ++k) {
             for (int j = low.y(); j < high.y(); ++j) {
                 for (int i = low.x(); i < high.x(); ++i) {
-                    if (fillAt(i, j, k) >= leastFill_) {
+                    if (fillAt(i, j, k) >= minFill_) {
                         found.emplace_back(i, j, k);
                     }
                 }
@@ -234,7 +234,7 @@ private:
     const Volume& volume_;
     const AxisOrder& order_;
     const BloodLevel& level_;
-    float leastFill_;
+    float minFill_;
     double voxelMm_;
     int margin_ = 1;
     Eigen::Array3i blocks_;
@@ -242,10 +242,10 @@ private:
 
 }   // namespace
 
-void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double leastFill,
-               VoxelMask& flags, const TubeBits& bits, int threads, TracingProgress& progress)
+void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill, VoxelMask& flags,
+               const TubeBits& bits, int threads, TracingProgress& progress)
 {
-    const TubeMarker marker(volume, order, level, leastFill);
+    const TubeMarker marker(volume, order, level, minFill);
     parallelFor(
         marker.blockCount(), threads, [&](std::size_t block) { marker.mark(block, flags, bits); },
         [&](double share) { return progress.advance(share); });

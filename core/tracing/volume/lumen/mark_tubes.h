@@ -17,9 +17,9 @@ struct TubeBits {
 
 /// Sets `bits` in `flags` (patient axis order). A line is where two curvatures of the smoothed brightness are strong
 /// and alike and the third is weak (Sato 1998, Frangi 1998), at one of three scales up to three voxels. Only voxels
-/// that hold at least `leastFill` of blood are looked at. Works in blocks, so that it needs little memory. Incomplete
+/// that hold at least `minFill` of blood are looked at. Works in blocks, so that it needs little memory. Incomplete
 /// when stopped.
-void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double leastFill,
-               VoxelMask& flags, const TubeBits& bits, int threads, TracingProgress& progress);
+void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill, VoxelMask& flags,
+               const TubeBits& bits, int threads, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -9,14 +9,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostBoneHu = 2000.0;
-constexpr double mostBoneFill = 5.0;   ///< in scans without Hounsfield units
+constexpr double maxBoneHu = 2000.0;
+constexpr double maxBoneFill = 5.0;   ///< in scans without Hounsfield units
 constexpr double solidReachMm = 6.0;   ///< bright as far as this to all sides: no stent, blurred as it may be
 constexpr double aroundMetalMm = 2.0;   ///< from its brightest voxels, what they blur and the thinner wires between
 constexpr double besideWiresMm = 3.0;   ///< beyond what the wires blur
 constexpr double brightFill = 1.6;
-constexpr double leastBesideFill = 0.7;
-constexpr double leastBesideShare = 0.38;   ///< of what is not bright itself; wires in a sternum have 0.3
+constexpr double minBesideFill = 0.7;
+constexpr double minBesideShare = 0.38;   ///< of what is not bright itself; wires in a sternum have 0.3
 
 /// The places so many voxels away along each axis.
 std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
@@ -47,11 +47,11 @@ public:
         for (const Eigen::Vector3i& at : sidesOf(voxel, beside_)) {
             const double fill = grid_.contains(at) ? fill_(at.x(), at.y(), at.z()) : 2.0 * brightFill;
             seen_ += fill <= brightFill ? 1 : 0;
-            blood_ += fill >= leastBesideFill && fill <= brightFill ? 1 : 0;
+            blood_ += fill >= minBesideFill && fill <= brightFill ? 1 : 0;
         }
     }
 
-    bool isBlood() const { return static_cast<double>(blood_) > leastBesideShare * static_cast<double>(seen_); }
+    bool isBlood() const { return static_cast<double>(blood_) > minBesideShare * static_cast<double>(seen_); }
 
 private:
     Eigen::Vector3i voxelsIn(double mm) const { return (mm / grid_.spacingMm.array()).round().cast<int>().max(2); }
@@ -64,9 +64,9 @@ private:
     std::size_t blood_ = 0;
 };
 
-double mostBone(const BloodLevel& level)
+double maxBone(const BloodLevel& level)
 {
-    return level.isHu ? (mostBoneHu - level.tissue) / level.contrast() : mostBoneFill;
+    return level.isHu ? (maxBoneHu - level.tissue) / level.contrast() : maxBoneFill;
 }
 
 bool isStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill)
@@ -110,11 +110,11 @@ VoxelPiece partAround(const VoxelPiece& metal, const VoxelPiece& piece, const Vo
 VoxelPiece metalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
                         const VoxelFill& fill)
 {
-    const double leastMetal = mostBone(level);
+    const double minMetal = maxBone(level);
     VoxelPiece metal;
     std::ranges::copy_if(piece, std::back_inserter(metal), [&](std::uint32_t voxel) {
         const Eigen::Vector3i at = grid.voxelAt(voxel);
-        return fill(at.x(), at.y(), at.z()) > leastMetal;
+        return fill(at.x(), at.y(), at.z()) > minMetal;
     });
     if (metal.empty() || isStent(piece, grid, fill)) {
         return metal.empty() ? VoxelPiece() : piece;

@@ -2,8 +2,8 @@
 
 #include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
+#include "core/tracing/volume/lumen/blooming_voxels.h"
 #include "core/tracing/volume/lumen/bright_pieces.h"
-#include "core/tracing/volume/lumen/bright_skirts.h"
 #include "core/tracing/volume/lumen/mark_tubes.h"
 #include "core/tracing/volume/lumen/metal_in_blood.h"
 #include "core/tracing/volume/stents/stent_width.h"
@@ -21,24 +21,24 @@ namespace {
 constexpr TubeBits bits;
 constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
 constexpr std::uint8_t tooBright = 8;
-constexpr std::uint8_t chalk = 16;   ///< too bright, but in a small piece
+constexpr std::uint8_t calcification = 16;   ///< too bright, but in a small piece
 constexpr std::uint8_t metal = 32;   ///< too bright, of a stent with blood within
-constexpr std::uint8_t skirt = 64;   ///< see `markSkirts`
+constexpr std::uint8_t blooming = 64;   ///< see `markBlooming`
 constexpr std::uint8_t wallBits = tooBright | metal;
 
-constexpr double leastTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
-constexpr double leastCoreFill = 0.55;
-constexpr double mostFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
-constexpr double mostMetal = 6.0;   ///< in sections: how bright beyond that says nothing more
-constexpr double mostUneven = 0.18;   ///< standard deviation within a core
-constexpr double mostBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
+constexpr double minTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
+constexpr double minCoreFill = 0.55;
+constexpr double maxFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
+constexpr double maxMetal = 6.0;   ///< in sections: how bright beyond that says nothing more
+constexpr double maxUneven = 0.18;   ///< standard deviation within a core
+constexpr double maxBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
 constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
 constexpr double rimMm = 1.5;   ///< around bone and metal, what blurring makes as bright as blood; at least a voxel
-constexpr int mostWireWidth = 2;   ///< voxels up to its crest
-constexpr double skirtMm = 4.0;   ///< from bone and dense contrast medium, how far streaks and blurring lead
+constexpr int maxWireWidth = 2;   ///< voxels up to its crest
+constexpr double bloomingMm = 4.0;   ///< from bone and dense contrast medium, how far streaks and blurring lead
 constexpr double cortexReachMm = 1.4;   ///< from marrow to the shell of its bone; at least two voxels
-constexpr double mostBoneWall = 0.3;   ///< of a vessel's wall
-constexpr double leastCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
+constexpr double maxBoneWall = 0.3;   ///< of a vessel's wall
+constexpr double minCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
 
 class Segmenter {
 public:
@@ -50,7 +50,7 @@ public:
           threads_(threads),
           coreReach_(voxelsIn(coreReachMm, 2)),
           rim_(voxelsIn(rimMm, 1)),
-          skirtReach_(voxelsIn(skirtMm, 2)),
+          bloomingReach_(voxelsIn(bloomingMm, 2)),
           cortexReach_(voxelsIn(cortexReachMm, 2)),
           flags_(order.geometry)
     {
@@ -61,8 +61,8 @@ public:
         markTooBright(progress);
         eachSlice(progress, [&](int k) { markCores(k); });
         openThinStents(progress);
-        markTubes(volume_, order_, level_, leastTubeFill, flags_, bits, threads_, progress);
-        markSkirts(flags_, {tooBright, core | metal, skirt}, fill(), leastTubeFill, skirtReach_, progress);
+        markTubes(volume_, order_, level_, minTubeFill, flags_, bits, threads_, progress);
+        markBlooming(flags_, {tooBright, core | metal, blooming}, fill(), minTubeFill, bloomingReach_, progress);
         SegmentedLumen lumen{VoxelMask(order_.geometry), {}};
         eachSlice(progress, [&](int k) { choose(lumen.clear, k); });
         if (progress.advance(0.0)) {
@@ -70,7 +70,7 @@ public:
         }
         if (progress.advance(0.0)) {
             lumen.besideWires =
-                lumenBesideWires(lumen.clear, wires(), fill(), rim_.maxCoeff() + mostWireWidth, progress);
+                lumenBesideWires(lumen.clear, wires(), fill(), rim_.maxCoeff() + maxWireWidth, progress);
         }
         return lumen;
     }
@@ -115,12 +115,12 @@ private:
     {
         eachSlice(progress, [&](int k) {
             eachVoxel(flags_, k,
-                      [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > mostFillOfLumen ? 1 : 0; });
+                      [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > maxFillOfLumen ? 1 : 0; });
         });
         if (progress.isStopped()) {
             return;
         }
-        markBrightPieces(flags_, mostBrightMl, {tooBright, chalk, metal}, [&](const VoxelPiece& piece) {
+        markBrightPieces(flags_, maxBrightMl, {tooBright, calcification, metal}, [&](const VoxelPiece& piece) {
             VoxelPiece stent = metalInBlood(piece, order_.geometry, level_, fill());
             if (!stent.empty()) {
                 stents_.push_back(stent);
@@ -176,14 +176,14 @@ private:
             const double fill =
                 fillAt(std::clamp(i + step[0], 0, size_.x() - 1), std::clamp(j + step[1], 0, size_.y() - 1),
                        std::clamp(k + step[2], 0, size_.z() - 1));
-            if (fill < leastCoreFill || fill > mostFillOfLumen) {
+            if (fill < minCoreFill || fill > maxFillOfLumen) {
                 return false;
             }
             sum += fill;
             squares += fill * fill;
         }
         const double mean = sum / steps.size();
-        return squares / steps.size() - mean * mean < mostUneven * mostUneven;
+        return squares / steps.size() - mean * mean < maxUneven * maxUneven;
     }
 
     bool isNear(int i, int j, int k, const Eigen::Vector3i& reach, std::uint8_t what) const
@@ -207,7 +207,7 @@ private:
         for (int j = 0; j < size_.y(); ++j) {
             for (int i = 0; i < size_.x(); ++i) {
                 const std::uint8_t flag = flags_.at(i, j, k);
-                if (flag == 0 || (flag & skirt) != 0 || isNear(i, j, k, rim_, wallBits)) {
+                if (flag == 0 || (flag & blooming) != 0 || isNear(i, j, k, rim_, wallBits)) {
                     continue;
                 }
                 const bool isCore = (flag & core) != 0;
@@ -247,8 +247,8 @@ private:
                 boneWall += isNear(at.x(), at.y(), at.z(), cortexReach_, tooBright) ? 1 : 0;
             }
         }
-        return static_cast<double>(boneWall) > mostBoneWall * static_cast<double>(wall) &&
-               static_cast<double>(cores) < leastCoreShare * static_cast<double>(piece.size());
+        return static_cast<double>(boneWall) > maxBoneWall * static_cast<double>(wall) &&
+               static_cast<double>(cores) < minCoreShare * static_cast<double>(piece.size());
     }
 
     static bool isWall(const VoxelMask& lumen, const Eigen::Vector3i& voxel)
@@ -272,7 +272,7 @@ private:
     int threads_;
     Eigen::Vector3i coreReach_;   ///< voxels along each axis, as are those below
     Eigen::Vector3i rim_;
-    Eigen::Vector3i skirtReach_;
+    Eigen::Vector3i bloomingReach_;
     Eigen::Vector3i cortexReach_;
     std::vector<VoxelPiece> stents_;   ///< of all, later of wide vessels alone
     VoxelMask flags_;
@@ -292,7 +292,7 @@ BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel&
         return interpolated(order.geometry, pointMm, [&](const Eigen::Vector3i& at) {
             const double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
             const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
-            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, mostMetal);
+            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, maxMetal);
         });
     };
 }

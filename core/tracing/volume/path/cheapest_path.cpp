@@ -12,20 +12,20 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastMarginMm = 15.0;   // of the searched part, around both ends
-constexpr double mostMarginMm = 40.0;
+constexpr double minMarginMm = 15.0;   // of the searched part, around both ends
+constexpr double maxMarginMm = 40.0;
 constexpr double marginPerWay = 0.35;
 constexpr std::size_t settledPerReport = 4096;
 
 /// A step to one of the 26 neighbours.
-struct NeighbourStep {
+struct NeighborStep {
     Eigen::Vector3i way;
     float lengthMm;
 };
 
-std::array<NeighbourStep, 26> neighbourSteps(const Eigen::Vector3d& spacingMm)
+std::array<NeighborStep, 26> neighborSteps(const Eigen::Vector3d& spacingMm)
 {
-    std::array<NeighbourStep, 26> steps;
+    std::array<NeighborStep, 26> steps;
     for (int n = 0, step = 0; n < 27; ++n) {
         const Eigen::Vector3i way(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         if (way != Eigen::Vector3i::Zero()) {
@@ -49,22 +49,22 @@ using WaitingVoxels = std::priority_queue<Waiting, std::vector<Waiting>, std::gr
 class PathSearch {
 public:
     PathSearch(const VolumeGeometry& box, const Eigen::Vector3i& first, const VoxelCost& cost)
-        : box_(box), first_(first), cost_(cost), steps_(neighbourSteps(box.spacingMm)), cells_(box.size)
+        : box_(box), first_(first), cost_(cost), steps_(neighborSteps(box.spacingMm)), cells_(box.size)
     {
     }
 
-    CheapestPath between(const Eigen::Vector3i& from, const Eigen::Vector3i& to, std::size_t mostSettled,
+    CheapestPath between(const Eigen::Vector3i& from, const Eigen::Vector3i& to, std::size_t maxSettled,
                          TracingProgress& progress)
     {
         ends_ = {from - first_, to - first_};
         for (const std::size_t side : {0U, 1U}) {
             reach(cells_.at(ends_[side]), ends_[side], 0.0F, side);
         }
-        for (std::size_t settled = 0; !isFound() && settled < mostSettled;) {
+        for (std::size_t settled = 0; !isFound() && settled < maxSettled;) {
             // Where fewer wait less is seen until both meet.
             settled += settleNext(waiting_[0].size() <= waiting_[1].size() ? 0 : 1) ? 1 : 0;
             if (settled % settledPerReport == 0 &&
-                !progress.advance(static_cast<double>(settled) / static_cast<double>(mostSettled))) {
+                !progress.advance(static_cast<double>(settled) / static_cast<double>(maxSettled))) {
                 return {};
             }
         }
@@ -92,7 +92,7 @@ private:
 
     float halfLeastCost(const Eigen::Vector3i& voxel, const Eigen::Vector3i& end) const
     {
-        return static_cast<float>(0.5 * cost_.leastPerMm *
+        return static_cast<float>(0.5 * cost_.minPerMm *
                                   (voxel - end).cast<double>().cwiseProduct(box_.spacingMm).norm());
     }
 
@@ -160,7 +160,7 @@ private:
     VolumeGeometry box_;
     Eigen::Vector3i first_;
     const VoxelCost& cost_;
-    std::array<NeighbourStep, 26> steps_;
+    std::array<NeighborStep, 26> steps_;
     SearchCells cells_;
     std::array<Eigen::Vector3i, 2> ends_;
     std::array<WaitingVoxels, 2> waiting_;
@@ -173,14 +173,14 @@ private:
 VoxelRange searchedRange(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to)
 {
     const double wayMm = (to - from).cast<double>().cwiseProduct(grid.spacingMm).norm();
-    const double marginMm = std::clamp(marginPerWay * wayMm, leastMarginMm, mostMarginMm);
+    const double marginMm = std::clamp(marginPerWay * wayMm, minMarginMm, maxMarginMm);
     const Eigen::Vector3i margin = (marginMm * grid.spacingMm.cwiseInverse()).array().ceil().cast<int>();
     return {(from.cwiseMin(to) - margin).cwiseMax(0),
             ((from.cwiseMax(to) + margin).array() + 1).matrix().cwiseMin(grid.size)};
 }
 
 CheapestPath cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to,
-                          const VoxelCost& cost, std::size_t mostSettled, TracingProgress& progress)
+                          const VoxelCost& cost, std::size_t maxSettled, TracingProgress& progress)
 {
     const VoxelRange range = searchedRange(grid, from, to);
     VolumeGeometry box;
@@ -189,7 +189,7 @@ CheapestPath cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& fro
     if (box.voxelCount() > std::numeric_limits<std::uint32_t>::max()) {
         return {{}, true};
     }
-    return PathSearch(box, range.low, cost).between(from, to, mostSettled, progress);
+    return PathSearch(box, range.low, cost).between(from, to, maxSettled, progress);
 }
 
 }   // namespace angiopose::core

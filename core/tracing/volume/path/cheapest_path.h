@@ -14,7 +14,7 @@ namespace angiopose::core {
 /// search reaches.
 struct VoxelCost {
     std::function<double(const Eigen::Vector3i& voxel)> perMm;
-    double leastPerMm = 0.0;   ///< no voxel costs less; the nearer the truth, the fewer are searched
+    double minPerMm = 0.0;   ///< no voxel costs less; the nearer the truth, the fewer are searched
 };
 
 /// What a search came to.
@@ -28,8 +28,8 @@ VoxelRange searchedRange(const VolumeGeometry& grid, const Eigen::Vector3i& from
 
 /// The cheapest way over neighbouring voxels from one to another within `searchedRange`, sought from both ends and
 /// first where the straight way on is short (Dijkstra 1959; Ikeda et al. 1994). None when stopped, where all is closed,
-/// or when `mostSettled` voxels were searched in vain.
+/// or when `maxSettled` voxels were searched in vain.
 CheapestPath cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to,
-                          const VoxelCost& cost, std::size_t mostSettled, TracingProgress& progress);
+                          const VoxelCost& cost, std::size_t maxSettled, TracingProgress& progress);
 
 }   // namespace angiopose::core

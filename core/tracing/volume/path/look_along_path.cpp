@@ -18,8 +18,8 @@ constexpr double clearlyDarker = 0.5;   // of the vessel's height: not another v
 constexpr double withinBlood = 0.5;   // of the usual height over tissue: all around is blood
 constexpr double otherVessel = 0.4;   // what is less dark is blurred with another vessel
 constexpr double rankBeside = 0.75;   // of what is darker
-constexpr double mostFillBeside = 0.35;
-constexpr std::size_t leastAround = 6;   // of 26 places
+constexpr double maxFillBeside = 0.35;
+constexpr std::size_t minAround = 6;   // of 26 places
 
 /// What is right beside the vessel, where enough is darker than it; else what is farther around. Beside lung or fat the
 /// rest must not look half like blood.
@@ -36,12 +36,12 @@ VesselLook lookBeside(const PathGround& ground, const Eigen::Vector3i& voxel, Ve
             darker.push_back(value);
         }
     }
-    if (darker.size() >= leastAround) {
+    if (darker.size() >= minAround) {
         look.tissue = medianOf(darker);
     }
-    if (around.size() >= leastAround) {
+    if (around.size() >= minAround) {
         const double brightBeside = quantile(around, rankBeside);
-        look.tissue = std::max(look.tissue, (brightBeside - mostFillBeside * look.blood) / (1.0 - mostFillBeside));
+        look.tissue = std::max(look.tissue, (brightBeside - maxFillBeside * look.blood) / (1.0 - maxFillBeside));
     }
     return look;
 }
@@ -55,10 +55,10 @@ void lookBeyondBlood(std::vector<VesselLook>& looks)
         heights.push_back(look.blood - look.tissue);
         tissues.push_back(look.tissue);
     }
-    const double leastHeight = withinBlood * medianOf(heights);
+    const double minHeight = withinBlood * medianOf(heights);
     const double tissue = medianOf(tissues);
     for (VesselLook& look : looks) {
-        look.tissue = look.blood - look.tissue < leastHeight ? std::min(look.tissue, tissue) : look.tissue;
+        look.tissue = look.blood - look.tissue < minHeight ? std::min(look.tissue, tissue) : look.tissue;
     }
 }
 

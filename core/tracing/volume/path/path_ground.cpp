@@ -12,7 +12,7 @@ constexpr std::array shellRadiiMm{1.2, 1.8, 2.6, 3.6, 5.0, 7.0, 10.0, 14.0};
 constexpr double shellBeyondWall = 1.2;
 constexpr double clearDrop = 0.4;   // of a voxel's height above tissue, to what lies beside it
 // Along a straight tube about 9 of 13 directions leave it; in a wall 4, where it goes on flat 0.
-constexpr double leastShareOfTube = 0.35;
+constexpr double minShareOfTube = 0.35;
 constexpr double shareOfTube = 0.65;
 constexpr int directions = 13;
 constexpr double tissueReachMm = 6.0;
@@ -34,7 +34,7 @@ std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& s
 double shareOfPairs(int darker)
 {
     const double share = static_cast<double>(darker) / directions;
-    return std::clamp((share - leastShareOfTube) / (shareOfTube - leastShareOfTube), 0.0, 1.0);
+    return std::clamp((share - minShareOfTube) / (shareOfTube - minShareOfTube), 0.0, 1.0);
 }
 
 }   // namespace
@@ -111,10 +111,10 @@ double PathGround::tubeShare(const Eigen::Vector3i& voxel, double tissue) const
     if (drop <= 0.0) {
         return 0.0;
     }
-    const int leastThatCounts = static_cast<int>(std::floor(leastShareOfTube * directions)) + 1;
+    const int minThatCounts = static_cast<int>(std::floor(minShareOfTube * directions)) + 1;
     int most = 0;
     for (const Shell& shell : shells_) {
-        most = std::max(most, darkerPairs(shell, voxel, here - drop, std::max(most + 1, leastThatCounts)));
+        most = std::max(most, darkerPairs(shell, voxel, here - drop, std::max(most + 1, minThatCounts)));
         if (shareOfPairs(most) >= 1.0) {
             break;
         }

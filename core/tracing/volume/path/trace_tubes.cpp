@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mostWidening = 1.4;   // over the vessel that a branch leaves
+constexpr double maxWidening = 1.4;   // over the vessel that a branch leaves
 constexpr double radiusNoiseMm = 0.3;
 
 /// The voxels inside the branches, in the order of the scan.
@@ -39,7 +39,7 @@ bool widens(const VesselBranch& branch, const VesselBranch& parent)
             (parent.pointsInPatient[n] - start).norm() < (parent.pointsInPatient[nearest] - start).norm();
         nearest = isNearer ? n : nearest;
     }
-    return medianOf(branch.radiusMm) > mostWidening * parent.radiusMm[nearest] + radiusNoiseMm;
+    return medianOf(branch.radiusMm) > maxWidening * parent.radiusMm[nearest] + radiusNoiseMm;
 }
 
 /// Without branches that widen, and what leaves those; `paths` as the branches.

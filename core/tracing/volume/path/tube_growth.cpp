@@ -16,14 +16,14 @@ namespace {
 // Costs of a millimetre (see `costOfVoxel`): below the first a voxel is a tube's, as of 0.7 of the blood's height and
 // half a tube; what costs more adds to a way's debt.
 constexpr double tubeCost = 3.3;
-constexpr double mostDebt = 9.0;   // about 3 mm of a chamber, a quarter of a mm of tissue
+constexpr double maxDebt = 9.0;   // about 3 mm of a chamber, a quarter of a mm of tissue
 constexpr double paidBack = 0.5;   // of what a tube's voxel costs less
 constexpr double memoryMm = 12.0;   // over which the look of a way follows what it runs through
 constexpr double fadingMm = 100.0;   // over which the contrast of an artery fades
-constexpr double leastOfFull = 0.6;   // a vein, later filled, has less
+constexpr double minOfFull = 0.6;   // a vein, later filled, has less
 constexpr double radiusInShell = 0.35;   // at least
 constexpr double blurInVoxels = 1.0;
-constexpr std::size_t mostGrown = 2'000'000;
+constexpr std::size_t maxGrown = 2'000'000;
 constexpr std::size_t grownPerReport = 4096;
 constexpr double radiusOfShell = 0.75;   // the wall lies within the shell that is darker
 constexpr int noBranch = -1;
@@ -64,7 +64,7 @@ public:
             reached_[voxel] = {0.0, 0.0, 0.0, look, look.blood, voxel, true};
             waiting_.push({0.0, voxel});
         }
-        for (settled_ = 0; !waiting_.empty() && settled_ < mostGrown;) {
+        for (settled_ = 0; !waiting_.empty() && settled_ < maxGrown;) {
             const WaitingWay next = waiting_.top();
             waiting_.pop();
             ReachedVoxel& here = reached_.at(next.voxel);
@@ -74,14 +74,14 @@ public:
             here.isSettled = true;
             spread(next.voxel, here);
             if (++settled_ % grownPerReport == 0 &&
-                !progress.advance(static_cast<double>(settled_) / static_cast<double>(mostGrown))) {
+                !progress.advance(static_cast<double>(settled_) / static_cast<double>(maxGrown))) {
                 return false;
             }
         }
         return true;
     }
 
-    bool isCutShort() const { return settled_ >= mostGrown; }
+    bool isCutShort() const { return settled_ >= maxGrown; }
 
     /// The ends that are farthest from what is a branch already, one after the other.
     std::vector<BranchPath> branches()
@@ -141,7 +141,7 @@ private:
         const double value = ground_.valueAt(voxel);
         const TubeLook tube = ground_.tube(voxel, here.look.tissue);
         const double height = (value - here.look.tissue) / std::max(1.0, here.fullBlood - here.look.tissue);
-        if (height < leastOfFull * fullnessOf(tube.shellMm)) {
+        if (height < minOfFull * fullnessOf(tube.shellMm)) {
             return costOfTube(value, 0.0, {here.fullBlood, here.look.tissue});
         }
         return costOfTube(value, tube.share, here.look);
@@ -164,7 +164,7 @@ private:
         const double debt =
             std::max(0.0, here.debt + (perMm - tubeCost) * stepMm * (perMm < tubeCost ? paidBack : 1.0));
         const double cost = here.cost + perMm * stepMm;
-        if (debt > mostDebt || cost >= there.cost) {
+        if (debt > maxDebt || cost >= there.cost) {
             return;
         }
         const bool isTube = perMm <= tubeCost;

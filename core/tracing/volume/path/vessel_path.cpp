@@ -28,7 +28,7 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, 
 }
 
 /// The way as a smooth, centred curve with radii.
-VesselBranch centredBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
+VesselBranch centerdBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
                            const LookAlongPath& look, TracingProgress& progress)
 {
     BranchPath way;
@@ -78,7 +78,7 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
     const std::vector<Eigen::Vector3d> placesMm = placesOf(path, volume.geometry);
     const LookAlongPath along(ground, placesMm);
     VesselPath found;
-    found.branch = centredBranch(placesMm, volume.geometry, along, progress);
+    found.branch = centerdBranch(placesMm, volume.geometry, along, progress);
     found.outsideMm = lengthOutside(placesMm, along);
     if (progress.isStopped()) {
         return stoppedTracing();

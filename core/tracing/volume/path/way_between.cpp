@@ -12,10 +12,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t soonSettled = 30'000;   // a way through thin vessels alone is found in fewer
-constexpr std::size_t mostSettled = 3'000'000;
+constexpr std::size_t maxSettled = 3'000'000;
 constexpr double coarsestMm = 3.2;   // of the blocks
 constexpr double nearInBlocks = 2.5;   // of the way over blocks: where voxels are searched
-constexpr double leastNearMm = 4.0;
+constexpr double minNearMm = 4.0;
 
 /// What vessels look like on the way from one end to the other: changing evenly.
 class LookOnTheWay {
@@ -70,7 +70,7 @@ PathEnd endInBlocks(const PathGround& blocks, const Eigen::Vector3i& voxel)
 VoxelMask nearWay(const std::vector<Eigen::Vector3i>& way, const VolumeGeometry& blocks)
 {
     VoxelMask near(blocks);
-    const double reachMm = std::max(leastNearMm, nearInBlocks * blocks.spacingMm.maxCoeff());
+    const double reachMm = std::max(minNearMm, nearInBlocks * blocks.spacingMm.maxCoeff());
     for (const Eigen::Vector3i& block : way) {
         markBall(blocks.patientFromVoxel() * block.cast<double>(), reachMm, near);
     }
@@ -102,8 +102,8 @@ std::vector<Eigen::Vector3i> wayByBlocks(const PathGround& ground, const PathEnd
                                return near.at(at.x(), at.y(), at.z()) != 0 ? cost.perMm(voxel)
                                                                            : std::numeric_limits<double>::infinity();
                            },
-                           cost.leastPerMm};
-    return cheapestPath(grid, from.voxel, to.voxel, nearby, mostSettled, progress).voxels;
+                           cost.minPerMm};
+    return cheapestPath(grid, from.voxel, to.voxel, nearby, maxSettled, progress).voxels;
 }
 
 }   // namespace
@@ -114,8 +114,7 @@ std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd&
     const VolumeGeometry& grid = ground.volume().geometry;
     const VoxelCost cost = costBetween(ground, from, to);
     const bool isCoarsest = 2.0 * grid.spacingMm.minCoeff() > coarsestMm;
-    CheapestPath path =
-        cheapestPath(grid, from.voxel, to.voxel, cost, isCoarsest ? mostSettled : soonSettled, progress);
+    CheapestPath path = cheapestPath(grid, from.voxel, to.voxel, cost, isCoarsest ? maxSettled : soonSettled, progress);
     return path.isCutShort && !isCoarsest ? wayByBlocks(ground, from, to, cost, progress) : std::move(path.voxels);
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr double clearMm = 5.0;
 constexpr double farMm = 7.0;
 /// Of blood at that distance, over wires, by volume; beyond the ends of a thin stent 0.2.
-constexpr double leastShareOfWires = 0.35;
+constexpr double minShareOfWires = 0.35;
 
 }   // namespace
 
@@ -37,7 +37,7 @@ bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t c
             }
         }
     }
-    return static_cast<double>(clear) >= leastShareOfWires * static_cast<double>(wires.size());
+    return static_cast<double>(clear) >= minShareOfWires * static_cast<double>(wires.size());
 }
 
 }   // namespace angiopose::core

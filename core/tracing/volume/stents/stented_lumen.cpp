@@ -12,14 +12,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastFillBetweenWires = 0.5;   ///< the wall between wires
-constexpr double leastBlood = 0.8;   ///< of what is seen between wires
-constexpr double leastNeckWithin = 0.45;   ///< of the thinner lumen's radius, within one vessel
-constexpr double leastOpenShare = 0.5;   ///< of where two pieces meet, in one vessel
-constexpr double mostOpeningInRadii = 4.0;   ///< of a branch; the lumens of a torn aorta meet over more
+constexpr double minFillBetweenWires = 0.5;   ///< the wall between wires
+constexpr double minBlood = 0.8;   ///< of what is seen between wires
+constexpr double minNeckWithin = 0.45;   ///< of the thinner lumen's radius, within one vessel
+constexpr double minOpenShare = 0.5;   ///< of where two pieces meet, in one vessel
+constexpr double maxOpeningInRadii = 4.0;   ///< of a branch; the lumens of a torn aorta meet over more
 constexpr double besideOpeningMm = 10.0;   ///< around an opening, to tell the blood by
-constexpr std::size_t leastInnerOfLumen = 12;   ///< voxels that tell it
-constexpr double mostDifference = 0.15;   ///< between blood of one vessel
+constexpr std::size_t minInnerOfLumen = 12;   ///< voxels that tell it
+constexpr double maxDifference = 0.15;   ///< between blood of one vessel
 
 using Label = StentSite::Label;
 using Pair = std::pair<Label, Label>;
@@ -102,7 +102,7 @@ private:
             part.voxels[voxel] = site_.lumenAt(part.geometry.voxelAt(voxel)) != 0 ? 1 : 0;
         }
         const DistanceMap distances = distanceMap(part, 1, progress);
-        site_.labels.voxels = wideBasins(distances, leastNeckWithin);
+        site_.labels.voxels = wideBasins(distances, minNeckWithin);
         for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
             if (part.voxels[voxel] != 0) {
                 double& radiusMm = radiusMm_[site_.labels.voxels[voxel]];
@@ -117,13 +117,13 @@ private:
     {
         const double fill = site_.fillAt(to);
         const bool isRising = site_.isWire(to) && fill > site_.fillAt(from);
-        return fill >= leastFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
+        return fill >= minFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
     }
 
     /// Whether it lies between different pieces; notes where they meet and where blood is seen there.
     bool isParting(const Eigen::Vector3i& at, Label label)
     {
-        const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= leastBlood;
+        const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= minBlood;
         std::map<Label, bool> others;   // whether blood is seen on the way
         site_.eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
             if (its != label) {
@@ -165,7 +165,7 @@ private:
         }
         const double openShare = static_cast<double>(contact.open.size()) / static_cast<double>(contact.places.size());
         const double thinnerMm = std::min(radiusMm_.at(pair.first), radiusMm_.at(pair.second));
-        return openShare >= leastOpenShare || spanMm(contact) <= mostOpeningInRadii * thinnerMm;
+        return openShare >= minOpenShare || spanMm(contact) <= maxOpeningInRadii * thinnerMm;
     }
 
     double spanMm(const Contact& contact) const
@@ -182,10 +182,10 @@ private:
         const VoxelBox around{box.low - reach, box.high + reach};
         const StentSite::Fills first = site_.fillsOf(pair.first, around);
         const StentSite::Fills second = site_.fillsOf(pair.second, around);
-        if (first.inner.size() < leastInnerOfLumen || second.inner.size() < leastInnerOfLumen) {
-            return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= leastBlood;
+        if (first.inner.size() < minInnerOfLumen || second.inner.size() < minInnerOfLumen) {
+            return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= minBlood;
         }
-        return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= mostDifference;
+        return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= maxDifference;
     }
 
     StentSite site_;   ///< labelled with the pieces

@@ -9,11 +9,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double leastFillOfStent = 0.7;   ///< of blood, as of a large vessel
-constexpr double mostFillOfStent = 1.6;
-constexpr double leastSlendernessOfStent =
+constexpr double minFillOfStent = 0.7;   ///< of blood, as of a large vessel
+constexpr double maxFillOfStent = 1.6;
+constexpr double minSlendernessOfStent =
     1.6;   ///< spread along over spread across: of a tube as long as twice its width
-constexpr double mostAcrossMm = 3.5;   ///< spread across of a tube of 8 mm with its blur
+constexpr double maxAcrossMm = 3.5;   ///< spread across of a tube of 8 mm with its blur
 constexpr double endShare = 0.25;   ///< of half the length
 constexpr double beyondMm = 2.0;   ///< from a tip to the middle of where blood is looked for
 constexpr double aroundMm = 3.0;
@@ -73,7 +73,7 @@ public:
 
     bool isContinuedByBlood() const
     {
-        return alongMm_ > leastSlendernessOfStent * acrossMm_ && acrossMm_ < mostAcrossMm &&
+        return alongMm_ > minSlendernessOfStent * acrossMm_ && acrossMm_ < maxAcrossMm &&
                isBloodBeyond(endOf(pointsMm_, middleMm_, axis_)) && isBloodBeyond(endOf(pointsMm_, middleMm_, -axis_));
     }
 
@@ -103,7 +103,7 @@ private:
     {
         const auto isBlood = [this](const Eigen::Vector3i& at) {
             const double fill = grid_.contains(at) ? fill_(at.x(), at.y(), at.z()) : 0.0;
-            return fill >= leastFillOfStent && fill <= mostFillOfStent;
+            return fill >= minFillOfStent && fill <= maxFillOfStent;
         };
         bool isEven = isBlood(voxel);
         for (int axis = 0; axis < 3 && isEven; ++axis) {

@@ -7,8 +7,8 @@ namespace {
 
 class Flooding {
 public:
-    Flooding(const DistanceMap& distances, double leastNeck)
-        : distances_(distances), leastNeck_(leastNeck), labels_(distances.units.size(), 0)
+    Flooding(const DistanceMap& distances, double minNeck)
+        : distances_(distances), minNeck_(minNeck), labels_(distances.units.size(), 0)
     {
     }
 
@@ -53,9 +53,9 @@ private:
     {
         std::uint32_t own = 0;
         std::uint16_t highest = 0;
-        eachNeighbour(voxel, [&](std::uint32_t neighbour, std::uint32_t basin) {
-            if (distances_.units[neighbour] > highest) {
-                highest = distances_.units[neighbour];
+        eachNeighbor(voxel, [&](std::uint32_t neighbor, std::uint32_t basin) {
+            if (distances_.units[neighbor] > highest) {
+                highest = distances_.units[neighbor];
                 own = basin;
             }
         });
@@ -65,20 +65,20 @@ private:
             own = basins_.back().joined;
         }
         labels_[voxel] = own;
-        eachNeighbour(voxel, [&](std::uint32_t, std::uint32_t basin) { join(basinOf(own), basin, height); });
+        eachNeighbor(voxel, [&](std::uint32_t, std::uint32_t basin) { join(basinOf(own), basin, height); });
     }
 
     void join(std::uint32_t one, std::uint32_t other, std::uint16_t height)
     {
         const auto& [lower, higher] =
             std::minmax(one, other, [this](std::uint32_t a, std::uint32_t b) { return summitOf(a) < summitOf(b); });
-        if (one != other && height >= leastNeck_ * summitOf(lower)) {
+        if (one != other && height >= minNeck_ * summitOf(lower)) {
             basins_[lower - 1].joined = higher;
         }
     }
 
     template <class Visit>
-    void eachNeighbour(std::uint32_t voxel, const Visit& visit) const
+    void eachNeighbor(std::uint32_t voxel, const Visit& visit) const
     {
         const VolumeGeometry& grid = distances_.geometry;
         const Eigen::Vector3i at = grid.voxelAt(voxel);
@@ -87,24 +87,24 @@ private:
             if (n == 13 || !grid.contains(beside)) {
                 continue;
             }
-            const auto neighbour = static_cast<std::uint32_t>(grid.index(beside.x(), beside.y(), beside.z()));
-            if (labels_[neighbour] != 0) {
-                visit(neighbour, basinOf(labels_[neighbour]));
+            const auto neighbor = static_cast<std::uint32_t>(grid.index(beside.x(), beside.y(), beside.z()));
+            if (labels_[neighbor] != 0) {
+                visit(neighbor, basinOf(labels_[neighbor]));
             }
         }
     }
 
     const DistanceMap& distances_;
-    double leastNeck_;
+    double minNeck_;
     std::vector<std::uint32_t> labels_;
     std::vector<Basin> basins_;
 };
 
 }   // namespace
 
-std::vector<std::uint32_t> wideBasins(const DistanceMap& distances, double leastNeck)
+std::vector<std::uint32_t> wideBasins(const DistanceMap& distances, double minNeck)
 {
-    return Flooding(distances, leastNeck).run();
+    return Flooding(distances, minNeck).run();
 }
 
 }   // namespace angiopose::core

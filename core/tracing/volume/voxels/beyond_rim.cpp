@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double longestCut = 2.5;   ///< length over width of a cut across a vessel
-constexpr int mostLayers = 60;
+constexpr int maxLayers = 60;
 
 /// One side of the grid: the plane at `position` across `axis`; `outwards` is -1 or +1.
 struct Face {
@@ -42,7 +42,7 @@ int layersOf(const std::vector<Eigen::Vector3i>& voxels, int axis)
         return 0;
     }
     const double radius = std::sqrt(static_cast<double>(voxels.size()) / std::numbers::pi);
-    return std::min(mostLayers, static_cast<int>(std::ceil(1.2 * radius)) + 1);
+    return std::min(maxLayers, static_cast<int>(std::ceil(1.2 * radius)) + 1);
 }
 
 /// The connected cuts in one face.

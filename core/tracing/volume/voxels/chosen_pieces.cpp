@@ -14,9 +14,9 @@ namespace {
 constexpr double seedReachMm = 3.0;
 constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which begins two voxels inside its wall
 
-/// Of those of at least `leastValue`.
+/// Of those of at least `minValue`.
 std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
-                                          std::uint8_t leastValue)
+                                          std::uint8_t minValue)
 {
     const VolumeGeometry& grid = mask.geometry;
     const Eigen::Vector3d place = grid.patientFromVoxel().inverse() * placeInPatient;
@@ -29,7 +29,7 @@ std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Ve
         for (int j = low.y(); j <= high.y(); ++j) {
             for (int i = low.x(); i <= high.x(); ++i) {
                 const double away = grid.spacingMm.cwiseProduct(Eigen::Vector3d(i, j, k) - place).norm();
-                if (mask.at(i, j, k) >= leastValue && away <= nearestMm) {
+                if (mask.at(i, j, k) >= minValue && away <= nearestMm) {
                     nearestMm = away;
                     nearest = static_cast<std::uint32_t>(grid.index(i, j, k));
                 }
@@ -65,12 +65,12 @@ Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::
 std::size_t largestPiece(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces)
 {
     std::size_t best = 0;
-    std::ptrdiff_t mostCore = -1;
+    std::ptrdiff_t maxCore = -1;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const auto inCore = std::count_if(pieces[p].begin(), pieces[p].end(),
                                           [&](std::uint32_t voxel) { return mask.voxels[voxel] > 1; });
-        if (inCore > mostCore) {
-            mostCore = inCore;
+        if (inCore > maxCore) {
+            maxCore = inCore;
             best = p;
         }
     }

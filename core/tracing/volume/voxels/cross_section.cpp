@@ -16,9 +16,9 @@ constexpr std::size_t rayCount = 24;
 constexpr double stepInVoxels = 0.25;
 constexpr double thinInVoxels = 2.2;   ///< below this radius a section is weighed rather than measured
 constexpr double brighterThanBlood = 1.6;
-constexpr double mostBlood = 1.3;   ///< that counts when a section is weighed
+constexpr double maxBlood = 1.3;   ///< that counts when a section is weighed
 constexpr double blurInVoxels = 0.8;   ///< from the middle of something thin to half its brightness
-constexpr double leastFillOfCentre = 0.15;   ///< of the centre, to be a vessel at all
+constexpr double minFillOfCenter = 0.15;   ///< of the centre, to be a vessel at all
 
 struct Ray {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -83,7 +83,7 @@ double limitToMedian(std::array<Ray, rayCount>& rays)
 }
 
 /// Radius of the disc that holds as much blood as the section, above what its surroundings hold.
-double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3d& centre, const SectionPlane& plane,
+double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3d& center, const SectionPlane& plane,
                      const BloodFill& fill, double radius)
 {
     const double step = stepInVoxels * plane.voxelMm;
@@ -91,14 +91,14 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
     std::vector<double> around;
     around.reserve(rays.size());
     for (const Ray& ray : rays) {
-        around.push_back(fill(centre + (rimMm + 0.5 * plane.voxelMm) * ray.direction));
+        around.push_back(fill(center + (rimMm + 0.5 * plane.voxelMm) * ray.direction));
     }
     const double background = std::min(medianOf(around), 0.6);
     double blood = 0.0;
     for (double away = 0.5 * step; away < rimMm; away += step) {
         double ring = 0.0;
         for (const Ray& ray : rays) {
-            ring += std::min(fill(centre + away * ray.direction), mostBlood) - background;
+            ring += std::min(fill(center + away * ray.direction), maxBlood) - background;
         }
         blood += ring / rayCount * 2.0 * away * step;   // over π
     }
@@ -110,14 +110,14 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
 CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
 {
     CrossSection section{plane.pointMm, plane.expectedRadiusMm};
-    const double centreFill = fill(plane.pointMm);
-    if (centreFill < leastFillOfCentre) {
+    const double centerFill = fill(plane.pointMm);
+    if (centerFill < minFillOfCenter) {
         return section;
     }
     std::array<Ray, rayCount> rays = raysAcross(plane.tangent);
     const double reachMm = 2.0 * plane.expectedRadiusMm + 2.0 * plane.voxelMm;
     for (Ray& ray : rays) {
-        findWall(ray, plane, fill, 0.5 * std::min(1.0, centreFill), reachMm);
+        findWall(ray, plane, fill, 0.5 * std::min(1.0, centerFill), reachMm);
     }
     section.closed = 1.0 - static_cast<double>(std::ranges::count_if(rays, &Ray::isOpen)) / rayCount;
     const double median = limitToMedian(rays);
@@ -129,12 +129,12 @@ CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
         cubes += ray.wallMm * ray.wallMm * ray.wallMm * ray.direction;
         spread += ray.isOpen ? 1.0 : 0.0;
     }
-    section.centreMm += 2.0 / 3.0 * cubes / std::max(squares, 1e-12);
+    section.centerMm += 2.0 / 3.0 * cubes / std::max(squares, 1e-12);
     section.radiusMm = std::sqrt(squares / rayCount);
     if (median < thinInVoxels * plane.voxelMm) {
         // Blurring only widens; a tenth is left to noise.
         section.radiusMm =
-            std::min(1.1 * section.radiusMm, weighedRadius(rays, section.centreMm, plane, fill, section.radiusMm));
+            std::min(1.1 * section.radiusMm, weighedRadius(rays, section.centerMm, plane, fill, section.radiusMm));
     }
     section.trust = std::max(0.02, 1.0 - 3.0 * spread / rayCount);
     return section;

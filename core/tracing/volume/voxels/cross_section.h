@@ -10,7 +10,7 @@ using BloodFill = std::function<double(const Eigen::Vector3d& pointMm)>;
 
 /// Shape of the lumen across a vessel.
 struct CrossSection {
-    Eigen::Vector3d centreMm = Eigen::Vector3d::Zero();   ///< of the area within the wall
+    Eigen::Vector3d centerMm = Eigen::Vector3d::Zero();   ///< of the area within the wall
     double radiusMm = 0.0;   ///< of the disc of the same area
     double closed = 0.0;   ///< share of the rays that meet a wall, a flattened vessel's far one included
     double trust = 0.0;   ///< 0: no section found; near 1: the wall is found all around and as round as a vessel is

@@ -10,14 +10,14 @@ namespace angiopose::core {
 namespace {
 
 // A neighbourhood is 27 bits: bit x + 3 y + 9 z for the steps x - 1, y - 1, z - 1; the centre is bit 13.
-constexpr unsigned centreBit = 1U << 13U;
+constexpr unsigned centerBit = 1U << 13U;
 
 /// Which of the 27 places touch which, by a corner (26) or by a face (6); 18: without the corners of the cube.
 struct Adjacency {
     std::array<unsigned, 27> byCorner{};
     std::array<unsigned, 27> byFace{};
     unsigned withoutCorners = 0;
-    unsigned facesOfCentre = 0;
+    unsigned facesOfCenter = 0;
 };
 
 constexpr int apart(unsigned a, unsigned b)
@@ -29,11 +29,11 @@ constexpr Adjacency makeAdjacency()
 {
     Adjacency adjacency;
     for (unsigned a = 0; a < 27; ++a) {
-        const int fromCentre = apart(a % 3, 1) + apart(a / 3 % 3, 1) + apart(a / 9, 1);
-        if (fromCentre == 1) {
-            adjacency.facesOfCentre |= 1U << a;
+        const int fromCenter = apart(a % 3, 1) + apart(a / 3 % 3, 1) + apart(a / 9, 1);
+        if (fromCenter == 1) {
+            adjacency.facesOfCenter |= 1U << a;
         }
-        if (fromCentre == 1 || fromCentre == 2) {
+        if (fromCenter == 1 || fromCenter == 2) {
             adjacency.withoutCorners |= 1U << a;
         }
         for (unsigned b = 0; b < 27; ++b) {
@@ -76,25 +76,25 @@ constexpr unsigned lowestBit(unsigned bits)
 
 /// Whether the centre can go without changing the topology (Bertrand and Malandain 1994): one piece of object around
 /// it, and one piece of background that it has a face with.
-bool isSimple(unsigned neighbourhood)
+bool isSimple(unsigned neighborhood)
 {
-    const unsigned object = neighbourhood & ~centreBit;
+    const unsigned object = neighborhood & ~centerBit;
     if (object == 0 || flooded(lowestBit(object), object, adjacency.byCorner) != object) {
         return false;
     }
-    const unsigned background = ~neighbourhood & adjacency.withoutCorners;
-    const unsigned faces = background & adjacency.facesOfCentre;
+    const unsigned background = ~neighborhood & adjacency.withoutCorners;
+    const unsigned faces = background & adjacency.facesOfCenter;
     return faces != 0 && (flooded(lowestBit(faces), background, adjacency.byFace) & faces) == faces;
 }
 
-bool isEndOfLine(unsigned neighbourhood)
+bool isEndOfLine(unsigned neighborhood)
 {
-    return std::popcount(neighbourhood & ~centreBit) <= 1;
+    return std::popcount(neighborhood & ~centerBit) <= 1;
 }
 
-bool isDeletable(unsigned neighbourhood)
+bool isDeletable(unsigned neighborhood)
 {
-    return !isEndOfLine(neighbourhood) && isSimple(neighbourhood);
+    return !isEndOfLine(neighborhood) && isSimple(neighborhood);
 }
 
 /// Works on a mask with a clear rim, so that every voxel has all its neighbours; knows its border voxels in ascending
@@ -152,7 +152,7 @@ private:
         }
     }
 
-    unsigned neighbourhood(std::size_t p) const
+    unsigned neighborhood(std::size_t p) const
     {
         unsigned bits = 0;
         unsigned bit = 0;
@@ -173,7 +173,7 @@ private:
     {
         std::vector<std::size_t> candidates;
         for (const std::size_t p : border_) {
-            if (state_[p] != clear && stateBeside(p, side) == clear && isDeletable(neighbourhood(p))) {
+            if (state_[p] != clear && stateBeside(p, side) == clear && isDeletable(neighborhood(p))) {
                 candidates.push_back(p);
             }
         }
@@ -181,7 +181,7 @@ private:
         std::size_t gone = 0;
         eaten_.clear();
         for (const std::size_t p : candidates) {
-            const unsigned around = neighbourhood(p);
+            const unsigned around = neighborhood(p);
             if (isSimple(around) && !isEatenUp(p, around)) {
                 state_[p] = clear;
                 ++gone;
@@ -197,7 +197,7 @@ private:
     /// A tip may go with the six before it, no more in one pass.
     bool isEatenUp(std::size_t p, unsigned around)
     {
-        if (std::popcount(around & ~centreBit) > 3) {
+        if (std::popcount(around & ~centerBit) > 3) {
             return false;
         }
         int before = 0;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint16_t touch = 269;   ///< 1.05 voxels in units of the distances: a voxel at the wall
 constexpr std::uint16_t inner = 486;   ///< 1.9 voxels: no blurred wall in it
-constexpr std::size_t leastInnerOfTrunk = 12;   ///< voxels that tell the level of blood
-constexpr double leastDifference = 0.15;   ///< of the contrast; along one aorta it changes by 0.1
+constexpr std::size_t minInnerOfTrunk = 12;   ///< voxels that tell the level of blood
+constexpr double minDifference = 0.15;   ///< of the contrast; along one aorta it changes by 0.1
 
 double fillOf(std::uint32_t voxel, const VolumeGeometry& grid, const VoxelFill& fill)
 {
@@ -50,12 +50,12 @@ std::vector<std::uint32_t> voxelsOfOtherBlood(const DistanceMap& distances, cons
         }
     }
     std::vector<std::uint32_t> others;
-    if (own.size() < leastInnerOfTrunk) {
+    if (own.size() < minInnerOfTrunk) {
         return others;
     }
     const double blood = medianFill(own, grid, fill);
-    for (const VoxelPiece& piece : piecesOf(behind, leastInnerOfTrunk)) {
-        if (std::abs(medianFill(piece, grid, fill) - blood) > leastDifference) {
+    for (const VoxelPiece& piece : piecesOf(behind, minInnerOfTrunk)) {
+        if (std::abs(medianFill(piece, grid, fill) - blood) > minDifference) {
             others.insert(others.end(), piece.begin(), piece.end());
         }
     }

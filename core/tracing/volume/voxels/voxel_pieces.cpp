@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t listenEvery = 0x3FFF;   ///< voxels, less one
 
-bool isStopWished(TracingProgress* progress, std::size_t done)
+bool isStopRequested(TracingProgress* progress, std::size_t done)
 {
     return progress != nullptr && (done & listenEvery) == 0 && !progress->advance(0.0);
 }
@@ -18,7 +18,7 @@ VoxelPiece takePiece(VoxelMask& left, std::size_t seed, TracingProgress* progres
     const VolumeGeometry& grid = left.geometry;
     VoxelPiece piece{static_cast<std::uint32_t>(seed)};
     left.voxels[seed] = 0;
-    for (std::size_t n = 0; n < piece.size() && !isStopWished(progress, n); ++n) {
+    for (std::size_t n = 0; n < piece.size() && !isStopRequested(progress, n); ++n) {
         const Eigen::Vector3i at = grid.voxelAt(piece[n]);
         const Eigen::Array3i low = (at.array() - 1).max(0);
         const Eigen::Array3i high = (at.array() + 1).min(grid.size.array() - 1);
@@ -40,14 +40,14 @@ VoxelPiece takePiece(VoxelMask& left, std::size_t seed, TracingProgress* progres
 
 }   // namespace
 
-std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels, TracingProgress* progress)
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t minVoxels, TracingProgress* progress)
 {
     VoxelMask left = mask;
     std::vector<VoxelPiece> pieces;
-    for (std::size_t p = 0; p < left.voxels.size() && !isStopWished(progress, p); ++p) {
+    for (std::size_t p = 0; p < left.voxels.size() && !isStopRequested(progress, p); ++p) {
         if (left.voxels[p] != 0) {
             VoxelPiece piece = takePiece(left, p, progress);
-            if (piece.size() >= leastVoxels) {
+            if (piece.size() >= minVoxels) {
                 piece.shrink_to_fit();
                 pieces.push_back(std::move(piece));
             }

@@ -12,10 +12,9 @@ namespace angiopose::core {
 /// Voxel indices of one connected piece, ascending.
 using VoxelPiece = std::vector<std::uint32_t>;
 
-/// The 26-connected pieces of at least `leastVoxels`, the largest first (of equal ones, that with the lowest voxel).
+/// The 26-connected pieces of at least `minVoxels`, the largest first (of equal ones, that with the lowest voxel).
 /// Incomplete when `progress`, where given, says stop.
-std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t leastVoxels = 1,
-                                 TracingProgress* progress = nullptr);
+std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t minVoxels = 1, TracingProgress* progress = nullptr);
 
 /// The smallest box that holds everything set.
 VoxelBox boxOf(const VoxelMask& mask);

@@ -92,7 +92,7 @@ TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
     Agreement both;
     CentroidPose pose = beside;
     for (int k = 0; k < 4; ++k) {
-        alignment.lookBothWays(pose, 5.0, both);
+        alignment.searchBothDirections(pose, 5.0, both);
         NormalEquations reverse = alignment.look(pose, 5.0).equations;
         reverse.hessian = both.equations.hessian - reverse.hessian;
         reverse.gradient = both.equations.gradient - reverse.gradient;
@@ -105,27 +105,27 @@ TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
 TEST_F(AlignmentTest, LinesKeepTheirPartnersWhileThePointsHardlyMove)
 {
     Vector6d step = Vector6d::Zero();
-    step[3] = 0.2 * millimetresPerPixel(clean.camera, beside.centroidInCamera.z());
+    step[3] = 0.2 * millimetersPerPixel(clean.camera, beside.centroidInCamera.z());
     const CentroidPose near = moved(beside, step);
     Alignment fresh = alignment;
     Agreement kept;
-    Agreement anew;
-    alignment.lookBothWays(beside, 3.0, kept);
+    Agreement again;
+    alignment.searchBothDirections(beside, 3.0, kept);
     const std::vector<int> partners = alignment.buffers().reverse.partners();
-    alignment.lookBothWays(near, 3.0, kept);
-    fresh.lookBothWays(near, 3.0, anew);
+    alignment.searchBothDirections(near, 3.0, kept);
+    fresh.searchBothDirections(near, 3.0, again);
     EXPECT_EQ(alignment.buffers().reverse.partners(), partners);
     EXPECT_NE(fresh.buffers().reverse.partners(), partners);
     // Across the branches both say the same.
-    EXPECT_NEAR(kept.loss, anew.loss, 0.01 * std::abs(anew.loss));
+    EXPECT_NEAR(kept.loss, again.loss, 0.01 * std::abs(again.loss));
     const Vector6d keptStep = dampedStep(kept.equations, 1e-6);
-    const Vector6d freshStep = dampedStep(anew.equations, 1e-6);
+    const Vector6d freshStep = dampedStep(again.equations, 1e-6);
     EXPECT_LT((keptStep - freshStep).norm(), 0.02 * freshStep.norm());
     // A longer way, or another reach, and they are found anew.
-    alignment.lookBothWays(truth, 3.0, kept);
-    fresh.lookBothWays(truth, 3.0, anew);
+    alignment.searchBothDirections(truth, 3.0, kept);
+    fresh.searchBothDirections(truth, 3.0, again);
     EXPECT_EQ(alignment.buffers().reverse.partners(), fresh.buffers().reverse.partners());
-    EXPECT_EQ(kept.loss, anew.loss);
+    EXPECT_EQ(kept.loss, again.loss);
 }
 
 TEST_F(AlignmentTest, NearestProjectedPointIsFoundWithinReachOnly)
@@ -163,12 +163,12 @@ TEST_F(AlignmentTest, LookSumsUpTheRows)
 TEST_F(AlignmentTest, LeavingTheViewIsNeverCheaper)
 {
     const double beforeLoss = alignment.look(beside, 3.0).loss;
-    const double mostLoss = 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size());
+    const double maxLoss = 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size());
     for (const double shiftMm : {100.0, 400.0, 2000.0}) {
         CentroidPose away = beside;
         away.centroidInCamera.x() += shiftMm;
         EXPECT_GT(alignment.look(away, 3.0).loss, beforeLoss);
-        EXPECT_LE(alignment.look(away, 3.0).loss, mostLoss * (1.0 + 1e-12));
+        EXPECT_LE(alignment.look(away, 3.0).loss, maxLoss * (1.0 + 1e-12));
     }
 }
 

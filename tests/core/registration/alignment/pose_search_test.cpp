@@ -101,7 +101,7 @@ TEST_F(PoseSearchTest, RecentringMeetsTheTracedVessels)
     Vector6d step = Vector6d::Zero();
     step[3] = 300.0;
     const PoseSearch search(problem, target, options);
-    const Vector6d error = stepBetween(truth, search.recentred(moved(truth, step)));
+    const Vector6d error = stepBetween(truth, search.recentered(moved(truth, step)));
     EXPECT_LT(error.segment<2>(3).norm(), 15.0);
 }
 

@@ -44,7 +44,7 @@ TEST(ResidualNoise, OfWhiteNoiseIsItsStandardDeviation)
     EXPECT_FALSE(noise.hasOffsets());
 }
 
-TEST(ResidualNoise, KnowsHowFarNeighboursSayTheSame)
+TEST(ResidualNoise, KnowsHowFarNeighborsSayTheSame)
 {
     const double kept = std::exp(-1.0 / 5.0);
     const ResidualNoise noise = residualNoise(rowsWith(kept, none));

@@ -14,7 +14,7 @@ namespace angiopose::core {
 namespace {
 
 /// Rows of straight branches in space, bent sideways by a smooth field of about `offsetPx`, plus white noise of 0.2 px.
-std::vector<ResidualRow> bentRows(double offsetPx, std::uint64_t seed)
+std::vector<ResidualRow> deformedRows(double offsetPx, std::uint64_t seed)
 {
     CounterRandom random(seed);
     std::vector<ResidualRow> rows;
@@ -26,7 +26,8 @@ std::vector<ResidualRow> bentRows(double offsetPx, std::uint64_t seed)
         for (double& value : tilt) {
             value = random.normal();
         }
-        const double bend = offsetPx * random.normal();   // branches are farther apart than the field reaches, mostly
+        const double deformation =
+            offsetPx * random.normal();   // branches are farther apart than the field reaches, mostly
         for (int i = 0; i < 30; ++i) {
             ResidualRow row;
             row.branchIndex = branch;
@@ -35,16 +36,16 @@ std::vector<ResidualRow> bentRows(double offsetPx, std::uint64_t seed)
             const Eigen::Vector3d normal(-along.y(), along.x(), 0.0);
             row.gradient << row.fromCentroid.cross(normal), normal;
             row.gradient += 0.1 * tilt;
-            row.residual = bend + 0.2 * random.normal();
+            row.residual = deformation + 0.2 * random.normal();
             rows.push_back(row);
         }
     }
     return rows;
 }
 
-TEST(ShapeField, WithoutBendingCountsTheRowsAlone)
+TEST(ShapeField, WithoutDeformationCountsTheRowsAlone)
 {
-    const auto rows = bentRows(0.0, 1);
+    const auto rows = deformedRows(0.0, 1);
     ShapeField field(rows, 0.04);
     Matrix6d sum = Matrix6d::Zero();
     for (const ResidualRow& row : rows) {
@@ -55,7 +56,7 @@ TEST(ShapeField, WithoutBendingCountsTheRowsAlone)
 
 TEST(ShapeField, LeavesInformationPositiveAndBelowThatOfAnExactShape)
 {
-    const auto rows = bentRows(1.0, 2);
+    const auto rows = deformedRows(1.0, 2);
     ShapeField field(rows, 0.04);
     const Matrix6d exact = field.equations(0.0).hessian;
     const Matrix6d tolerant = field.equations(1.0).hessian;
@@ -63,14 +64,14 @@ TEST(ShapeField, LeavesInformationPositiveAndBelowThatOfAnExactShape)
     EXPECT_GT((exact - tolerant).eigenvalues().real().minCoeff(), -1e-6 * exact.norm());
 }
 
-TEST(ShapeField, FindsHowMuchTheVesselsAreBent)
+TEST(ShapeField, FindsHowMuchTheVesselsAreDeformed)
 {
     NormalEquations prior;
     prior.hessian = 1e-6 * Matrix6d::Identity();
     for (const double offsetPx : {0.5, 2.0}) {
         double sum = 0.0;
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-            sum += ShapeField(bentRows(offsetPx, seed), 0.04).likelyOffsetPx(prior) / 10.0;
+            sum += ShapeField(deformedRows(offsetPx, seed), 0.04).likelyOffsetPx(prior) / 10.0;
         }
         EXPECT_NEAR(sum, offsetPx, 0.35 * offsetPx);
     }

@@ -19,8 +19,8 @@ struct TerritorySearchTest : ::testing::Test {
         for (const double side : {-1.0, 1.0}) {
             for (int i = 0; i <= 80; ++i) {
                 const double along = 0.5 * i - 20.0;
-                const double bend = 0.01 * along * along;
-                points.push_back({{0.5 * side * betweenMm + bend, along, 0.0},
+                const double deformation = 0.01 * along * along;
+                points.push_back({{0.5 * side * betweenMm + deformation, along, 0.0},
                                   Eigen::Vector3d(0.02 * along, 1.0, 0.0).normalized(),
                                   side < 0.0 ? 0 : 1});
             }
@@ -49,7 +49,7 @@ struct TerritorySearchTest : ::testing::Test {
     {
         std::vector<double> radiusMm(points.size(), rightMm);
         std::fill_n(radiusMm.begin(), points.size() / 2, leftMm);
-        const std::vector<double> radiusPx(target.size(), seenMm / millimetresPerPixel(camera, depthMm));
+        const std::vector<double> radiusPx(target.size(), seenMm / millimetersPerPixel(camera, depthMm));
         return found(radiusPx, radiusMm).front().pose.centroidInCamera.x();
     }
 

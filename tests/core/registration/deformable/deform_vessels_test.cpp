@@ -1,6 +1,6 @@
 #include "core/registration/deformable/deform_vessels.h"
 
-#include "core/registration/deformable/bent_tree.h"
+#include "core/registration/deformable/deformed_tree.h"
 
 #include "core/messages/says.h"
 #include "tests/support/clean_case.h"
@@ -46,16 +46,16 @@ struct MovedTree {
     /// Mean distance of the points from where they are: in the first view's plane, or in space.
     double errorMm(const DeformableResult& result, bool isInSpace) const
     {
-        const VesselTree bent = bentTree(clean.tree, result);
+        const VesselTree deformed = deformedTree(clean.tree, result);
         double sum = 0.0;
-        for (std::size_t b = 0; b < bent.branches.size(); ++b) {
-            for (std::size_t i = 0; i < bent.branches[b].pointsInPatient.size(); ++i) {
-                const Eigen::Vector3d apart = result.cameraFromPatient * bent.branches[b].pointsInPatient[i] -
+        for (std::size_t b = 0; b < deformed.branches.size(); ++b) {
+            for (std::size_t i = 0; i < deformed.branches[b].pointsInPatient.size(); ++i) {
+                const Eigen::Vector3d apart = result.cameraFromPatient * deformed.branches[b].pointsInPatient[i] -
                                               clean.truth * moved.branches[b].pointsInPatient[i];
                 sum += isInSpace ? apart.norm() : apart.head<2>().norm();
             }
         }
-        return sum / static_cast<double>(bent.pointCount());
+        return sum / static_cast<double>(deformed.pointCount());
     }
 
     test::CleanCase clean{3};
@@ -83,11 +83,11 @@ TEST(DeformVessels, RigidTruthStaysRigid)
     const auto result = deformVessels(std::vector{tree.view()});
 
     ASSERT_TRUE(result);
-    EXPECT_EQ(result.value().verdict, BendVerdict::Rigid);
+    EXPECT_EQ(result.value().verdict, DeformationVerdict::Rigid);
     EXPECT_LT(result.value().logEvidenceGain, 10.0);
     EXPECT_EQ(result.value().largestMotionMm, 0.0);
     EXPECT_EQ(result.value().cameraFromPatient.matrix(), tree.clean.truth.matrix());
-    EXPECT_EQ(bentTree(tree.clean.tree, result.value()).branches[2].pointsInPatient[1],
+    EXPECT_EQ(deformedTree(tree.clean.tree, result.value()).branches[2].pointsInPatient[1],
               tree.clean.tree.branches[2].pointsInPatient[1]);
 }
 
@@ -97,10 +97,10 @@ TEST(DeformVessels, RecoversAKnownMotionInThePlaneOfOneView)
     const auto result = deformVessels(std::vector{tree.view()});
 
     ASSERT_TRUE(result);
-    EXPECT_EQ(result.value().verdict, BendVerdict::Bent);
+    EXPECT_EQ(result.value().verdict, DeformationVerdict::Deformed);
     EXPECT_LT(tree.errorMm(result.value(), false), 0.3);
     EXPECT_GT(result.value().largestMotionMm, 2.0);
-    EXPECT_TRUE(says(result.value(), says::bendDepthUnknown));
+    EXPECT_TRUE(says(result.value(), says::deformationDepthUnknown));
 }
 
 TEST(DeformVessels, RecoversAKnownMotionInSpaceFromTwoViews)
@@ -109,9 +109,9 @@ TEST(DeformVessels, RecoversAKnownMotionInSpaceFromTwoViews)
     const auto result = deformVessels(std::vector{tree.view(), tree.view(70.0)});
 
     ASSERT_TRUE(result);
-    EXPECT_EQ(result.value().verdict, BendVerdict::Bent);
+    EXPECT_EQ(result.value().verdict, DeformationVerdict::Deformed);
     EXPECT_LT(tree.errorMm(result.value(), true), 0.5);
-    EXPECT_FALSE(says(result.value(), says::bendDepthUnknown));
+    EXPECT_FALSE(says(result.value(), says::deformationDepthUnknown));
     ASSERT_EQ(result.value().viewPoses.size(), 2u);
     const RigidTransform between = result.value().viewPoses[1] * result.value().viewPoses[0].inverse();
     EXPECT_TRUE(between.matrix().isApprox((tree.poseAt(70.0) * tree.clean.truth.inverse()).matrix(), 1e-6));
@@ -121,19 +121,19 @@ TEST(DeformVessels, CovarianceCoversTheErrorsOfThePoints)
 {
     const MovedTree tree(swayed);
     const DeformableResult result = deformVessels(std::vector{tree.view()}).value();
-    const VesselTree bent = bentTree(tree.clean.tree, result);
+    const VesselTree deformed = deformedTree(tree.clean.tree, result);
     double inside = 0.0;
-    for (std::size_t b = 0; b < bent.branches.size(); ++b) {
-        ASSERT_EQ(result.branches[b].covariance.size(), bent.branches[b].pointsInPatient.size());
-        for (std::size_t i = 0; i < bent.branches[b].pointsInPatient.size(); ++i) {
-            const Eigen::Vector2d e = (result.cameraFromPatient * bent.branches[b].pointsInPatient[i] -
+    for (std::size_t b = 0; b < deformed.branches.size(); ++b) {
+        ASSERT_EQ(result.branches[b].covariance.size(), deformed.branches[b].pointsInPatient.size());
+        for (std::size_t i = 0; i < deformed.branches[b].pointsInPatient.size(); ++i) {
+            const Eigen::Vector2d e = (result.cameraFromPatient * deformed.branches[b].pointsInPatient[i] -
                                        tree.clean.truth * tree.moved.branches[b].pointsInPatient[i])
                                           .head<2>();
             const Eigen::Matrix2d covariance = result.branches[b].covariance[i].topLeftCorner<2, 2>();
             inside += e.dot(covariance.inverse() * e) < 5.991 ? 1.0 : 0.0;
         }
     }
-    EXPECT_GT(inside / static_cast<double>(bent.pointCount()), 0.85);
+    EXPECT_GT(inside / static_cast<double>(deformed.pointCount()), 0.85);
 }
 
 TEST(DeformVessels, SaysInWordsThatOneHalfIsOff)
@@ -148,31 +148,31 @@ TEST(DeformVessels, SaysInWordsThatOneHalfIsOff)
     const auto result = deformVessels(std::vector{tree.view()});
 
     ASSERT_TRUE(result);
-    EXPECT_NE(result.value().verdict, BendVerdict::Rigid);
-    const auto told = std::ranges::find_if(result.value().messages,
-                                           [](const Message& message) { return message.is(says::bendPartMoved); });
-    ASSERT_NE(told, result.value().messages.end());
-    const auto shift = std::get<Quantity>(told->arguments()[2]);
-    EXPECT_NEAR(shift.value, 8.0, 3.0) << told->text();
+    EXPECT_NE(result.value().verdict, DeformationVerdict::Rigid);
+    const auto reported = std::ranges::find_if(
+        result.value().messages, [](const Message& message) { return message.is(says::deformationPartMoved); });
+    ASSERT_NE(reported, result.value().messages.end());
+    const auto shift = std::get<Quantity>(reported->arguments()[2]);
+    EXPECT_NEAR(shift.value, 8.0, 3.0) << reported->text();
 }
 
 TEST(DeformVessels, StopKeepsTheRigidPose)
 {
     const MovedTree tree(swayed);
-    int told = 0;
+    int reported = 0;
     double progress = 0.0;
     const auto result = deformVessels(std::vector{tree.view()}, {}, [&](const IterationReport& report) {
         EXPECT_EQ(report.stage, "bending");
         EXPECT_GE(report.progress, progress);
         progress = report.progress;
-        return ++told == 5 ? Verdict::Stop : Verdict::Continue;
+        return ++reported == 5 ? Verdict::Stop : Verdict::Continue;
     });
 
     ASSERT_TRUE(result);
-    EXPECT_EQ(told, 5);
+    EXPECT_EQ(reported, 5);
     EXPECT_EQ(result.value().stopReason, StopReason::StoppedByUser);
-    EXPECT_EQ(result.value().verdict, BendVerdict::Unsure);
-    EXPECT_TRUE(says(result.value(), says::bendStopped));
+    EXPECT_EQ(result.value().verdict, DeformationVerdict::Unsure);
+    EXPECT_TRUE(says(result.value(), says::deformationStopped));
     EXPECT_EQ(result.value().cameraFromPatient.matrix(), tree.clean.truth.matrix());
     EXPECT_EQ(result.value().branches.size(), tree.clean.tree.branches.size());
 }
@@ -210,14 +210,14 @@ TEST(DeformVessels, RefusesWhatItCannotUse)
         ASSERT_FALSE(result);
         EXPECT_TRUE(result.error().message.is(entry)) << result.error().message;
     };
-    refused({}, says::bendNoView);
+    refused({}, says::deformationNoView);
 
     DeformableView points = tree.view();
     points.input.target.curves.clear();
     for (int k = 0; k < 4; ++k) {   // too far from each other to be points of a curve
         points.input.target.curves.push_back({k, {{20.0 + 400.0 * (k % 2), 20.0 + 400.0 * (k / 2)}}, {}});
     }
-    refused({points}, says::bendNeedsCurves);
+    refused({points}, says::deformationNeedsCurves);
 
     DeformableView skewed = tree.view();
     skewed.rigidCameraFromPatient.rotation(0, 0) += 0.5;
@@ -227,7 +227,7 @@ TEST(DeformVessels, RefusesWhatItCannotUse)
     other.input.tree.branches.pop_back();
     refused({tree.view(), other}, says::viewsOfOtherTree);
 
-    refused({tree.view()}, says::bendOptionsUnusable, {.posePriorDeg = 0.0});
+    refused({tree.view()}, says::deformationOptionsUnusable, {.posePriorDeg = 0.0});
 }
 
 TEST(DeformVessels, NothingSeenStaysRigid)
@@ -238,7 +238,7 @@ TEST(DeformVessels, NothingSeenStaysRigid)
     const auto result = deformVessels(std::vector{view});
 
     ASSERT_TRUE(result);
-    EXPECT_EQ(result.value().verdict, BendVerdict::Rigid);
+    EXPECT_EQ(result.value().verdict, DeformationVerdict::Rigid);
     EXPECT_EQ(result.value().cameraFromPatient.matrix(), tree.clean.truth.matrix());
 }
 

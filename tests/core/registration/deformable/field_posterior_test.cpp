@@ -169,9 +169,9 @@ TEST(LookAt, DerivativesMatchFiniteDifferences)
     const TreeKnots knots = treeKnots(clean.tree, {}, 20.0);
     const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
     const RigidTransform second{expSo3({0.1, 0.9, -0.2}), Eigen::Vector3d(-700.0, 10.0, 300.0)};
-    BentTree bent{clean.truth, Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(knots.size()))};
+    DeformedTree deformed{clean.truth, Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(knots.size()))};
     const DeformableSight sight{clean.camera, second, centroid, nullptr};
-    const auto looks = lookAt(knots, bent, sight);
+    const auto looks = lookAt(knots, deformed, sight);
     const double h = 1e-4;
     int checked = 0;
     for (std::size_t k = 0; k < knots.size(); k += 7) {

@@ -46,7 +46,7 @@ TEST(TreeKnots, LoopsAreCutAndPiecesStayApart)
 }
 
 /// A candidate that is off, beside neighbours which agree, loses; where alone, it would win.
-TEST(MatchAlongTree, NeighboursOutvoteTheNearerCurve)
+TEST(MatchAlongTree, NeighborsOutvoteTheNearerCurve)
 {
     const TreeKnots knots = treeKnots(treeWithAFork(), {}, 5.0);
     std::vector<KnotChoice> choices(knots.size());

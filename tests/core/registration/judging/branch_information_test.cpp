@@ -33,20 +33,20 @@ VesselTree cross()
 
 TEST(BranchInformation, SeesOnlyAcrossTheVessel)
 {
-    const auto told = branchInformation(cross(), crossCamera, pose);
-    ASSERT_EQ(told.size(), 4u);
-    EXPECT_LT(told[0].information(3, 3), 1e-9);   // along a vessel nothing is told
-    EXPECT_GT(told[0].information(4, 4), 1.0);
-    EXPECT_GT(told[1].information(3, 3), 1.0);
-    EXPECT_LT(told[1].information(4, 4), 1e-9);
-    EXPECT_NEAR(told[0].lengthPx, 100.0 * 2000.0 / 750.0, 0.1);
+    const auto reported = branchInformation(cross(), crossCamera, pose);
+    ASSERT_EQ(reported.size(), 4u);
+    EXPECT_LT(reported[0].information(3, 3), 1e-9);   // along a vessel nothing is told
+    EXPECT_GT(reported[0].information(4, 4), 1.0);
+    EXPECT_GT(reported[1].information(3, 3), 1.0);
+    EXPECT_LT(reported[1].information(4, 4), 1e-9);
+    EXPECT_NEAR(reported[0].lengthPx, 100.0 * 2000.0 / 750.0, 0.1);
 }
 
 TEST(BranchInformation, LeavesOutWhatLiesOutsideTheImage)
 {
-    const auto told = branchInformation(cross(), crossCamera, pose);
-    EXPECT_EQ(told[3].lengthPx, 0.0);
-    EXPECT_EQ(told[3].information.norm(), 0.0);
+    const auto reported = branchInformation(cross(), crossCamera, pose);
+    EXPECT_EQ(reported[3].lengthPx, 0.0);
+    EXPECT_EQ(reported[3].information.norm(), 0.0);
 }
 
 /// The rows of the information are derivatives: compare them with differences of projections.
@@ -54,8 +54,8 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
 {
     const Eigen::Vector3d from(10.0, 5.0, 720.0);
     const Eigen::Vector3d to(10.4, 5.3, 721.0);
-    const Eigen::Vector3d centre(-3.0, 8.0, 750.0);
-    const Matrix6d information = pieceInformation(crossCamera, from, to, centre);
+    const Eigen::Vector3d center(-3.0, 8.0, 750.0);
+    const Matrix6d information = pieceInformation(crossCamera, from, to, center);
     const Eigen::Vector2d along = *project(crossCamera, to) - *project(crossCamera, from);
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
     const Eigen::Vector3d middle = 0.5 * (from + to);
@@ -64,7 +64,7 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
         step[k] = 1e-5;
         const auto movedBy = [&](double sign) {
             const Eigen::Matrix3d turn = expSo3(sign * step.head<3>());
-            return normal.dot(*project(crossCamera, turn * (middle - centre) + centre + sign * step.tail<3>()));
+            return normal.dot(*project(crossCamera, turn * (middle - center) + center + sign * step.tail<3>()));
         };
         const double derivative = (movedBy(1.0) - movedBy(-1.0)) / 2e-5;
         EXPECT_NEAR(information(k, k), along.norm() * derivative * derivative, 1e-4 * (1.0 + information(k, k))) << k;
@@ -73,24 +73,24 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
 
 TEST(BranchInformation, NamesTheBranchThatPinsAStep)
 {
-    const auto told = branchInformation(cross(), crossCamera, pose);
-    EXPECT_EQ(branchesThatPin(told, 3, prior, 1), std::vector{2});   // sideways: the upright vessel
-    EXPECT_EQ(branchesThatPin(told, 4, prior, 1), std::vector{1});
-    const auto outside = branchesThatPin(told, 5, prior, 4);
+    const auto reported = branchInformation(cross(), crossCamera, pose);
+    EXPECT_EQ(branchesThatPin(reported, 3, prior, 1), std::vector{2});   // sideways: the upright vessel
+    EXPECT_EQ(branchesThatPin(reported, 4, prior, 1), std::vector{1});
+    const auto outside = branchesThatPin(reported, 5, prior, 4);
     EXPECT_EQ(std::ranges::count(outside, 4), 0);
 }
 
 TEST(BranchInformation, ChoosesFewBranchesThatTellNearlyAsMuchAsAll)
 {
-    const auto told = branchInformation(cross(), crossCamera, pose);
-    const auto chosen = mostInformativeBranches(told, prior, 1.3);
+    const auto reported = branchInformation(cross(), crossCamera, pose);
+    const auto chosen = bestInformedBranches(reported, prior, 1.3);
     ASSERT_EQ(chosen.size(), 2u);   // the two long ones
     EXPECT_TRUE(std::ranges::count(chosen, 1) == 1 && std::ranges::count(chosen, 2) == 1);
-    const Vector6d all = expectedStd(told, {1, 2, 3, 4}, prior);
-    const Vector6d few = expectedStd(told, chosen, prior);
+    const Vector6d all = expectedStd(reported, {1, 2, 3, 4}, prior);
+    const Vector6d few = expectedStd(reported, chosen, prior);
     EXPECT_TRUE((few.array() <= 1.3 * all.array()).all());
     EXPECT_TRUE((few.array() >= all.array() - 1e-12).all());
-    EXPECT_TRUE((expectedStd(told, {}, prior) - prior).norm() < 1e-9);
+    EXPECT_TRUE((expectedStd(reported, {}, prior) - prior).norm() < 1e-9);
 }
 
 }   // namespace

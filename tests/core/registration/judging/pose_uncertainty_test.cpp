@@ -64,10 +64,10 @@ TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
     Eigen::Matrix<double, 3, 6> motion;   // of the whole tree's centroid for steps about that of the used points
     motion << -skew(arm), Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d expected = motion * aboutUsed * motion.transpose();
-    const PoseUncertainty told = poseKnowledge(problem, lines, problem.start, prior).uncertainty;
-    EXPECT_LT((told.covariance.bottomRightCorner<3, 3>() - expected).norm(), 1e-6 * expected.norm());
-    EXPECT_NEAR(told.depthMm, std::sqrt(expected(2, 2)), 1e-6);
-    const Matrix6d difference = told.covariance - aboutUsed;   // turns are the same about any place
+    const PoseUncertainty reported = poseKnowledge(problem, lines, problem.start, prior).uncertainty;
+    EXPECT_LT((reported.covariance.bottomRightCorner<3, 3>() - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_NEAR(reported.depthMm, std::sqrt(expected(2, 2)), 1e-6);
+    const Matrix6d difference = reported.covariance - aboutUsed;   // turns are the same about any place
     EXPECT_LT((difference.topLeftCorner<3, 3>().norm()), (1e-6 * aboutUsed.topLeftCorner<3, 3>().norm()));
 }
 

@@ -7,19 +7,19 @@ namespace {
 
 TEST(UnfilledBranches, AreNamedWhileOthersCarryThePose)
 {
-    const Messages told = wordsOf({{7, 0.9}}, 0.6, 3);
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told.front().id(), "trust.part-filled");
-    EXPECT_NE(told.front().text().find("7"), std::string::npos);
+    const Messages reported = wordsOf({{7, 0.9}}, 0.6, 3);
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported.front().id(), "trust.part-filled");
+    EXPECT_NE(reported.front().text().find("7"), std::string::npos);
 }
 
 /// Once "24 of 24 branches … The pose rests on the others."
 TEST(UnfilledBranches, AreNoOthersWhereAllAre)
 {
-    const Messages told = wordsOf({{1, 0.9}, {2, 0.8}, {3, 0.95}}, 0.08, 3);
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told.front().id(), "trust.pieces-filled");
-    EXPECT_EQ(told.front().text().find("others"), std::string::npos);
+    const Messages reported = wordsOf({{1, 0.9}, {2, 0.8}, {3, 0.95}}, 0.08, 3);
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported.front().id(), "trust.pieces-filled");
+    EXPECT_EQ(reported.front().text().find("others"), std::string::npos);
 }
 
 }   // namespace

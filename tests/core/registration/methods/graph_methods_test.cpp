@@ -94,14 +94,14 @@ TEST(MatchedBranches, TellHowFarTheVesselsMoved)
     CounterRandom random(7);
     clean.target = projectTree(deformed(clean.tree, 2.0, random), clean.camera, clean.truth);
     RegistrationOptions options = quickBy("matched-branches");
-    const MethodSolution bent = solutionOf(clean.from(clean.truth), options);
-    ASSERT_EQ(bent.warnings.size(), 1U);
-    EXPECT_EQ(bent.warnings.front().id(), "result.matched-branches-moved");
-    EXPECT_EQ(bent.warnings.front().severity(), Severity::Note);
+    const MethodSolution warped = solutionOf(clean.from(clean.truth), options);
+    ASSERT_EQ(warped.warnings.size(), 1U);
+    EXPECT_EQ(warped.warnings.front().id(), "result.matched-branches-moved");
+    EXPECT_EQ(warped.warnings.front().severity(), Severity::Note);
     options.branches.motion = false;
     const MethodSolution rigid = solutionOf(clean.from(clean.truth), options);
     EXPECT_TRUE(rigid.warnings.empty());
-    EXPECT_EQ(rigid.cameraFromPatient.matrix(), bent.cameraFromPatient.matrix());
+    EXPECT_EQ(rigid.cameraFromPatient.matrix(), warped.cameraFromPatient.matrix());
 }
 
 // Pairs hold the scale where nearest points alone let the tree run away (compare DtIcp).

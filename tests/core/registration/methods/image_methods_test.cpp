@@ -159,13 +159,13 @@ std::shared_ptr<const Volume> ctaOf(const VesselTree& tree)
     Volume volume(geometry, 40);
     for (const VesselBranch& branch : tree.branches) {
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-            const Eigen::Vector3d centre = geometry.patientFromVoxel().inverse() * branch.pointsInPatient[i];
+            const Eigen::Vector3d center = geometry.patientFromVoxel().inverse() * branch.pointsInPatient[i];
             const int reach = 5;
             for (int part = 0; part < (2 * reach + 1) * (2 * reach + 1) * (2 * reach + 1); ++part) {
                 const Eigen::Vector3i voxel =
-                    centre.array().round().cast<int>().matrix() +
+                    center.array().round().cast<int>().matrix() +
                     Eigen::Vector3i(part % 11 - reach, part / 11 % 11 - reach, part / 121 - reach);
-                const Eigen::Vector3d offset = geometry.spacingMm.cwiseProduct(voxel.cast<double>() - centre);
+                const Eigen::Vector3d offset = geometry.spacingMm.cwiseProduct(voxel.cast<double>() - center);
                 if (geometry.contains(voxel) && offset.norm() <= branch.radiusMm[i]) {
                     volume.at(voxel.x(), voxel.y(), voxel.z()) = 400;
                 }

@@ -143,24 +143,24 @@ TEST(Alternation, TakesAnyMethodOfPoints)
     }
 }
 
-TEST(Neighbours, MoreOfThemStillLeadToThePose)
+TEST(Neighbors, MoreOfThemStillLeadToThePose)
 {
     const CleanCase clean(2);
     CounterRandom random(4);
     const RegistrationInput input = clean.from(clean.nearbyStart(random));
-    for (const Neighbours rule : {Neighbours::Closest, Neighbours::Five, Neighbours::Radius}) {
+    for (const Neighbors rule : {Neighbors::Closest, Neighbors::Five, Neighbors::Radius}) {
         RegistrationOptions options = exactSamplesBy("iterative-pnp");
-        options.seed.neighbours = rule;
+        options.seed.neighbors = rule;
         EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.5) << static_cast<int>(rule);
     }
 }
 
-TEST(Neighbours, GradientOfTheirKernelSumMatchesDifferences)
+TEST(Neighbors, GradientOfTheirKernelSumMatchesDifferences)
 {
     const CleanCase clean(2);
     CounterRandom random(8);
     RegistrationOptions options = exactSamplesBy("iterative-pnp");
-    options.seed.neighbours = Neighbours::Five;
+    options.seed.neighbors = Neighbors::Five;
     const auto problem = makeProblem(clean.from(clean.nearbyStart(random)), options);
     const SeedProblem seed = makeSeedProblem(problem.value(), options);
     const KernelProblem full = seed.full(clean.camera);

@@ -115,7 +115,7 @@ TEST(SeedMethods, AlternationFreesTheShiftThatThePriorHolds)
     EXPECT_LT(seedDistanceMm(clean, alternating), 2.5);
 }
 
-TEST(SeedMethods, MetricPriorPullsLessThanMillimetresBesideRadians)
+TEST(SeedMethods, MetricPriorPullsLessThanMillimetersBesideRadians)
 {
     const CleanCase clean(2);
     const RegistrationInput input = clean.from(valleyStart(clean));

@@ -1,6 +1,6 @@
 #include "core/registration/pnp/branch_matching.h"
 
-#include "core/registration/pnp/pair_bend.h"
+#include "core/registration/pnp/pair_deformation.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +134,7 @@ TEST(BranchMatching, ABranchAloneHasItsCurve)
 
 const std::function<bool()> neverStopped = [] { return false; };
 
-TEST(PairBend, LeavesVesselsThatLieOnTheirPartners)
+TEST(PairDeformation, LeavesVesselsThatLieOnTheirPartners)
 {
     const TwoBranches two;
     const RegistrationProblem problem = two.problem();
@@ -144,13 +144,13 @@ TEST(PairBend, LeavesVesselsThatLieOnTheirPartners)
     for (std::size_t i = 0; i < problem.tree.size(); ++i) {
         pairs.push_back({i, *project(problem.camera, two.pose * problem.tree.points[i])});
     }
-    const PairBend bend = bendOntoPairs(problem, matching.tree(), pose, pairs, neverStopped);
-    EXPECT_LT(bend.largestMm, 1e-9);
-    EXPECT_EQ(bendOntoPairs(problem, matching.tree(), pose, {}, neverStopped).largestMm, 0.0);
+    const PairDeformation deformation = deformOntoPairs(problem, matching.tree(), pose, pairs, neverStopped);
+    EXPECT_LT(deformation.largestMm, 1e-9);
+    EXPECT_EQ(deformOntoPairs(problem, matching.tree(), pose, {}, neverStopped).largestMm, 0.0);
 }
 
 // The branch of 60 mm swings about its root by 10°: the motion is found across the rays, lengths are kept.
-TEST(PairBend, FollowsAVesselThatSwingsAndKeepsItsLength)
+TEST(PairDeformation, FollowsAVesselThatSwingsAndKeepsItsLength)
 {
     const TwoBranches two;
     const RegistrationProblem problem = two.problem();
@@ -165,21 +165,21 @@ TEST(PairBend, FollowsAVesselThatSwingsAndKeepsItsLength)
         known.emplace_back(share * (swing * point - point));
         pairs.push_back({i, *project(problem.camera, two.pose * (point + known.back()))});
     }
-    const PairBend bend = bendOntoPairs(problem, matching.tree(), pose, pairs, neverStopped);
-    EXPECT_GT(bend.largestMm, 9.0);
-    EXPECT_LT(bend.medianPx, 0.2);
-    EXPECT_GT(bend.medianBeforePx, bend.medianPx);
+    const PairDeformation deformation = deformOntoPairs(problem, matching.tree(), pose, pairs, neverStopped);
+    EXPECT_GT(deformation.largestMm, 9.0);
+    EXPECT_LT(deformation.medianPx, 0.2);
+    EXPECT_GT(deformation.medianBeforePx, deformation.medianPx);
     for (std::size_t i = 0; i < known.size(); ++i) {
-        EXPECT_LT((bend.motionMm[i] - known[i]).norm(), 0.5) << i;
+        EXPECT_LT((deformation.motionMm[i] - known[i]).norm(), 0.5) << i;
         if (i > 0 && problem.tree.branchIndex[i] == problem.tree.branchIndex[i - 1]) {
             const Eigen::Vector3d before = problem.tree.points[i] - problem.tree.points[i - 1];
-            const Eigen::Vector3d after = before + bend.motionMm[i] - bend.motionMm[i - 1];
+            const Eigen::Vector3d after = before + deformation.motionMm[i] - deformation.motionMm[i - 1];
             EXPECT_NEAR(after.norm() / before.norm(), 1.0, 0.1) << i;
         }
     }
 }
 
-TEST(PairBend, EndsWhenStopped)
+TEST(PairDeformation, EndsWhenStopped)
 {
     const TwoBranches two;
     const RegistrationProblem problem = two.problem();
@@ -190,7 +190,7 @@ TEST(PairBend, EndsWhenStopped)
         pairs.push_back({i, *project(problem.camera, two.pose * problem.tree.points[i]) + Eigen::Vector2d(9.0, 0.0)});
     }
     int asked = 0;
-    bendOntoPairs(problem, matching.tree(), pose, pairs, [&] { return ++asked == 3; });
+    deformOntoPairs(problem, matching.tree(), pose, pairs, [&] { return ++asked == 3; });
     EXPECT_EQ(asked, 3);
 }
 

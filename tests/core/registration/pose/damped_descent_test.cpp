@@ -20,7 +20,7 @@ public:
     };
     using Equations = NormalEquations;
 
-    explicit Arctangents(const Vector6d& wish) : wish_(wish) {}
+    explicit Arctangents(const Vector6d& request) : request_(request) {}
 
     bool look(const Vector6d& place, Look& look)
     {
@@ -30,8 +30,8 @@ public:
     }
     NormalEquations equations(const Vector6d& place, const Look&)
     {
-        ++linearisations;
-        const Vector6d slope = (1.0 + (place - wish_).array().square()).inverse();
+        ++linearizations;
+        const Vector6d slope = (1.0 + (place - request_).array().square()).inverse();
         NormalEquations equations;
         equations.hessian.diagonal() = slope.cwiseAbs2();
         equations.gradient = slope.cwiseProduct(residual(place));
@@ -50,12 +50,12 @@ public:
 
     double limit = 1e9;
     int looks = 0;
-    int linearisations = 0;
+    int linearizations = 0;
 
 private:
-    Vector6d residual(const Vector6d& place) const { return (place - wish_).array().atan(); }
+    Vector6d residual(const Vector6d& place) const { return (place - request_).array().atan(); }
 
-    Vector6d wish_;
+    Vector6d request_;
 };
 
 Verdict goOn(const StepOutcome&)
@@ -66,32 +66,32 @@ Verdict goOn(const StepOutcome&)
 // Only turns are wrong, and the first full step makes them worse. Measured by its shift alone it would look settled.
 TEST(DampedDescent, ARefusedTurnIsNotTakenForSettled)
 {
-    const Vector6d wish = 2.5 * Vector6d::Unit(1);
-    Arctangents problem(wish);
+    const Vector6d request = 2.5 * Vector6d::Unit(1);
+    Arctangents problem(request);
     LookPair<Arctangents::Look> looks;
     DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {.settledMm = 1e-6});
     const StepOutcome first = descent.step();
     ASSERT_FALSE(first.isTaken);
     EXPECT_FALSE(first.isSettled);
     EXPECT_TRUE(descent.descend(100, goOn).isSettled);
-    EXPECT_LT((descent.place() - wish).norm(), 1e-7);
+    EXPECT_LT((descent.place() - request).norm(), 1e-7);
 }
 
-TEST(DampedDescent, LinearisesOncePerPlaceHoweverManyTriesItTakes)
+TEST(DampedDescent, LinearizesOncePerPlaceHoweverManyTriesItTakes)
 {
     Arctangents problem(2.5 * Vector6d::Unit(1));
     LookPair<Arctangents::Look> looks;
     DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {20, 1e-6});
     EXPECT_TRUE(descent.step().isTaken);
-    EXPECT_EQ(problem.linearisations, 1);
+    EXPECT_EQ(problem.linearizations, 1);
     EXPECT_GT(problem.looks, 2);
 }
 
 TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
 {
-    const Vector6d wish = 0.5 * Vector6d::Ones();
+    const Vector6d request = 0.5 * Vector6d::Ones();
     const auto stepsUntil = [&](double settledGain) {
-        Arctangents problem(wish);
+        Arctangents problem(request);
         LookPair<Arctangents::Look> looks;
         DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks,
                               {.settledMm = 1e-9, .settledGain = settledGain});
@@ -101,7 +101,7 @@ TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
             return Verdict::Continue;
         });
         EXPECT_TRUE(last.isSettled);
-        EXPECT_LT((descent.place() - wish).norm(), 1e-3);
+        EXPECT_LT((descent.place() - request).norm(), 1e-3);
         return steps;
     };
     EXPECT_LT(stepsUntil(1e-4), stepsUntil(0.0));

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr ProjectionCamera landmarkCamera{-2500.0, 2500.0, 255.5, 255.5, 512, 512};
-const Eigen::Vector3d centre(15.0, -180.0, 700.0);
+const Eigen::Vector3d center(15.0, -180.0, 700.0);
 
 RigidTransform trueCameraFromPatient()
 {
@@ -18,7 +18,7 @@ RigidTransform trueCameraFromPatient()
     cArm.sourceToIsocenterMm = {750.0, Origin::User, ""};
     cArm.primaryAngleDeg = {-28.0, Origin::User, ""};
     cArm.secondaryAngleDeg = {17.0, Origin::User, ""};
-    return cameraFromPatient(cArm, centre).value();
+    return cameraFromPatient(cArm, center).value();
 }
 
 std::vector<Landmark> pairsOf(const std::vector<Eigen::Vector3d>& offsets, const ProjectionCamera& by = landmarkCamera,
@@ -28,8 +28,8 @@ std::vector<Landmark> pairsOf(const std::vector<Eigen::Vector3d>& offsets, const
     std::normal_distribution<double> noise(0.0, 1.0);
     std::vector<Landmark> pairs;
     for (const Eigen::Vector3d& offset : offsets) {
-        const Eigen::Vector2d pixel = *project(by, trueCameraFromPatient() * (centre + offset).eval());
-        pairs.push_back({centre + offset, pixel + noisePx * Eigen::Vector2d(noise(random), noise(random)), ""});
+        const Eigen::Vector2d pixel = *project(by, trueCameraFromPatient() * (center + offset).eval());
+        pairs.push_back({center + offset, pixel + noisePx * Eigen::Vector2d(noise(random), noise(random)), ""});
     }
     return pairs;
 }
@@ -44,7 +44,7 @@ RigidTransform disturbed(double turnDeg, const Eigen::Vector3d& shiftMm)
     const Eigen::Matrix3d turn =
         expSo3(turnDeg * std::numbers::pi / 180.0 * Eigen::Vector3d(1.0, -2.0, 1.5).normalized());
     const Eigen::Matrix3d rotation = turn * truth.rotation;
-    return {rotation, truth * centre + shiftMm - rotation * centre};
+    return {rotation, truth * center + shiftMm - rotation * center};
 }
 
 double turnDeg(const RigidTransform& a, const RigidTransform& b)
@@ -84,7 +84,7 @@ TEST(LandmarkPose, NoisyClicksStayWithinTheErrorsItTells)
     EXPECT_GT(pose.rmsPx, 0.2);
     EXPECT_LT(pose.rmsPx, 4.0);
     EXPECT_LT(turnDeg(pose.cameraFromPatient, trueCameraFromPatient()), 4.0 * pose.rotationStdDeg);
-    const double depthError = (pose.cameraFromPatient * centre).z() - 750.0;
+    const double depthError = (pose.cameraFromPatient * center).z() - 750.0;
     EXPECT_LT(std::abs(depthError), 4.0 * pose.depthStdMm);
     EXPECT_LT(pose.depthStdMm, 60.0);
 }
@@ -97,7 +97,7 @@ TEST(LandmarkPose, OnePairShiftsThePoseAndTurnsNothing)
     EXPECT_TRUE(found.value().leansOnPrior);
     EXPECT_LT(found.value().errorPx[0], 0.1);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, before), 0.05);
-    const Eigen::Vector3d point = centre + spreadOffsets[0];
+    const Eigen::Vector3d point = center + spreadOffsets[0];
     EXPECT_NEAR((found.value().cameraFromPatient * point).z(), (before * point).z(), 0.5);
 }
 

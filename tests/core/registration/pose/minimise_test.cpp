@@ -24,23 +24,23 @@ double rosenbrock(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)
     return a * a + 100.0 * b * b;
 }
 
-TEST(Minimise, EveryMinimiserFindsTheEndOfTheValley)
+TEST(Minimize, EveryMinimizerFindsTheEndOfTheValley)
 {
-    for (const Minimiser minimiser : {Minimiser::NelderMead, Minimiser::Powell, Minimiser::Lbfgs}) {
-        MinimiseOptions options;
-        options.minimiser = minimiser;
+    for (const Minimizer minimizer : {Minimizer::NelderMead, Minimizer::Powell, Minimizer::Lbfgs}) {
+        MinimizeOptions options;
+        options.minimizer = minimizer;
         options.tolerance = 1e-7;
         options.maxEvaluations = 2000;
-        const Minimum minimum = minimise(rosenbrock, Eigen::Vector2d(-1.2, 1.0), options, [] { return false; });
-        EXPECT_LT((minimum.x - Eigen::Vector2d::Ones()).norm(), 1e-3) << static_cast<int>(minimiser);
+        const Minimum minimum = minimize(rosenbrock, Eigen::Vector2d(-1.2, 1.0), options, [] { return false; });
+        EXPECT_LT((minimum.x - Eigen::Vector2d::Ones()).norm(), 1e-3) << static_cast<int>(minimizer);
     }
 }
 
-TEST(Minimise, StopsWhenToldAndKeepsTheBest)
+TEST(Minimize, StopsWhenToldAndKeepsTheBest)
 {
-    for (const Minimiser minimiser : {Minimiser::NelderMead, Minimiser::Powell, Minimiser::Lbfgs}) {
-        MinimiseOptions options;
-        options.minimiser = minimiser;
+    for (const Minimizer minimizer : {Minimizer::NelderMead, Minimizer::Powell, Minimizer::Lbfgs}) {
+        MinimizeOptions options;
+        options.minimizer = minimizer;
         options.tolerance = 1e-9;
         int evaluations = 0;
         double least = 1e300;
@@ -50,7 +50,7 @@ TEST(Minimise, StopsWhenToldAndKeepsTheBest)
             least = std::min(least, value);
             return value;
         };
-        const Minimum minimum = minimise(cost, Eigen::Vector2d(-1.2, 1.0), options, [&] { return evaluations >= 7; });
+        const Minimum minimum = minimize(cost, Eigen::Vector2d(-1.2, 1.0), options, [&] { return evaluations >= 7; });
         EXPECT_EQ(evaluations, 7);
         EXPECT_FALSE(minimum.isConverged);
         EXPECT_DOUBLE_EQ(minimum.cost, least);

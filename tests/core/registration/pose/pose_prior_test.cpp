@@ -10,11 +10,11 @@ namespace {
 
 using namespace core;
 
-Vector6d gaussianTwist(CounterRandom& random, double angle, double millimetres)
+Vector6d gaussianTwist(CounterRandom& random, double angle, double millimeters)
 {
     Vector6d twist;
     for (int k = 0; k < 6; ++k) {
-        twist(k) = (k < 3 ? angle : millimetres) * random.normal();
+        twist(k) = (k < 3 ? angle : millimeters) * random.normal();
     }
     return twist;
 }

@@ -79,7 +79,7 @@ struct WireInTree {
         double sum = 0.0;
         for (const Eigen::Vector3d& place : axis) {
             const Eigen::Vector2d gap = *project(camera, pose * place) - *project(camera, truth * place);
-            sum += gap.norm() * millimetresPerPixel(camera, 750.0);
+            sum += gap.norm() * millimetersPerPixel(camera, 750.0);
         }
         return sum / static_cast<double>(axis.size());
     }

@@ -40,7 +40,7 @@ TEST(SkeletonCover, SaysHowMuchIsFollowedAndWhereMostIsNot)
     EXPECT_FALSE(whole.missedInPatient);
 }
 
-bool tellsOfSkeleton(const core::VesselTracingOptions& options)
+bool reportsSkeleton(const core::VesselTracingOptions& options)
 {
     const auto grid = test::gridAround({0, 0, 0}, {60, 50, 60}, {1.0, 1.0, 1.0});
     const auto traced = core::traceMask(
@@ -53,8 +53,8 @@ bool tellsOfSkeleton(const core::VesselTracingOptions& options)
 
 TEST(SkeletonCover, OfAMaskIsToldWhereItIsNotFollowed)
 {
-    EXPECT_FALSE(tellsOfSkeleton({}));
-    EXPECT_TRUE(tellsOfSkeleton({.minBranchRadiusMm = 3.0}));
+    EXPECT_FALSE(reportsSkeleton({}));
+    EXPECT_TRUE(reportsSkeleton({.minBranchRadiusMm = 3.0}));
 }
 
 }   // namespace

@@ -55,18 +55,20 @@ TEST(AnyScan, TheFallOffOfACoilIsEvenedOutAndTold)
     ASSERT_TRUE(traced) << traced.error().message;
     EXPECT_LT(falseShare(traced.value().tree, scan), 0.1);
     EXPECT_GT(test::agreementOf(traced.value().tree, scan.seen, 1.5).found, 0.9);
-    EXPECT_TRUE(std::ranges::any_of(
-        traced.value().warnings, [](const core::Message& warning) { return warning.is(core::says::coilEvenedOut); }));
+    EXPECT_TRUE(std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
+        return warning.is(core::says::coilBiasCorrected);
+    }));
 }
 
 TEST(AnyScan, CtWithoutHounsfieldUnitsHasNoCoil)
 {
-    const core::AnyScan scan = scanOf(core::ScanKind::AbdomenGrey);
+    const core::AnyScan scan = scanOf(core::ScanKind::AbdomenGray);
     const auto traced = core::traceVessels(scan.volume);
     ASSERT_TRUE(traced) << traced.error().message;
     EXPECT_LT(falseShare(traced.value().tree, scan), 0.05);
-    EXPECT_TRUE(std::ranges::none_of(
-        traced.value().warnings, [](const core::Message& warning) { return warning.is(core::says::coilEvenedOut); }));
+    EXPECT_TRUE(std::ranges::none_of(traced.value().warnings, [](const core::Message& warning) {
+        return warning.is(core::says::coilBiasCorrected);
+    }));
 }
 
 }   // namespace

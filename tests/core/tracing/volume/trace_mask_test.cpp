@@ -71,7 +71,7 @@ TEST(TraceVesselMask, FindsTheAxisAndRadiusOfATube)
     EXPECT_FALSE(core::findProblem(traced.tree));
 }
 
-TEST(TraceVesselMask, StaysWithinSharpBends)
+TEST(TraceVesselMask, StaysWithinSharpDeformation)
 {
     // A wide vessel that goes on as a thin hairpin: the curve is smooth, but not at the price of leaving the lumen.
     const std::vector<Tube> tubes{{place(-8, 0, -40), place(-8, 0, 0), 8.0},

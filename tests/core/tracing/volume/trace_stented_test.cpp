@@ -30,15 +30,15 @@ core::SimulatedCta stentedCta(double rootRadiusMm, double voxelMm)
 }
 
 /// The tree as traced; fails the test where less than that is found, or right.
-core::VesselTree tracedTree(const core::SimulatedCta& cta, double leastFound, double leastRight)
+core::VesselTree tracedTree(const core::SimulatedCta& cta, double minFound, double minRight)
 {
     auto traced = core::traceVessels(cta.volume);
     if (!traced) {
         ADD_FAILURE() << traced.error().message;
         return {};
     }
-    EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), leastFound);
-    EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), leastRight);
+    EXPECT_GT(shareNear(cta.tree, traced.value().tree, 2.0), minFound);
+    EXPECT_GT(shareNear(traced.value().tree, cta.tree, 2.0), minRight);
     return std::move(traced).value().tree;
 }
 

@@ -90,7 +90,7 @@ Volume asPicture(const Volume& scan, int frame)
     return picture;
 }
 
-TEST(TraceVolume, AirAroundAPatientInGreyValuesIsNoTissue)
+TEST(TraceVolume, AirAroundAPatientInGrayValuesIsNoTissue)
 {
     const core::SimulatedCta cta = core::simulateCta(3, {.branchCount = 6, .rootRadiusMm = 7.0},
                                                      {.size = {112, 112, 96}, .spacingMm = {1.0, 1.0, 1.0}});

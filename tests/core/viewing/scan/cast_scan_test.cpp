@@ -16,7 +16,7 @@ bool always()
 }
 
 /// A ball of 400 HU, 8 mm wide, around a point, in 0 HU; voxels of 1 mm around the origin.
-std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& centre)
+std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& center)
 {
     VolumeGeometry geometry;
     geometry.size = {side, side, side};
@@ -24,7 +24,7 @@ std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& centre)
     auto volume = std::make_shared<Volume>(geometry);
     for (std::size_t i = 0; i < volume->voxels.size(); ++i) {
         const Eigen::Vector3d at = geometry.patientFromVoxel() * geometry.voxelAt(i).cast<double>();
-        volume->voxels[i] = (at - centre).norm() <= 8.0 ? 400 : 0;
+        volume->voxels[i] = (at - center).norm() <= 8.0 ? 400 : 0;
     }
     return volume;
 }
@@ -53,7 +53,7 @@ ScanLook solid(double perMm)
 
 TEST(CastScan, ShowsABallWhereItLies)
 {
-    const auto scan = seenScan({ballAt({9, 3, -6}), nullptr, nullptr}, always);
+    const auto scan = preparedVolume({ballAt({9, 3, -6}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
     const auto picture = castScan(*scan, solid(5.0), seenFromTheFront(), 0.5, always);
     ASSERT_TRUE(picture);
@@ -76,7 +76,7 @@ TEST(CastScan, ShowsABallWhereItLies)
 /// As the view of a window has it that was never drawn.
 TEST(CastScan, ShowsNothingToASightThatIsNowhere)
 {
-    const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
+    const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
     ParallelSight sight = seenFromTheFront();
     sight.mmPerPx = 1.0 / 0.0;
@@ -93,7 +93,7 @@ TEST(CastScan, ShowsNothingToASightThatIsNowhere)
 /// Opacity of a way of a known length, however long the steps are.
 TEST(CastScan, HidesAsMuchAsTheWayThroughDemands)
 {
-    const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
+    const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
     for (const double step : {0.3, 0.5, 1.0}) {
         const auto picture = castScan(*scan, solid(0.05), seenFromTheFront(), step, always);
@@ -104,7 +104,7 @@ TEST(CastScan, HidesAsMuchAsTheWayThroughDemands)
 
 TEST(CastScan, SeesTheSameFromEverySideOfABall)
 {
-    const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
+    const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
     ParallelSight oblique = seenFromTheFront();
     oblique.right = Eigen::Vector3d(1, 1, 0.5).normalized();
@@ -126,10 +126,10 @@ TEST(CastScan, TintsWhatTheMaskNames)
         labels->voxels[i] = volume->voxels[i] == 0 ? 0 : x < side / 2 ? 1 : 2;
     }
     for (const auto& shown : {std::shared_ptr<const Volume>(volume), std::shared_ptr<const Volume>()}) {   // or alone
-        const auto scan = seenScan({shown, labels, nullptr}, always);
+        const auto scan = preparedVolume({shown, labels, nullptr}, always);
         ASSERT_TRUE(scan);
-        const ScanWish wish{ScanPreset::Vessels, 0.9, {}, {}, {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
-        const ScanLook look = shown ? lookOf({0.0, 200.0, 400.0, true}, wish, true) : lookOfMask(wish);
+        const ScanRequest request{ScanPreset::Vessels, 0.9, {}, {}, {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
+        const ScanLook look = shown ? lookOf({0.0, 200.0, 400.0, true}, request, true) : lookOfMask(request);
         const auto picture = castScan(*scan, look, seenFromTheFront(), 0.5, always);
         ASSERT_TRUE(picture);
         EXPECT_GT(picture->at(26, 20)[0], picture->at(26, 20)[2] + 100);   // red on the left
@@ -144,12 +144,12 @@ TEST(CastScan, LeavesOutTheRestWhereVesselsAreKnown)
     tree->branches.emplace_back();
     tree->branches.front().pointsInPatient = {{-12, 0, -10}, {-12, 0, 10}};
     tree->branches.front().radiusMm = {2.0, 2.0};
-    const auto scan = seenScan({volume, nullptr, tree}, always);
+    const auto scan = preparedVolume({volume, nullptr, tree}, always);
     ASSERT_TRUE(scan && scan->hasKinds);
     const SeenLevels levels{0.0, 200.0, 400.0, true};
     const auto opacityAt = [&](ScanPreset preset) {
-        const ScanWish wish{preset, 0.8, {}, {}, {{1.0F, 0.0F, 0.0F}}};
-        return castScan(*scan, lookOf(levels, wish, scan->hasKinds), seenFromTheFront(), 0.5, always)->at(42, 20)[3];
+        const ScanRequest request{preset, 0.8, {}, {}, {{1.0F, 0.0F, 0.0F}}};
+        return castScan(*scan, lookOf(levels, request, scan->hasKinds), seenFromTheFront(), 0.5, always)->at(42, 20)[3];
     };
     EXPECT_EQ(opacityAt(ScanPreset::Vessels), 0);
     EXPECT_GT(opacityAt(ScanPreset::VesselsAndBone), 150);
@@ -157,11 +157,11 @@ TEST(CastScan, LeavesOutTheRestWhereVesselsAreKnown)
 
 TEST(CastScan, EndsWhenItIsTold)
 {
-    const auto scan = seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, always);
+    const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
     EXPECT_FALSE(castScan(*scan, solid(1.0), seenFromTheFront(), 0.5, [] { return false; }));
-    EXPECT_FALSE(seenScan({ballAt({0, 0, 0}), nullptr, nullptr}, [] { return false; }));
-    EXPECT_FALSE(seenScan({}, always));
+    EXPECT_FALSE(preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, [] { return false; }));
+    EXPECT_FALSE(preparedVolume({}, always));
 }
 
 /// A scan without HU: what is brighter than nearly all counts as vessel, by its own values.

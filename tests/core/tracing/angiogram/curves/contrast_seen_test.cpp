@@ -13,7 +13,7 @@ namespace {
 
 constexpr int sidePx = 256;
 
-bool isTold(const AngiogramTrace& trace)
+bool isKnown(const AngiogramTrace& trace)
 {
     return std::ranges::any_of(trace.warnings,
                                [](const Message& warning) { return warning.id() == says::frameWithLittleContrast.id; });
@@ -46,12 +46,12 @@ AngiogramTrace traced(const std::vector<test::Path>& paths, const test::FrameLoo
 
 TEST(ContrastSeen, FilledVesselsAreNotSpokenOf)
 {
-    EXPECT_FALSE(isTold(traced(forkedVessels(), {.noise = 4.0})));
+    EXPECT_FALSE(isKnown(traced(forkedVessels(), {.noise = 4.0})));
 }
 
 TEST(ContrastSeen, AShortPieceInNoiseIsTold)
 {
-    EXPECT_TRUE(isTold(traced({test::line({100, 110}, {150, 140})}, {.noise = 4.0})));
+    EXPECT_TRUE(isKnown(traced({test::line({100, 110}, {150, 140})}, {.noise = 4.0})));
 }
 
 TEST(ContrastSeen, CountsNoSuspects)

@@ -30,7 +30,7 @@ const auto windingCurve = [](double x) { return 6.0 * std::sin(0.06 * x); };
 const auto even = [](double) { return 2.0; };
 const auto tapering = [](double x) { return 3.0 - 0.009 * x; };
 
-TEST(SuspectCurves, AreStraightOrEvenlyBentAndOfEvenWidth)
+TEST(SuspectCurves, AreStraightOrEvenlyDeformedAndOfEvenWidth)
 {
     const Centerline2d centerline{{drawnCurve(1, straightCourse, even), drawnCurve(2, arc, even)}};
     EXPECT_EQ(core::suspectCurves(centerline, frameSidePx), (std::vector<int>{1, 2}));

@@ -12,11 +12,11 @@ namespace {
 
 using core::Polarity;
 
-const test::Path bend{{20.0, 30.0}, {90.0, 40.0}, {150.0, 110.0}};
+const test::Path deformation{{20.0, 30.0}, {90.0, 40.0}, {150.0, 110.0}};
 
 TEST(DrawingGround, LeadsAWireAlongAFaintVessel)
 {
-    core::ImageF frame = test::drawnFrame(180, 140, {bend}, 3.0, {.background = 900.0F, .depth = 60.0F});
+    core::ImageF frame = test::drawnFrame(180, 140, {deformation}, 3.0, {.background = 900.0F, .depth = 60.0F});
     test::addNoise(frame, 10.0, 5);
     const core::DrawingGround ground = core::drawingGround(frame, Polarity::VesselsDark);
     core::LiveWire wire(ground.vesselness);
@@ -24,13 +24,13 @@ TEST(DrawingGround, LeadsAWireAlongAFaintVessel)
     const auto drawn = core::withDrawn({}, wire.pathTo({147.0, 105.0}), ground.opacity);
     ASSERT_EQ(drawn.curves.size(), 1U);
     for (const Eigen::Vector2d& point : drawn.curves.front().pointsPx) {
-        EXPECT_LT(test::distanceTo(bend, point), 1.5);
+        EXPECT_LT(test::distanceTo(deformation, point), 1.5);
     }
 }
 
 TEST(DrawingGround, BrightVesselsAreTheSame)
 {
-    const core::ImageF frame = test::drawnFrame(180, 140, {bend}, 3.0, {.background = 900.0F, .depth = 200.0F});
+    const core::ImageF frame = test::drawnFrame(180, 140, {deformation}, 3.0, {.background = 900.0F, .depth = 200.0F});
     core::ImageF negative = frame;
     for (float& value : negative.pixels) {
         value = 2000.0F - value;

@@ -28,7 +28,7 @@ ImageF vesselnessOf(int width, int height, const std::vector<Path>& paths)
     return vesselness;
 }
 
-TEST(LiveWire, FollowsTheVesselRoundTheBend)
+TEST(LiveWire, FollowsTheVesselRoundTheDeformation)
 {
     const Path ring = test::circle({100.0, 100.0}, 60.0);
     LiveWire wire(vesselnessOf(200, 200, {ring}));

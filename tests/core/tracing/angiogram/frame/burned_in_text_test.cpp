@@ -54,13 +54,13 @@ TEST(BurnedInText, LargeLettersAreFoundWhereTheyAreLookedFor)
     for (const int scale : {3, 5, 6}) {   // 21 to 42 of 300 px
         ImageF frame = angiogram();
         test::writeLetters(frame, {20, 20}, 4, 255.0F, scale);
-        const Mask2d text = core::burnedInText(frame, core::tellingLetterShare);
+        const Mask2d text = core::burnedInText(frame, core::informativeLetterShare);
         EXPECT_NE(text.at(21, 21), 0) << scale;
         EXPECT_NE(text.at(20 + 3 * 7 * scale + 1, 20 + 6 * scale), 0) << scale;
         const Mask2d usual = core::burnedInText(frame);
         EXPECT_EQ(usual.at(21, 21), 0) << scale << ": what is traced stays as it was";
     }
-    const Mask2d none = core::burnedInText(angiogram(), core::tellingLetterShare);
+    const Mask2d none = core::burnedInText(angiogram(), core::informativeLetterShare);
     EXPECT_EQ(std::count(none.pixels.begin(), none.pixels.end(), 255), 0);
 }
 

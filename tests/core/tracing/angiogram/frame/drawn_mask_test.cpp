@@ -29,11 +29,11 @@ TEST(DrawnMask, LeavesPicturesAlone)
     EXPECT_FALSE(drawnMask(bar(255.0F, 0.0F, 140.0F))) << "dark vessels on white: a picture";
     EXPECT_FALSE(drawnMask(ImageF(20, 20, 7.0F))) << "one level";
     EXPECT_FALSE(drawnMask(ImageF()));
-    ImageF grey(100, 100);
-    for (std::size_t i = 0; i < grey.pixels.size(); ++i) {
-        grey.pixels[i] = static_cast<float>(i % 100);
+    ImageF gray(100, 100);
+    for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
+        gray.pixels[i] = static_cast<float>(i % 100);
     }
-    EXPECT_FALSE(drawnMask(grey));
+    EXPECT_FALSE(drawnMask(gray));
 }
 
 }   // namespace

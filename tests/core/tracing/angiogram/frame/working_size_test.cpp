@@ -23,7 +23,7 @@ TEST(WorkingSize, UsualFramesAreTakenAsTheyAre)
     EXPECT_EQ(core::workingSizeOf(ImageF(20, 20)).halvings, -2);
 }
 
-TEST(WorkingSize, PixelCentresStayWhereTheyWere)
+TEST(WorkingSize, PixelCentersStayWhereTheyWere)
 {
     // Pixel (1, 0) of a halved frame covers columns 2 and 3.
     const auto back = core::fromWorkingSize({Eigen::Vector2d(1.0, 0.0)}, core::WorkingSize{1});

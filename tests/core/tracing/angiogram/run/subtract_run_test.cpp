@@ -19,7 +19,7 @@ using core::Polarity;
 const test::Path contrastVessel = test::line({20, 30}, {180, 120});
 
 /// A frame with ribs as dark as the vessel, which is filled or not; the patient has moved by `driftPx`.
-ImageF ribFrame(bool isFilled, double driftPx, std::uint64_t seed)
+ImageF ribFrame(bool isOpacified, double driftPx, std::uint64_t seed)
 {
     std::vector<test::Path> bars;
     for (const double x : {40.0, 90.0, 150.0}) {
@@ -27,7 +27,7 @@ ImageF ribFrame(bool isFilled, double driftPx, std::uint64_t seed)
     }
     bars.push_back(test::line({-20.0, 60.0 + 0.5 * driftPx}, {220.0, 20.0 + 0.5 * driftPx}));
     ImageF frame = test::drawnFrame(200, 150, bars, 5.0, {.background = 900.0F, .depth = 300.0F});
-    if (isFilled) {
+    if (isOpacified) {
         const ImageF shadow = test::drawnFrame(200, 150, {contrastVessel}, 3.0, {.background = 1.0F, .depth = 0.25F});
         std::transform(frame.pixels.begin(), frame.pixels.end(), shadow.pixels.begin(), frame.pixels.begin(),
                        std::multiplies<>());

@@ -19,7 +19,7 @@ ImageF frameFilledTo(double reach, double noise = 4.0)
     return test::drawnFrame(256, 220, {test::line(start, end)}, 3.5, {.noise = noise});
 }
 
-TEST(SuggestFrame, PicksTheFullestFrame)
+TEST(SuggestFrame, PicksThePeakOpacificationFrame)
 {
     const std::vector<ImageF> run{frameFilledTo(0.1), frameFilledTo(0.4), frameFilledTo(1.0), frameFilledTo(0.6)};
     EXPECT_EQ(core::suggestFrame(run, Polarity::VesselsDark), 2);

@@ -48,8 +48,8 @@ double costOfWay(const VolumeGeometry& grid, const std::vector<double>& costs, c
 }
 
 /// By relaxing every step until nothing gets cheaper.
-double leastCost(const VolumeGeometry& grid, const std::vector<double>& costs, const Eigen::Vector3i& from,
-                 const Eigen::Vector3i& to)
+double minCost(const VolumeGeometry& grid, const std::vector<double>& costs, const Eigen::Vector3i& from,
+               const Eigen::Vector3i& to)
 {
     std::vector<double> known(grid.voxelCount(), infinite);
     std::queue<Eigen::Vector3i> changed;
@@ -99,7 +99,7 @@ TEST(CheapestPath, IsTheCheapestWay)
         ASSERT_FALSE(way.empty());
         EXPECT_EQ(way.front(), from);
         EXPECT_EQ(way.back(), to);
-        EXPECT_NEAR(costOfWay(grid, costs, way), leastCost(grid, costs, from, to), 1e-3) << "seed " << seed;
+        EXPECT_NEAR(costOfWay(grid, costs, way), minCost(grid, costs, from, to), 1e-3) << "seed " << seed;
     }
 }
 

@@ -39,7 +39,7 @@ TEST_F(ThinStent, HasAVesselBeyondBothItsEnds)
     EXPECT_TRUE(isStent(wires_, {before_, behind_}));
 }
 
-TEST_F(ThinStent, TheVesselMayBendBehindIt)
+TEST_F(ThinStent, TheVesselMayDeformationBehindIt)
 {
     EXPECT_TRUE(isStent(wires_, {before_, {{0, 0, 12}, {12, 0, 26}, 2.2}}));
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/support/message.h"
+
+#include <span>
+
+namespace angiopose::app {
+
+/// Every message of this layer, for translations and tests.
+std::span<const core::MessageEntry* const> messageCatalog();
+
+}   // namespace angiopose::app

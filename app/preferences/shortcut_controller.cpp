@@ -1,0 +1,142 @@
+#include "app/preferences/shortcut_controller.h"
+
+#include "app/preferences/applied_choices.h"
+#include "app/preferences/settings.h"
+#include "ui/actions/window_actions.h"
+#include "ui/views/angiogram_view.h"
+#include "ui/words/spoken.h"
+
+#include <QSettings>
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+struct MouseChoice {
+    ui::Command command;
+    const char* name;
+    ui::MousePreset preset;
+};
+
+constexpr std::array mouseChoices{MouseChoice{ui::Command::MouseRadiology, "radiology", ui::radiologyMouse},
+                                  MouseChoice{ui::Command::MouseSlicer, "slicer", ui::slicerMouse},
+                                  MouseChoice{ui::Command::MouseScroll, "scroll", ui::scrollMouse}};
+
+const MouseChoice& chosenMouseChoice()
+{
+    const QString name = settings::mouse.read();
+    const auto* found = std::ranges::find_if(
+        mouseChoices, [&name](const MouseChoice& choice) { return name == QLatin1String(choice.name); });
+    return found == mouseChoices.end() ? mouseChoices.front() : *found;
+}
+
+/// Settings group of the keys; each command under its object name.
+QString settingOf(const QAction* action)
+{
+    return QStringLiteral("keys/%1").arg(action->objectName());
+}
+
+/// As stored: separated by "; ", nothing where there is no key.
+QList<QKeySequence> keysOf(const QString& stored)
+{
+    return stored.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(stored);
+}
+
+}   // namespace
+
+ui::MousePreset chosenMouse()
+{
+    return chosenMouseChoice().preset;
+}
+
+MouseController::MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent) : QObject(parent)
+{
+    for (const MouseChoice& choice : mouseChoices) {
+        connect(actions[choice.command], &QAction::triggered, this, [&view, &choice] {
+            settings::mouse.write(QString::fromLatin1(choice.name));
+            view.setMousePreset(choice.preset);
+        });
+    }
+    actions[chosenMouseChoice().command]->setChecked(true);
+    view.setMousePreset(chosenMouse());
+}
+
+ShortcutController::ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
+    : QObject(parent), actions_(actions), dialogParent_(dialogParent)
+{
+    for (const ui::KeyLine& line : keyLines()) {
+        if (line.action) {
+            usual_[line.action] = line.action->shortcuts();
+        }
+    }
+    readStored();
+    connect(actions_[ui::Command::Keys], &QAction::triggered, this, &ShortcutController::openSheet);
+}
+
+std::vector<ui::KeyLine> ShortcutController::keyLines() const
+{
+    return actions_.keySheet(chosenMouse());
+}
+
+void ShortcutController::readStored()
+{
+    const QSettings stored;
+    for (const auto& [action, keys] : usual_) {
+        const QVariant chosen = stored.value(settingOf(action));
+        action->setShortcuts(chosen.isValid() ? keysOf(chosen.toString()) : keys);
+    }
+}
+
+void ShortcutController::openSheet()
+{
+    if (sheet_) {
+        return;
+    }
+    sheet_ = new ui::KeySheet(keyLines(), &dialogParent_);
+    connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
+    connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
+    connect(sheet_, &QDialog::finished, this, [this] {
+        if (std::exchange(areNew_, false)) {   // buttons and hints name keys
+            applyChosenKeys();
+            ui::speakAgain();
+        }
+    });
+    connect(sheet_, &QObject::destroyed, this, [this] { sheet_ = nullptr; });
+    sheet_->open();
+}
+
+void ShortcutController::choose(QAction* action, const QKeySequence& key)
+{
+    QSettings stored;
+    const auto give = [&stored](QAction* to, const QList<QKeySequence>& keys) {
+        to->setShortcuts(keys);
+        stored.setValue(settingOf(to), QKeySequence::listToString(keys));
+    };
+    for (const auto& [other, usual] : usual_) {
+        QList<QKeySequence> keys = other->shortcuts();
+        if (other != action && !key.isEmpty() && keys.removeAll(key) > 0) {
+            give(other, keys);
+        }
+    }
+    give(action, key.isEmpty() ? QList<QKeySequence>() : QList<QKeySequence>{key});
+    refresh();
+}
+
+void ShortcutController::resetAll()
+{
+    QSettings().remove(QStringLiteral("keys"));
+    readStored();
+    refresh();
+}
+
+void ShortcutController::refresh()
+{
+    areNew_ = true;
+    if (sheet_) {
+        sheet_->showLines(keyLines());
+    }
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "app/preferences/language_controller.h"
+#include "app/preferences/menu_controller.h"
+#include "app/preferences/shortcut_controller.h"
+
+namespace angiopose::app {
+
+/// How each user likes the program to be: everything here is remembered between sessions, nothing belongs to a case.
+class UserPreferences {
+public:
+    /// What of the window they serve.
+    struct Ui {
+        ui::WindowActions& actions;
+        ui::AngiogramView& view;
+        ui::TreeView& treeView;
+        ui::BottomStrip& strip;
+        QWidget& window;
+    };
+    UserPreferences(BranchController& branches, const Ui& ui)
+        : colors_(ui.actions, ui.view, ui.treeView, ui.window),
+          language_(ui.actions, ui.window),
+          mouse_(ui.actions, ui.view),
+          shortcuts_(ui.actions, ui.window),
+          menus_(branches, ui.actions, ui.view, ui.treeView, ui.window),
+          pictures_(ui.actions, ui.strip, ui.window)
+    {
+    }
+
+    LanguageController& language() { return language_; }
+    ShortcutController& shortcuts() { return shortcuts_; }
+
+private:
+    ColorController colors_;
+    LanguageController language_;
+    MouseController mouse_;
+    ShortcutController shortcuts_;
+    MenuController menus_;
+    PictureController pictures_;
+};
+
+}   // namespace angiopose::app

@@ -1,0 +1,103 @@
+#include "app/texts/deformed_vessels.h"
+
+#include "app/messages/says.h"
+#include "core/case/known_deformation.h"
+#include "core/registration/deformable/deformed_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace angiopose::app {
+namespace {
+
+/// The first round number that holds the largest motion.
+double motionScaleMm(double largestMm)
+{
+    constexpr std::array ends{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
+    const auto end = std::ranges::lower_bound(ends, largestMm);
+    return end == ends.end() ? ends.back() : *end;
+}
+
+MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& deformed, const core::RigidTransform& pose,
+                    std::size_t viewCount)
+{
+    MotionMap map;
+    for (std::size_t b = 0; b < deformed.branches.size(); ++b) {
+        std::vector<double>& apartMm = map.distanceMm[rigid.branches[b].id];
+        apartMm = core::distancesApart(rigid.branches[b], deformed.branches[b], pose, viewCount);
+        for (const double mm : apartMm) {
+            map.largestMm = std::max(map.largestMm, mm);
+        }
+    }
+    map.scaleMaximumMm = motionScaleMm(map.largestMm);
+    return map;
+}
+
+/// Of the run in which a bend was found, where the one that is shown is another.
+std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransform& pose,
+                                const core::DeformableResult& deformed)
+{
+    const core::FollowedFrame* followed = core::deformationAt(view.followed, pose);
+    if (followed && followed->deformed.get() == &deformed) {
+        return followed->deformedAsInFrame;
+    }
+    const bool isElsewhere = view.result && view.result->deformed.get() == &deformed && !core::resultOfShownFrame(view);
+    return isElsewhere ? view.result->provenance.frame : std::nullopt;
+}
+
+}   // namespace
+
+std::shared_ptr<const core::DeformableResult> drawableDeformation(const core::View& view, const core::Vessels& vessels,
+                                                                  const core::RigidTransform& pose)
+{
+    return core::knownDeformation(view, vessels, pose);
+}
+
+DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
+                          VesselShape wanted)
+{
+    DrawnVessels drawn;
+    if (!vessels.tree) {
+        return drawn;
+    }
+    drawn.tree = *vessels.tree;
+    drawn.known = drawableDeformation(view, vessels, pose);
+    if (drawn.known) {
+        core::VesselTree deformed = core::deformedTreeAt(*vessels.tree, *drawn.known, pose);
+        drawn.motion = motionMap(*vessels.tree, deformed, pose, drawn.known->viewPoses.size());
+        drawn.shape = wanted;
+        drawn.otherFrame = otherFrameOf(view, pose, *drawn.known);
+        if (wanted == VesselShape::Deformed) {
+            drawn.tree = std::move(deformed);
+        }
+    }
+    return drawn;
+}
+
+core::Messages shapeLines(const DrawnVessels& drawn)
+{
+    if (!drawn.known) {
+        return {};
+    }
+    if (drawn.shape == VesselShape::Rigid) {
+        return {says::vesselsRigid()};
+    }
+    const core::Quantity most = core::inMm(drawn.motion.largestMm, 1);
+    const bool isSure = drawn.known->verdict == core::DeformationVerdict::Deformed;
+    core::Messages lines{isSure ? says::vesselsDeformed(most) : says::vesselsDeformedUnsure(most)};
+    if (drawn.otherFrame) {
+        lines.push_back(says::deformedOnFrame(*drawn.otherFrame + 1));
+    }
+    if (drawn.known->viewPoses.size() == 1) {
+        lines.push_back(says::deformedDepthUnknown());
+    }
+    return lines;
+}
+
+core::Message motionHeading()
+{
+    return says::motionScale();
+}
+
+}   // namespace angiopose::app

@@ -1,0 +1,135 @@
+#include "core/imaging/gray_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace angiopose::core {
+namespace {
+
+constexpr std::size_t worthCounting = 4096;   // below, selection is as fast
+constexpr int levelBits = 12;   // sign, exponent, three bits: an eighth of an octave
+
+/// The uppermost bits of a value, so that they grow as values do.
+std::size_t levelOf(float value)
+{
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const std::uint32_t ordered = bits ^ ((bits >> 31U) != 0U ? 0xffffffffU : 0x80000000U);
+    return ordered >> (32 - levelBits);
+}
+
+std::size_t rankOf(double share, std::size_t count)
+{
+    return static_cast<std::size_t>(share * static_cast<double>(count - 1));
+}
+
+std::vector<std::size_t> countedByLevel(const std::vector<float>& values)
+{
+    std::vector<std::size_t> counts(std::size_t{1} << levelBits);
+    for (const float value : values) {
+        ++counts[levelOf(value)];
+    }
+    return counts;
+}
+
+/// The value of a rank, selected among those of its level.
+float atRank(const std::vector<float>& values, const std::vector<std::size_t>& counts, std::size_t rank)
+{
+    std::size_t level = 0;
+    while (rank >= counts[level]) {
+        rank -= counts[level];
+        ++level;
+    }
+    std::vector<float> inLevel;
+    inLevel.reserve(counts[level]);
+    std::ranges::copy_if(values, std::back_inserter(inLevel), [level](float value) { return levelOf(value) == level; });
+    const auto place = inLevel.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(inLevel.begin(), place, inLevel.end());
+    return *place;
+}
+
+std::vector<float> selectedAt(std::vector<float> values, const std::vector<double>& shares)
+{
+    std::vector<float> found;
+    auto rest = values.begin();   // everything before is smaller
+    for (const double share : shares) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(rankOf(share, values.size()));
+        std::nth_element(rest, place, values.end());
+        found.push_back(*place);
+        rest = place;
+    }
+    return found;
+}
+
+}   // namespace
+
+float otsuThreshold(const std::vector<float>& values)
+{
+    constexpr std::size_t binCount = 256;
+    const float top = values.empty() ? 0.0F : *std::max_element(values.begin(), values.end());
+    if (!(top > 0.0F)) {
+        return 0.0F;
+    }
+    std::array<double, binCount> histogram{};
+    double moment = 0.0;
+    for (const float value : values) {
+        const auto bin = static_cast<std::size_t>(std::max(0.0F, value / top) * (binCount - 1));
+        histogram[bin] += 1.0;
+        moment += static_cast<double>(bin);
+    }
+    const auto total = static_cast<double>(values.size());
+    double below = 0.0;
+    double momentBelow = 0.0;
+    double widestGap = 0.0;
+    std::size_t best = 0;
+    for (std::size_t bin = 0; bin + 1 < binCount; ++bin) {
+        below += histogram[bin];
+        momentBelow += static_cast<double>(bin) * histogram[bin];
+        if (below <= 0.0 || below >= total) {
+            continue;
+        }
+        const double gap = momentBelow / below - (moment - momentBelow) / (total - below);
+        const double between = below * (total - below) * gap * gap;   // class variance, up to a constant
+        if (between > widestGap) {
+            widestGap = between;
+            best = bin + 1;
+        }
+    }
+    return static_cast<float>(best) / (binCount - 1) * top;
+}
+
+std::vector<float> evenSample(const std::vector<float>& values, std::size_t most)
+{
+    const std::size_t step = std::max<std::size_t>(1, (values.size() + most - 1) / most);
+    std::vector<float> sample;
+    sample.reserve(values.size() / step + 1);
+    for (std::size_t i = 0; i < values.size(); i += step) {
+        sample.push_back(values[i]);
+    }
+    return sample;
+}
+
+float ranked(std::vector<float> values, double share)
+{
+    return rankedAt(std::move(values), {share}).front();
+}
+
+std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>& shares)
+{
+    assert(!values.empty());
+    if (values.size() < worthCounting) {
+        return selectedAt(std::move(values), shares);
+    }
+    const std::vector<std::size_t> counts = countedByLevel(values);
+    std::vector<float> found;
+    for (const double share : shares) {
+        found.push_back(atRank(values, counts, rankOf(share, values.size())));
+    }
+    return found;
+}
+
+}   // namespace angiopose::core

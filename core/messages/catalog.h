@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/support/message.h"
+
+#include <span>
+
+namespace angiopose::core {
+
+/// Every message of this layer, for translations and tests.
+std::span<const MessageEntry* const> messageCatalog();
+
+}   // namespace angiopose::core

@@ -1,0 +1,257 @@
+#include "core/registration/deformable/deformation_fit.h"
+
+#include "core/support/quantile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double greatestReachMm = 20.0;
+constexpr double gateDeviations = 3.0;
+constexpr double greatestTurn = 40.0 / 180.0 * std::numbers::pi;
+constexpr double turnDeviation = 20.0 / 180.0 * std::numbers::pi;
+constexpr std::size_t maxCandidates = 6;
+constexpr double evidenceShare = 0.4;   // of a candidate: neighbours repeat each other
+constexpr double robustDeviations = 2.5;
+constexpr double independentMm = 4.0;   // along a vessel: errors of a traced curve are alike over less
+constexpr double minRowWeight = 0.03;
+constexpr double minNoisePx = 0.2;
+constexpr double greatestNoisePx = 4.0;
+// Share of the squared residuals that the weights let through for Gaussian ones, over their share of the weights.
+constexpr double robustBias = 0.67;
+// Standard deviations over length of the tree at a strain of 1: of the motions in space, and along the tree.
+constexpr std::array<double, motionCount> motionPerStrainMm{30.0, 20.0, 10.0, 12.0};
+
+double robustWeight(double residualMm, double deviationMm)
+{
+    const double c2 = robustDeviations * robustDeviations * deviationMm * deviationMm;
+    const double kept = c2 / (c2 + residualMm * residualMm);
+    return kept * kept;
+}
+
+MotionRow motionRowOf(const KnotLook& look, std::size_t view)
+{
+    MotionRow row;
+    row.knot = look.knot;
+    row.view = view;
+    row.byMotion = look.byMotion;
+    row.byPose = look.byPose;
+    row.byGeometry = look.byGeometry;
+    return row;
+}
+
+}   // namespace
+
+DeformationState startOfRun(const DeformationProblem& problem, double strain)
+{
+    const auto count = static_cast<Eigen::Index>(problem.knots.size());
+    DeformationState state;
+    state.corrections.assign(problem.views.size(), Vector6d::Zero());
+    state.motionMm = Eigen::Matrix3Xd::Zero(3, count);
+    double variance = problem.prior.pose.diagonal().tail<3>().minCoeff();
+    for (std::size_t m = 0; m < motionCount; ++m) {
+        const double deviation = strain * motionPerStrainMm[m];
+        state.variances[m] = deviation * deviation;
+        variance += state.variances[m];
+    }
+    state.deviationMm =
+        Eigen::MatrixXd::Constant(count, static_cast<Eigen::Index>(problem.views.size()), std::sqrt(variance));
+    return state;
+}
+
+DeformationFit::DeformationFit(const DeformationProblem& problem, DeformationState start)
+    : problem_(problem), state_(std::move(start))
+{
+}
+
+double DeformationFit::logLikelihood() const
+{
+    if (!posterior_) {
+        return -std::numeric_limits<double>::infinity();
+    }
+    double seen = 0.0;
+    for (const double weight : rowWeight_) {
+        seen += std::min(1.0, weight);
+    }
+    return posterior_->logEvidence() + seen * std::log(2.0 * greatestReachMm);
+}
+
+DeformedTree DeformationFit::deformedTree() const
+{
+    return {cameraFromPatient(moved(problem_.start, state_.poseStep), problem_.centroidInPatient), state_.motionMm};
+}
+
+RigidTransform DeformationFit::viewFromFirst(std::size_t view) const
+{
+    const RigidTransform& given = problem_.views[view].cameraFromFirst;
+    if (view == 0) {
+        return given;
+    }
+    const RigidTransform first = deformedTree().cameraFromPatient;
+    const CentroidPose corrected =
+        moved(aboutCentroid(given * first, problem_.centroidInPatient), state_.corrections[view]);
+    return cameraFromPatient(corrected, problem_.centroidInPatient) * first.inverse();
+}
+
+DeformableSight DeformationFit::sightOf(std::size_t view) const
+{
+    const DeformationView& given = problem_.views[view];
+    return {given.camera, viewFromFirst(view), problem_.centroidInPatient, &given.curves};
+}
+
+std::vector<KnotChoice> DeformationFit::choicesOf(const DeformableSight& sight, const Looks& looks, std::size_t view,
+                                                  double annealingMm) const
+{
+    std::vector<KnotChoice> choices(looks.size());
+    std::vector<CurveCrossing> crossings;
+    for (std::size_t k = 0; k < looks.size(); ++k) {
+        if (!looks[k]) {
+            continue;
+        }
+        const KnotLook& look = *looks[k];
+        const double deviation = state_.deviationMm(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(view));
+        const double noise = noiseMm(look);
+        const double variance = deviation * deviation + annealingMm * annealingMm + noise * noise;
+        const double reachMm = std::min(greatestReachMm, gateDeviations * std::sqrt(variance));
+        sight.curves->find({look.placePx, look.normal, reachMm / look.mmPerPx}, greatestTurn, maxCandidates, crossings);
+        choices[k].normal = look.normal;
+        for (const CurveCrossing& crossing : crossings) {
+            const double offset = crossing.offsetPx * look.mmPerPx;
+            const double turns = crossing.turn / turnDeviation;
+            choices[k].candidates.push_back(
+                {offset, evidenceShare * 0.5 * (offset * offset / variance + turns * turns), crossing.curve});
+        }
+    }
+    return choices;
+}
+
+double DeformationFit::foundMm(const MotionRow& row) const
+{
+    const double geometry = row.view > 0 ? row.byGeometry.dot(state_.corrections[row.view]) : 0.0;
+    return row.byMotion.dot(state_.motionMm.col(static_cast<Eigen::Index>(row.knot))) +
+           row.byPose.dot(state_.poseStep) + geometry;
+}
+
+/// The candidates of a knot as one row, or none.
+void DeformationFit::addRow(const KnotLook& look, const KnotChoice& choice, std::size_t view,
+                            const DeformationStep& step)
+{
+    const double deviationMm = std::hypot(step.annealingMm, noiseMm(look));
+    double sum = 0.0;
+    double sumOffset = 0.0;
+    double sumSquares = 0.0;
+    for (const KnotCandidate& candidate : choice.candidates) {
+        const double weight = candidate.probability * robustWeight(candidate.offsetMm, deviationMm);
+        sum += weight;
+        sumOffset += weight * candidate.offsetMm;
+        sumSquares += weight * candidate.offsetMm * candidate.offsetMm;
+    }
+    const ProjectionCamera& camera = problem_.views[view].camera;
+    if (look.placePx.minCoeff() >= 0.0 && look.placePx.x() < camera.width && look.placePx.y() < camera.height) {
+        seenMm_ += look.seenMm;
+        explainedMm_ += sum * look.seenMm;
+    }
+    MotionRow row = motionRowOf(look, view);
+    if (sum < minRowWeight || (step.isCoarse && look.knot % 2 == 1)) {
+        others_[view].push_back(row);
+        return;
+    }
+    const double offset = sumOffset / sum;
+    const double ambiguity = std::max(0.0, sumSquares / sum - offset * offset);
+    const double weight = sum * std::min(1.0, look.seenMm / independentMm);
+    row.valueMm = offset + foundMm(row);
+    row.variance = (deviationMm * deviationMm + ambiguity) / weight;
+    rows_.push_back(row);
+    rowPx_.push_back(look.mmPerPx);
+    rowWeight_.push_back(weight);
+}
+
+void DeformationFit::collectRows(std::size_t view, const DeformationStep& step)
+{
+    const DeformableSight sight = sightOf(view);
+    const Looks looks = lookAt(problem_.knots, deformedTree(), sight);
+    std::vector<KnotChoice> choices = choicesOf(sight, looks, view, step.annealingMm);
+    const double mmPerPx =
+        millimetersPerPixel(sight.camera, (viewFromFirst(view) * problem_.start.centroidInCamera).z());
+    const double deviation = std::hypot(step.annealingMm, state_.noisePx * mmPerPx);
+    matchAlongTree(problem_.knots, {deviation, step.strain}, choices);
+    for (std::size_t k = 0; k < looks.size(); ++k) {
+        if (looks[k]) {
+            addRow(*looks[k], choices[k], view, step);
+        }
+    }
+}
+
+void DeformationFit::step(const DeformationStep& step)
+{
+    rows_.clear();
+    rowPx_.clear();
+    rowWeight_.clear();
+    others_.assign(problem_.views.size(), {});
+    seenMm_ = 0.0;
+    explainedMm_ = 0.0;
+    for (std::size_t view = 0; view < problem_.views.size(); ++view) {
+        collectRows(view, step);
+    }
+    explainedShare_ = seenMm_ > 0.0 ? explainedMm_ / seenMm_ : 0.0;
+    if (rows_.empty()) {
+        posterior_.reset();
+        return;
+    }
+    MotionPrior prior = problem_.prior;
+    prior.motion = state_.variances;
+    posterior_.emplace(problem_.kernel, prior, rows_);
+    state_.poseStep = posterior_->pose();
+    for (std::size_t view = 1; view < problem_.views.size(); ++view) {
+        state_.corrections[view] = posterior_->geometry(view);
+    }
+    state_.motionMm = posterior_->motion();
+    measureDeviations();
+    if (step.isLearning) {
+        learn();
+    }
+}
+
+void DeformationFit::measureDeviations()
+{
+    const Eigen::VectorXd variances = posterior_->variances();
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        state_.deviationMm(static_cast<Eigen::Index>(rows_[r].knot), static_cast<Eigen::Index>(rows_[r].view)) =
+            std::sqrt(variances[static_cast<Eigen::Index>(r)]);
+    }
+    for (std::size_t view = 0; view < others_.size(); ++view) {
+        const Eigen::VectorXd variancesThere = posterior_->variancesOf(others_[view]);
+        for (std::size_t r = 0; r < others_[view].size(); ++r) {
+            state_.deviationMm(static_cast<Eigen::Index>(others_[view][r].knot), static_cast<Eigen::Index>(view)) =
+                std::sqrt(variancesThere[static_cast<Eigen::Index>(r)]);
+        }
+    }
+}
+
+void DeformationFit::learn()
+{
+    state_.variances = posterior_->learnedVariances();
+    double squares = 0.0;
+    double weights = 0.0;
+    std::vector<double> residualsPx;
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+        const MotionRow& row = rows_[r];
+        const double residualPx = (row.valueMm - foundMm(row)) / rowPx_[r];
+        squares += rowWeight_[r] * residualPx * residualPx;
+        weights += rowWeight_[r];
+        residualsPx.push_back(std::abs(residualPx));
+    }
+    medianResidualPx_ = quantile(residualsPx, 0.5);
+    const double count = static_cast<double>(rows_.size());
+    const double freeShare = std::max(0.2, 1.0 - posterior_->determined() / count);
+    const double noise = std::sqrt(squares / (robustBias * weights * freeShare));
+    state_.noisePx = std::clamp(noise, minNoisePx, greatestNoisePx);
+}
+
+}   // namespace angiopose::core

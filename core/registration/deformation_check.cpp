@@ -1,0 +1,143 @@
+#include "core/registration/deformation_check.h"
+
+#include "core/messages/says.h"
+#include "core/registration/alignment/alignment_points.h"
+#include "core/registration/alignment/shape_tolerance.h"
+#include "core/registration/judging/pose_uncertainty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+namespace angiopose::core {
+namespace {
+
+// Measured on made-up trees by three generators (bent_trust_table and foreign_targets_table --family development, the
+// simulator's degraded targets): rigid ones, a fifth of the branches missing, stay below 0.29 px and above 0.57 of
+// their visible length; trees bent by 1 mm and more lie above 0.5 px or below 0.48.
+constexpr double minOffsetPx = 0.4;   // of stretches beside their vessels
+constexpr double minFoundShare = 0.52;   // of the visible tree: the rest may have moved away
+constexpr double maxRigidOffMm = 1.9;   // to be expected of the tree's points; errors from 2 mm on shall be flagged
+
+/// Share of the tree inside the image that lies along traced vessels.
+double foundShare(const Alignment& alignment, const CentroidPose& pose)
+{
+    constexpr double scalePx = 2.0;
+    std::vector<double> agreement;
+    alignment.collectAgreement(pose, scalePx, agreement);
+    double found = 0.0;
+    double visible = 0.0;
+    for (const double share : agreement) {
+        if (std::isfinite(share)) {
+            found += share;
+            visible += 1.0;
+        }
+    }
+    return visible > 0.0 ? found / visible : 1.0;
+}
+
+/// What looks wrong about a rigid fit only because the vessels are bent.
+bool isExplained(const Message& reason)
+{
+    return reason.is(says::trustLittleAgreement) || reason.is(says::trustBetterAside) ||
+           reason.is(says::trustPoseUncertain);
+}
+
+/// A bend that is sure and small explains what spoke against the fit.
+void withdrawExplained(RigidJudgement judgement)
+{
+    if (std::erase_if(judgement.warnings, isExplained) > 0) {
+        judgement.trustworthy = std::ranges::none_of(judgement.warnings, speaksAgainstTrust);
+    }
+}
+
+/// By which people know a branch: as it is labelled, else its number.
+std::string nameOrNumber(const VesselTree& tree, int branchId)
+{
+    const VesselBranch* branch = tree.find(branchId);
+    return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
+}
+
+/// How far the rigid overlay is off, as surely as the bend is known.
+Message offWords(const DeformableResult& deformed, const VesselTree& tree)
+{
+    const Quantity mean = inMm(deformed.rigid.meanMm, 1);
+    const Quantity farthest = inMm(deformed.rigid.farthestMm, 1);
+    const std::string branch = nameOrNumber(tree, deformed.rigid.farthestBranchId);
+    return deformed.verdict == DeformationVerdict::Deformed ? says::deformationRigidOff(mean, farthest, branch)
+                                                            : says::deformationMayBeOff(mean, farthest, branch);
+}
+
+/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said,
+/// first where it is sure.
+void tellDeformation(const DeformableResult& deformed, const VesselTree& tree, RigidJudgement judgement)
+{
+    const bool isOff = putsOverlayOff(deformed);
+    if (deformed.verdict == DeformationVerdict::Deformed && !isOff) {
+        withdrawExplained(judgement);
+    }
+    judgement.trustworthy = judgement.trustworthy && !isOff;
+    Messages said{offWords(deformed, tree).as(isOff ? Severity::Warning : Severity::Note)};
+    std::ranges::copy_if(deformed.messages, std::back_inserter(said),
+                         [](const Message& message) { return !message.is(says::deformationDepthUnknown); });
+    const auto place = isOff && deformed.verdict == DeformationVerdict::Deformed ? judgement.warnings.begin()
+                                                                                 : judgement.warnings.end();
+    judgement.warnings.insert(place, said.begin(), said.end());
+}
+
+}   // namespace
+
+DeformableOptions deformationOptions(const RegistrationOptions& options)
+{
+    DeformableOptions deformation;
+    deformation.startDeg = options.angiopose.priorRotationDeg;
+    deformation.startLateralMm = options.angiopose.priorLateralMm;
+    deformation.startDepthMm = options.angiopose.priorDepthMm;
+    return deformation;
+}
+
+bool putsOverlayOff(const DeformableResult& deformed)
+{
+    return deformed.verdict != DeformationVerdict::Rigid &&
+           std::hypot(deformed.rigid.meanMm, deformed.placeStdMm) > maxRigidOffMm;
+}
+
+bool speaksAgainstTrust(const Message& said)
+{
+    const std::string_view id = said.id();
+    const bool isKnown = said.is(says::trustDepthUnknown) || said.is(says::trustDepthMoved) ||
+                         said.is(says::trustPartFilled) || said.is(says::trustFewFilled);
+    return (id.starts_with("trust.") && !isKnown) || id.starts_with("frame.") || id.starts_with("views.");
+}
+
+bool looksDeformed(const RigidFit& fit)
+{
+    const CentroidPose pose = aboutCentroid(fit.cameraFromPatient, fit.problem.tree.centroid);
+    const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
+    const Alignment alignment(informativePoints(fit.problem.tree, millimetersPerPixel(fit.problem.camera, depthMm)),
+                              fit.problem.camera, fit.target);
+    return likelyOffsetOf(alignment, pose) > minOffsetPx || foundShare(alignment, pose) < minFoundShare;
+}
+
+std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const DeformableView> views,
+                                                           const DeformableOptions& options, RigidJudgement judgement,
+                                                           const IterationObserver& observe)
+{
+    auto deformed = deformVessels(views, options, observe);
+    if (!deformed) {
+        return nullptr;
+    }
+    auto result = std::make_shared<const DeformableResult>(std::move(deformed).value());
+    if (result->stopReason == StopReason::StoppedByUser) {   // what looked bent stays in doubt
+        judgement.trustworthy = false;
+        judgement.warnings.insert(judgement.warnings.begin(), says::deformationStopped().as(Severity::Warning));
+    } else if (result->verdict != DeformationVerdict::Rigid) {
+        const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
+        replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);
+        tellDeformation(*result, views.front().input.tree, judgement);
+    }
+    return result;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,154 @@
+#include "core/registration/image_orientation_check.h"
+
+#include "core/messages/says.h"
+#include "core/registration/alignment/pose_ranking.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace angiopose::core {
+namespace {
+
+// Measured on made-up trees (wrong_geometry_table --family development).
+constexpr double minBetter = 0.15;   // by which another reading must agree better, as a share of both
+constexpr double minConvincing = 0.45;
+constexpr double middlingAgreement = 0.5;   // a trusted fit above it, of many branches, is beyond doubt
+constexpr std::size_t fewBranches = 6;
+constexpr double asWell = 0.9;
+
+/// How an image may be stored unlike its camera says: first mirrored left to right, then turned by quarters.
+struct FrameReading {
+    bool isMirrored = false;
+    int quarterTurns = 0;   ///< about the camera's z
+};
+
+/// The problem as that reading has it: the image stays, its camera and the start pose change.
+RegistrationProblem readAs(const FrameReading& reading, const RegistrationProblem& problem)
+{
+    RegistrationProblem other = problem;
+    if (reading.isMirrored) {
+        other.camera.fx = -problem.camera.fx;
+        other.camera.cx = problem.camera.width - 1 - problem.camera.cx;
+    }
+    const Eigen::Vector3d turn(0.0, 0.0, 0.5 * std::numbers::pi * reading.quarterTurns);
+    other.start = RigidTransform{expSo3(turn), Eigen::Vector3d::Zero()} * problem.start;
+    return other;
+}
+
+/// The problem of a device that counts its angles from the table.
+RegistrationProblem readAs(const TableReading& reading, const RegistrationProblem& problem)
+{
+    RegistrationProblem other = problem;
+    const Eigen::Vector3d& pivot = problem.wholeTreeCentroid;
+    other.start = problem.start * RigidTransform{reading.turn, pivot - reading.turn * pivot};
+    return other;
+}
+
+/// Agreement of tree and image, 0…1, when the frame is read so and the tree is looked for around the start; 0 when
+/// stopped.
+double agreementOf(const RegistrationProblem& problem, const RegistrationOptions& options,
+                   const SearchObserver& observe)
+{
+    const TargetLines lines(problem.target, problem.camera);
+    const CentroidPose start = aboutCentroid(problem.start, problem.tree.centroid);
+    PoseRanking ranking(problem, lines, startPrior(start, options));
+    ranking.add(start);
+    if (!ranking.isConclusive()) {
+        for (const CentroidPose& hypothesis : PoseSearch(problem, lines, options).nearby(start, observe)) {
+            if (observe(1.0) == Verdict::Stop) {
+                return 0.0;
+            }
+            ranking.add(hypothesis);
+            if (ranking.isConclusive()) {
+                break;
+            }
+        }
+    }
+    return ranking.best().agreement;
+}
+
+/// A quarter about z turns the picture the other way round where it is shown as seen from the detector.
+bool isClockwise(int quarterTurns, const ProjectionCamera& camera)
+{
+    return (quarterTurns == 1) == (camera.fx * camera.fy > 0.0);
+}
+
+Message wordsOf(const FrameReading& reading, const ProjectionCamera& camera, double agreement, double asItIs)
+{
+    const Quantity better{100.0 * agreement, 0, "%"};
+    const Quantity plain{100.0 * asItIs, 0, "%"};
+    if (reading.isMirrored) {
+        return reading.quarterTurns == 0   ? says::frameMirroredLeftRight(better, plain)
+               : reading.quarterTurns == 2 ? says::frameMirroredUpDown(better, plain)
+                                           : says::frameMirroredAndTurned(better, plain);
+    }
+    if (reading.quarterTurns == 2) {
+        return says::frameUpsideDown(better, plain);
+    }
+    return isClockwise(reading.quarterTurns, camera) ? says::frameTurnedClockwise(better, plain)
+                                                     : says::frameTurnedAnticlockwise(better, plain);
+}
+
+Message wordsOf(const TableReading& reading, double agreement, double asItIs)
+{
+    const PatientAngles& angles = reading.angles;
+    return says::frameCountedFromTable(std::string(toText(reading.position)), Quantity{100.0 * agreement, 0, "%"},
+                                       Quantity{100.0 * asItIs, 0, "%"}, Quantity{angles.primaryDeg, 1, "°"},
+                                       Quantity{angles.secondaryDeg, 1, "°"}, Quantity{angles.rollDeg, 1, "°"});
+}
+
+std::optional<Message> likelyReading(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                     double asItIs, const SearchObserver& observe)
+{
+    static constexpr std::array readings{FrameReading{true, 0},  FrameReading{true, 2},  FrameReading{false, 1},
+                                         FrameReading{false, 2}, FrameReading{false, 3}, FrameReading{true, 1},
+                                         FrameReading{true, 3}};
+    double best = std::max(minConvincing, asItIs + minBetter);
+    std::optional<Message> likely;
+    if (problem.tableReading) {   // first: the header speaks for it, and a frontal view looks the same turned by 180°
+        const double agreement = agreementOf(readAs(*problem.tableReading, problem), options, observe);
+        if (agreement > best) {
+            best = agreement;
+            likely = wordsOf(*problem.tableReading, agreement, asItIs);
+        }
+    }
+    for (const FrameReading& reading : readings) {
+        if (observe(0.0) == Verdict::Stop) {
+            return {};
+        }
+        const double agreement = agreementOf(readAs(reading, problem), options, observe);
+        if (agreement > best) {
+            best = agreement;
+            likely = wordsOf(reading, problem.camera, agreement, asItIs);
+        }
+    }
+    return likely;
+}
+
+}   // namespace
+
+ImageOrientationCheck checkImageOrientation(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                            const MethodSolution& solution, const RegistrationResult& judged,
+                                            const SearchObserver& observe)
+{
+    if (!options.geometry.otherFrames || !options.angiopose.search || isAnyLocked(options.locks)) {
+        return {};
+    }
+    const CentroidPose pose = aboutCentroid(judged.cameraFromPatient, problem.tree.centroid);
+    const double asItIs =
+        solution.agreement ? *solution.agreement : AgreementScore(problem, *solution.targetLines).of(pose);
+    if (!judged.trustworthy) {
+        return {likelyReading(problem, options, asItIs, observe), false};
+    }
+    if (asItIs >= middlingAgreement && problem.tree.branchIds.size() >= fewBranches) {
+        return {};
+    }
+    const double mirrored = agreementOf(readAs({true, 0}, problem), options, observe);
+    if (mirrored < asWell * asItIs) {
+        return {};
+    }
+    return {says::frameMirrorRival(Quantity{100.0 * mirrored, 0, "%"}, Quantity{100.0 * asItIs, 0, "%"}), true};
+}
+
+}   // namespace angiopose::core

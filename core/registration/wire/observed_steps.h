@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/registration/wire/wire_curve.h"
+#include "core/registration/wire/wire_model.h"
+
+namespace angiopose::core {
+
+/// What a move costs whose last knot and point are looked at (WireModel).
+struct SeenStep {
+    double lengthMm = 0.0;   ///< of wire or axis, the longer
+    double cost = 0.0;   ///< of its shape
+};
+
+/// `ofTreePx`: from the knot where the move begins to the one where it ends. `k`: the point where it ends.
+inline SeenStep seenStep(const WireModel& model, const Eigen::Vector2d& ofTreePx, const WireCurve& curve, std::size_t k,
+                         std::size_t points, double mmPerPx)
+{
+    const Eigen::Vector2d& along = curve.tangents[k];
+    const Eigen::Vector2d ofTree =
+        mmPerPx * Eigen::Vector2d(ofTreePx.dot(along), along.x() * ofTreePx.y() - along.y() * ofTreePx.x());
+    const double ofWireMm = mmPerPx * (curve.alongPx[k] - curve.alongPx[k - points]);
+    const double lengthMm = std::max({ofTree.norm(), ofWireMm, WireModel::minStepMm});
+    return {lengthMm, model.shapeCost(ofTree, ofWireMm, lengthMm)};
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,193 @@
+#include "core/registration/wire/wire_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace angiopose::core {
+namespace {
+
+constexpr double minFollowedMm = 3.0;   // of a branch, to be told among those that the wire takes
+constexpr double minFollowedShare = 0.2;   // of the wire, for a way to count
+constexpr double minProbability = 0.01;
+constexpr std::size_t maxPaths = 9;
+constexpr double sameCourse = 0.85;   // of two ways, to be told as one
+constexpr double temperature =
+    0.8;   // of probabilities: what turns evidence into hit rates (wire_table --world made-up)
+
+/// Of the longer course, that the other takes too.
+double sharedPart(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+{
+    std::vector<std::size_t> shared;
+    std::ranges::set_intersection(a, b, std::back_inserter(shared));
+    return static_cast<double>(shared.size()) / static_cast<double>(std::max(a.size(), b.size()));
+}
+
+}   // namespace
+
+WireReport::WireReport(const RegistrationProblem& problem, const VesselTree& tree, const WireProblem& wire,
+                       const WireModel& model, double mmPerPx)
+    : problem_(problem), tree_(tree), wire_(wire), model_(model), mmPerPx_(mmPerPx)
+{
+}
+
+/// Branches in the order that the wire takes them; those that it hardly enters are left out.
+std::vector<int> WireReport::branchesOf(const WireFit& fit) const
+{
+    std::vector<int> ids;
+    std::size_t first = fit.alignment.pairs.front().knot;
+    for (std::size_t j = first; j <= fit.alignment.pairs.back().knot; ++j) {
+        const bool isLast = j == fit.alignment.pairs.back().knot;
+        const std::size_t branch = wire_.knots.branchOf(fit.way.knots[j]);
+        if (isLast || wire_.knots.branchOf(fit.way.knots[j + 1]) != branch) {
+            if (static_cast<double>(j - first) * wireKnotSpacingMm >= minFollowedMm || (isLast && ids.empty())) {
+                ids.push_back(tree_.branches[branch].id);
+            }
+            first = j + 1;
+        }
+    }
+    return ids;
+}
+
+WirePath WireReport::pathOf(const WireFit& fit) const
+{
+    WirePath path;
+    path.branchIds = branchesOf(fit);
+    const std::size_t first = fit.way.knots[fit.alignment.pairs.front().knot];
+    const std::size_t last = fit.way.knots[fit.alignment.pairs.back().knot];
+    // Wires go from wide vessels into narrow ones.
+    const bool isBackwards = wire_.knots.radiusMm[last] > wire_.knots.radiusMm[first];
+    path.tipInPatient = wire_.knots.places[isBackwards ? first : last];
+    for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
+        path.courseInPatient.push_back(wire_.knots.places[fit.way.knots[j]]);
+    }
+    if (isBackwards) {
+        std::ranges::reverse(path.branchIds);
+        std::ranges::reverse(path.courseInPatient);
+    }
+    path.cameraFromPatient = cameraFromPatient(fit.pose, wire_.centroid);
+    path.followedShare = fit.alignment.followedPx(wire_.curve) / std::max(1e-9, wire_.curve.lengthPx());
+    const SeenKnots seen = wire_.seen(fit.way.knots, fit.pose);
+    double squares = 0.0;
+    double count = 0.0;
+    for (const WirePair& pair : fit.alignment.pairs) {
+        const Eigen::Vector2d offPx = seen.pixels[pair.knot] - wire_.curveOf(fit.way).pointsPx[pair.point];
+        squares += pair.lengthMm * offPx.squaredNorm() * seen.mmPerPx * seen.mmPerPx;
+        count += pair.lengthMm;
+    }
+    path.offAxisMm = count > 0.0 ? std::sqrt(squares / count) : 0.0;
+    return path;
+}
+
+/// Ways told once: the same branches by the most likely of their fits, and ways of nearly the same visible course,
+/// which the image does not tell apart, by the most likely of them.
+std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vector<WireFit>& fits) const
+{
+    std::vector<ReportedPath> reported;
+    std::vector<std::vector<int>> known;
+    for (const WireFit& fit : fits) {
+        if (fit.alignment.followedPx(wire_.curve) < minFollowedShare * wire_.curve.lengthPx()) {
+            continue;
+        }
+        WirePath path = pathOf(fit);
+        std::vector<int> branches = path.branchIds;
+        std::ranges::sort(branches);
+        if (std::ranges::count(known, branches) > 0) {
+            continue;
+        }
+        known.push_back(std::move(branches));
+        std::vector<std::size_t> course = courseOf(fit);
+        const auto same = std::ranges::find_if(
+            reported, [&](const ReportedPath& other) { return sharedPart(other.course, course) >= sameCourse; });
+        if (same != reported.end()) {
+            same->logEvidences.push_back(fit.logEvidence);
+        } else {
+            reported.push_back({std::move(path), &fit, std::move(course), {fit.logEvidence}});
+        }
+    }
+    return reported;
+}
+
+WireFinding WireReport::of(const std::vector<WireFit>& fits, std::size_t wantedWay) const
+{
+    WireFinding finding;
+    finding.gapShare = wire_.curve.gapShare;
+    finding.stdBefore = wire_.prior.std();
+    std::vector<ReportedPath> reported = reportedPaths(fits);
+    if (!reported.empty()) {
+        shareOut(reported);
+        std::erase_if(reported, [&](const ReportedPath& way) {
+            return way.path.probability < minProbability && &way != &reported.front();
+        });
+        reported.resize(std::min(reported.size(), maxPaths));
+        finding.isAskedFor = wantedWay <= reported.size();
+        if (finding.isAskedFor) {
+            const auto wanted = reported.begin() + static_cast<std::ptrdiff_t>(wantedWay) - 1;
+            std::rotate(reported.begin(), wanted, wanted + 1);
+        }
+        finding.covariance = spreadOf(reported);
+        finding.isFollowed = followedBy(*reported.front().fit);
+        for (ReportedPath& way : reported) {
+            finding.paths.push_back(std::move(way.path));
+        }
+    }
+    return finding;
+}
+
+/// Knots beside the wire, sorted.
+std::vector<std::size_t> WireReport::courseOf(const WireFit& fit) const
+{
+    const auto knot = [&](std::size_t place) { return fit.way.knots.begin() + static_cast<std::ptrdiff_t>(place); };
+    std::vector<std::size_t> course(knot(fit.alignment.pairs.front().knot), knot(fit.alignment.pairs.back().knot + 1));
+    std::ranges::sort(course);
+    return course;
+}
+
+std::vector<std::uint8_t> WireReport::followedBy(const WireFit& fit) const
+{
+    std::vector<std::uint8_t> isFollowed(problem_.tree.size(), 0);
+    for (std::size_t i = 0; i < isFollowed.size(); ++i) {
+        for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
+            const double offMm = (wire_.knots.places[fit.way.knots[j]] - problem_.tree.points[i]).norm();
+            isFollowed[i] = offMm < wireKnotSpacingMm ? 1 : isFollowed[i];
+        }
+    }
+    return isFollowed;
+}
+
+/// By evidence; a wire that takes none of them is one more possibility. The most likely comes first.
+void WireReport::shareOut(std::vector<ReportedPath>& reported) const
+{
+    const double best = reported.front().fit->logEvidence;
+    const auto weight = [&](double logEvidence) { return std::exp((logEvidence - best) / temperature); };
+    double sum = weight(-model_.skipPerMm * wire_.curve.lengthPx() * mmPerPx_);
+    for (ReportedPath& way : reported) {
+        for (const double logEvidence : way.logEvidences) {
+            way.path.probability += weight(logEvidence);
+        }
+        sum += way.path.probability;
+    }
+    for (ReportedPath& way : reported) {
+        way.path.probability /= sum;
+    }
+    std::ranges::stable_sort(reported, std::ranges::greater(),
+                             [](const ReportedPath& way) { return way.path.probability; });
+}
+
+/// Covariance of the first pose about the whole tree's centroid: within every path, and between them.
+Matrix6d WireReport::spreadOf(const std::vector<ReportedPath>& reported) const
+{
+    const CentroidPose& best = reported.front().fit->pose;
+    Matrix6d covariance = Matrix6d::Zero();
+    double sum = 0.0;
+    for (const ReportedPath& way : reported) {
+        const Vector6d step = stepBetween(best, way.fit->pose);
+        covariance += way.path.probability * (way.fit->covariance + step * step.transpose());
+        sum += way.path.probability;
+    }
+    Matrix6d carry = Matrix6d::Identity();
+    carry.bottomLeftCorner<3, 3>() = -skew(best.rotation * (problem_.wholeTreeCentroid - wire_.centroid));
+    return carry * (covariance / sum) * carry.transpose();
+}
+
+}   // namespace angiopose::core

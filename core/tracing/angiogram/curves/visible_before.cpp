@@ -1,0 +1,159 @@
+#include "core/tracing/angiogram/curves/visible_before.h"
+
+#include "core/imaging/image_filters.h"
+
+#include <algorithm>
+#include <array>
+
+namespace angiopose::core {
+namespace {
+
+constexpr int maxShiftPx = 4;   // catheters move with the heart
+constexpr int shiftCount = 2 * maxShiftPx + 1;
+constexpr int reachPoints = 7;   // averaged along the curve, against noise
+constexpr double besidePx = 2.5;   // from the walls to the ground that the depth is measured from
+constexpr double minShareOfDepth = 0.5;
+constexpr double minShareOfCurve = 0.6;
+constexpr std::size_t minFrames = 5;
+constexpr std::size_t maxFrames = 9;   // more tell nothing new
+constexpr double minShareOfFrames = 0.85;
+constexpr double minShareOfAll = 0.8;
+constexpr double maxShareOfDevices = 0.35;   // of what is traced; where more was there before, vessels were too
+
+using Depths = std::array<double, shiftCount>;   ///< of the dark line at each shift sideways
+
+/// How much darker (grey values) the frame is on the line than on both sides of it.
+double depthAt(const ImageF& frame, double sign, const Eigen::Vector2d& point, const Eigen::Vector2d& aside)
+{
+    const auto valueAt = [&](const Eigen::Vector2d& at) { return sign * sampled(frame, at.x(), at.y()); };
+    return std::min(valueAt(point + aside), valueAt(point - aside)) - valueAt(point);
+}
+
+std::vector<Depths> depthsAlong(const Curve2d& curve, const ImageF& frame, double sign)
+{
+    const std::vector<Eigen::Vector2d> tangents = tangentsOf(curve.pointsPx, 4);
+    std::vector<Depths> depths(curve.pointsPx.size());
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        const Eigen::Vector2d normal(-tangents[i].y(), tangents[i].x());
+        for (int k = 0; k < shiftCount; ++k) {
+            depths[i][static_cast<std::size_t>(k)] = depthAt(frame, sign, curve.pointsPx[i] + (k - maxShiftPx) * normal,
+                                                             (curve.radiusPx[i] + besidePx) * normal);
+        }
+    }
+    return depths;
+}
+
+/// Mean over the points around the i-th, at each shift.
+Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
+{
+    const std::size_t first = i >= reachPoints ? i - reachPoints : 0;
+    const std::size_t last = std::min(depths.size() - 1, i + reachPoints);
+    Depths mean{};
+    for (std::size_t j = first; j <= last; ++j) {
+        for (std::size_t k = 0; k < mean.size(); ++k) {
+            mean[k] += depths[j][k] / static_cast<double>(last - first + 1);
+        }
+    }
+    return mean;
+}
+
+/// Of the curve's points, that have a line at least half as deep within 1 px in nearly all the other frames.
+double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::vector<const ImageF*>& others,
+                          double sign)
+{
+    const std::vector<Depths> now = depthsAlong(curve, frame, sign);
+    std::vector<std::size_t> seen(now.size(), 0);
+    for (const ImageF* other : others) {
+        const std::vector<Depths> there = depthsAlong(curve, *other, sign);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            const double depth = meanAround(now, i)[maxShiftPx];
+            const Depths mean = meanAround(there, i);
+            const double near = std::max({mean[maxShiftPx - 1], mean[maxShiftPx], mean[maxShiftPx + 1]});
+            seen[i] += depth > 0.0 && near >= minShareOfDepth * depth ? 1 : 0;
+        }
+    }
+    const auto isStill = [&](std::size_t count) {
+        return static_cast<double>(count) >= minShareOfFrames * static_cast<double>(others.size());
+    };
+    return static_cast<double>(std::ranges::count_if(seen, isStill)) / static_cast<double>(now.size());
+}
+
+double shareOfCurve(const Curve2d& curve, const ImageF& frame, const ImageF& before, double sign)
+{
+    if (curve.pointsPx.empty() || curve.radiusPx.size() != curve.pointsPx.size()) {
+        return 0.0;
+    }
+    const std::vector<Depths> now = depthsAlong(curve, frame, sign);
+    const std::vector<Depths> then = depthsAlong(curve, before, sign);
+    int seen = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const double depth = meanAround(now, i)[maxShiftPx];
+        seen += depth > 0.0 && std::ranges::max(meanAround(then, i)) >= minShareOfDepth * depth ? 1 : 0;
+    }
+    return static_cast<double>(seen) / static_cast<double>(now.size());
+}
+
+}   // namespace
+
+std::vector<double> shareSeenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
+                                    Polarity polarity)
+{
+    const double sign = polarity == Polarity::VesselsDark ? 1.0 : -1.0;
+    std::vector<double> shares;
+    for (const Curve2d& curve : centerline.curves) {
+        shares.push_back(shareOfCurve(curve, frame, before, sign));
+    }
+    return shares;
+}
+
+SeenBefore seenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before, Polarity polarity)
+{
+    if (before.width != frame.width || before.height != frame.height) {
+        return {};
+    }
+    const std::vector<double> shares = shareSeenBefore(centerline, frame, before, polarity);
+    double length = 0.0;
+    double seenLength = 0.0;
+    SeenBefore result;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        const Curve2d& curve = centerline.curves[k];
+        length += curve.lengthPx();
+        seenLength += shares[k] * curve.lengthPx();
+        if (shares[k] >= minShareOfCurve) {
+            result.curveIds.push_back(curve.id);
+        }
+    }
+    result.isEverything = length > 0.0 && seenLength >= minShareOfAll * length;
+    if (seenLength > maxShareOfDevices * length) {
+        result.curveIds.clear();
+    }
+    return result;
+}
+
+std::vector<int> stillCurves(const Centerline2d& centerline, const std::vector<ImageF>& frames, int frame,
+                             Polarity polarity)
+{
+    if (frames.size() < minFrames) {
+        return {};
+    }
+    const ImageF& shown = frames[static_cast<std::size_t>(frame)];
+    std::vector<const ImageF*> others;
+    const std::size_t count = std::min(maxFrames, frames.size());
+    for (std::size_t k = 0; k < count; ++k) {
+        const ImageF& other = frames[k * (frames.size() - 1) / (count - 1)];
+        if (&other != &shown && other.width == shown.width && other.height == shown.height) {
+            others.push_back(&other);
+        }
+    }
+    const double sign = polarity == Polarity::VesselsDark ? 1.0 : -1.0;
+    std::vector<int> still;
+    for (const Curve2d& curve : centerline.curves) {
+        const bool isMeasured = !curve.pointsPx.empty() && curve.radiusPx.size() == curve.pointsPx.size();
+        if (isMeasured && shareStandingStill(curve, shown, others, sign) >= minShareOfCurve) {
+            still.push_back(curve.id);
+        }
+    }
+    return still;
+}
+
+}   // namespace angiopose::core

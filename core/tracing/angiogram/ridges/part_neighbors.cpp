@@ -1,0 +1,51 @@
+#include "core/tracing/angiogram/ridges/part_neighbors.h"
+
+#include "core/imaging/image_filters.h"
+#include "core/imaging/mask_morphology.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace angiopose::core {
+namespace {
+
+// Finer lines are mostly noise; ground wider than what these see is seen as such by the filters for wide vessels too.
+constexpr double finestGroundSigmaPx = 1.4;
+constexpr double coarsestGroundSigmaPx = 2.3;
+constexpr float minRidgeEvidence =
+    1.3F;   // somewhat above that of a vessel, as noise in wide vessels shall not part them
+constexpr float minShareOfEvidence = 0.3F;   // of the evidence of the vessels beside it
+constexpr int neighborReachPx = 5;
+constexpr std::size_t minPixelsOfRidge = 16;   // less is texture
+
+ImageF brightRidges(ImageF opacity, std::vector<RidgeScale> scales)
+{
+    std::ranges::transform(opacity.pixels, opacity.pixels.begin(), std::negate{});
+    std::erase_if(scales, [](const RidgeScale& scale) {
+        return scale.sigmaPx < finestGroundSigmaPx || scale.sigmaPx > coarsestGroundSigmaPx;
+    });
+    return ridgeStrength(opacity, scales);
+}
+
+}   // namespace
+
+Mask2d groundBetweenNeighbors(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity,
+                              const std::vector<RidgeScale>& scales, double clearRidge)
+{
+    const ImageF bright = brightRidges(opacity, scales);
+    const ImageF beside = largestAround(evidence, neighborReachPx);
+    const auto unit = static_cast<float>(clearRidge);
+    Mask2d ground(vessels.width, vessels.height);
+    for (std::size_t i = 0; i < ground.pixels.size(); ++i) {
+        const float least = unit * std::max(minRidgeEvidence, minShareOfEvidence * beside.pixels[i]);
+        ground.pixels[i] = vessels.pixels[i] != 0 && bright.pixels[i] > least ? 255 : 0;
+    }
+    for (const std::vector<std::size_t>& line : componentsOf(ground)) {
+        for (const std::size_t p : line) {
+            ground.pixels[p] = line.size() < minPixelsOfRidge ? 0 : 255;
+        }
+    }
+    return ground;
+}
+
+}   // namespace angiopose::core

@@ -1,0 +1,90 @@
+#include "app/files/autosave.h"
+#include "io/case/case_file.h"
+#include "tests/app/session/tool_preference.h"
+#include "ui/views/angiogram_view.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <algorithm>
+#include <array>
+
+namespace angiopose::test {
+namespace {
+
+/// By the names in the settings: what ends the session, opens or closes a case, starts this program once more, or
+/// writes over the case that was opened.
+constexpr std::array leadingAway{"quit",       "open-", "open-dicom-folder-", "open-sample-case", "new-window",
+                                 "close-case", "save"};
+
+bool commandLeadsAway(const QAction& action)
+{
+    return std::ranges::any_of(leadingAway,
+                               [&](const char* name) { return action.objectName() == QLatin1String(name); });
+}
+
+/// Every command of the key sheet, by its key where it has one, else from the menu.
+QString command(Desk& desk)
+{
+    const QList<QAction*> all = desk.window.QWidget::actions();
+    QAction* action = desk.hand.oneOf(all);
+    if (!action->isEnabled() || commandLeadsAway(*action)) {
+        return {};
+    }
+    ui::AngiogramView& view = desk.window.angiogramView();
+    view.setFocus();
+    const QString name = QStringLiteral("command ") + action->objectName();
+    if (action->shortcut().isEmpty() || desk.hand.oneIn(10)) {
+        action->trigger();
+    } else {
+        desk.hand.press(view, action->shortcut());
+    }
+    return name;
+}
+
+/// The poses of the case: kept, switched, compared.
+QString handlePoses(Desk& desk)
+{
+    static constexpr std::array commands{
+        ui::Command::KeepPose,   ui::Command::SwitchPoses, ui::Command::ComparePoses, ui::Command::AuxiliaryAdvice,
+        ui::Command::BlindTrial, ui::Command::TrialDone,   ui::Command::GantryAngles};
+    QAction* action = desk.window.actions()[desk.hand.oneOf(commands)];
+    action->trigger();
+    return QStringLiteral("poses: ") + action->objectName();
+}
+
+QString saveAndExport(Desk& desk)
+{
+    desk.controller.saving().saveTo(desk.folder + QStringLiteral("/random.angiopose"));
+    desk.controller.exporting().exportOverlay({300 + desk.hand.below(500), ui::Choice::On, ui::Choice::Off},
+                                              desk.folder + QStringLiteral("/random.png"));
+    return QStringLiteral("save and export");
+}
+
+/// As after a crash of an earlier session, whose copy is of the case that is open.
+QString recover(Desk& desk)
+{
+    if (desk.controller.document().isInTrial() || desk.controller.isLoading()) {
+        return {};
+    }
+    for (const app::LeftBehind& copy : app::Autosave::leftBehind()) {
+        app::Autosave::forget(copy);
+    }
+    const QDir folder(desk.folder + QStringLiteral("/autosave"));
+    folder.mkpath(QStringLiteral("."));
+    const QString path = folder.filePath(QStringLiteral("session-999999.angiopose"));
+    if (!io::saveCase(desk.controller.document().current(), path.toStdString())) {
+        return {};
+    }
+    desk.controller.saving().offerRecovery();
+    return QStringLiteral("recovery");
+}
+
+}   // namespace
+
+std::vector<ToolPreference> commandPreferences()
+{
+    return {{26, command}, {2, handlePoses}, {1, saveAndExport}, {1, recover}};
+}
+
+}   // namespace angiopose::test

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+
+#include <deque>
+
+namespace angiopose::ui {
+
+/// One thing that the window has told.
+struct LoggedMessage {
+    QDateTime time;
+    QString text;
+};
+
+/// What the window has told lately; one that is told again and again stands once.
+class MessageLog {
+public:
+    static constexpr std::size_t kept = 500;
+
+    void add(const QString& text)
+    {
+        if (text.isEmpty() || (!all_.empty() && all_.back().text == text)) {
+            return;
+        }
+        all_.push_back({QDateTime::currentDateTime(), text});
+        if (all_.size() > kept) {
+            all_.pop_front();
+        }
+    }
+    const std::deque<LoggedMessage>& all() const { return all_; }
+
+private:
+    std::deque<LoggedMessage> all_;
+};
+
+}   // namespace angiopose::ui
