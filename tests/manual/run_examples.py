@@ -31,7 +31,8 @@ def without_remark(line):
 
 
 def readme_examples(root):
-    lines = [line for block in blocks((root / "README.md").read_text()) for line in block.splitlines()]
+    pages = [root / "README.md", root / "resources/manual/examples.md"]
+    lines = [line for page in pages for block in blocks(page.read_text()) for line in block.splitlines()]
     return [("README", without_remark(line)) for line in lines if re.match(r"(\S*/)?angiopose-cli\s", line)]
 
 
