@@ -71,7 +71,7 @@ say "installing, with downloads" "$(seconds install_all)"
 expect "Python module registers" in_root python3 -c '
 import angiopose
 simulated = angiopose.simulateCase(7)
-result = angiopose.registerVessels(angiopose.inputOf(simulated.theCase), simulated.theCase.options)
+result = angiopose.registerVessels(angiopose.inputOf(simulated.session), simulated.session.options)
 assert result.metrics.medianPx < 1, result.metrics.medianPx'
 expect "library runs its own helper (.h5)" in_root python3 -c '
 import angiopose, numpy

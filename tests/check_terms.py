@@ -44,5 +44,5 @@ if len(words) < 15:
     sys.exit(f"{glossary}: only {len(words)} retired words were read")
 found = [f"{where}: “{match.group(0)}”: use {use}" for where, text in texts() for word, use in words
          if (match := word.search(text))]
-print("\n".join(found[:200]))
+print("\n".join(found))
 sys.exit(f"{len(found)} retired words" if found else 0)

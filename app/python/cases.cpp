@@ -78,22 +78,22 @@ void bindReading(py::module_& module)
         "Reads a case file and the files it names; vessels given as a scan, a label image or a surface are traced.");
     const py::call_guard<py::gil_scoped_release> unlocked;
     module.def(
-        "writeCase", [](Case& session, const Path& path) { writeCase(session, path.string()); }, py::arg("theCase"),
+        "writeCase", [](Case& session, const Path& path) { writeCase(session, path.string()); }, py::arg("session"),
         py::arg("path"), unlocked,
         "Writes a case file. What comes from no file is written beside it: of a.angiopose the vessels are\n"
         "a.tree.vtp, the angiogram a.angiogram.dcm, a target that was set a.curves.csv.");
     module.def(
         "writeResult", [](const Case& session, const Path& path) { writeResult(session, path.string()); },
-        py::arg("theCase"), py::arg("path"), unlocked, "Writes result.json of the last registration of the case.");
+        py::arg("session"), py::arg("path"), unlocked, "Writes result.json of the last registration of the case.");
 }
 
 void bindWork(py::module_& module)
 {
     const py::call_guard<py::gil_scoped_release> unlocked;
-    module.def("targetOf", &targetOf, py::arg("theCase"), unlocked,
+    module.def("targetOf", &targetOf, py::arg("session"), unlocked,
                "The image points of the case: given with it, else traced in its frame.");
     module.def(
-        "inputOf", &inputOf, py::arg("theCase"), unlocked,
+        "inputOf", &inputOf, py::arg("session"), unlocked,
         "What registerVessels needs, as arrays; traces the angiogram where no target is given. Method, settings and\n"
         "locks of the case are not among it: registerVessels(inputOf(c), c.options) does what registerCase(c)\n"
         "does.");
@@ -103,7 +103,7 @@ void bindWork(py::module_& module)
             const Observer observer = observerOf(observe);
             return withoutLock([&] { return registerCase(session, observer); });
         },
-        py::arg("theCase"), py::arg("observe") = py::none(),
+        py::arg("session"), py::arg("observe") = py::none(),
         "Registers the case with its options and takes over the pose. Raises for a case of several views.");
     module.def(
         "registerViews",
@@ -111,7 +111,7 @@ void bindWork(py::module_& module)
             const Observer observer = observerOf(observe);
             return withoutLock([&] { return registerViews(session, observer); });
         },
-        py::arg("theCase"), py::arg("observe") = py::none(),
+        py::arg("session"), py::arg("observe") = py::none(),
         "Registers all views of a case together and takes over the pose.");
 }
 
@@ -134,7 +134,7 @@ void bindSimulation(py::module_& module)
                        "vessels of the image that the tree does not have, per branch, 0...1")
         .def_readwrite("frameCount", &SimulationOptions::frameCount, "of the run");
     py::class_<SimulatedCase>(module, "SimulatedCase", "A case with known answer.")
-        .def_readonly("theCase", &SimulatedCase::session, "with a start pose as a header gives it")
+        .def_readonly("session", &SimulatedCase::session, "with a start pose as a header gives it")
         .def_property_readonly("trueCameraFromPatient", asArray<&SimulatedCase::trueCameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
         .def_readonly("trueTarget", &SimulatedCase::trueTarget, "the curves of what is filled, sampled every px")

@@ -36,4 +36,4 @@ def simulated():
 @pytest.fixture(scope="session")
 def arrays(simulated):
     """What registerVessels needs of the simulated case."""
-    return angiopose.inputOf(simulated.theCase)
+    return angiopose.inputOf(simulated.session)

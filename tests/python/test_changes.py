@@ -9,22 +9,22 @@ import angiopose
 
 
 @pytest.fixture
-def theCase(simulated):
-    return copy.copy(simulated.theCase)
+def session(simulated):
+    return copy.copy(simulated.session)
 
 
 @pytest.fixture
 def problem(simulated):
-    return angiopose.inputOf(simulated.theCase)
+    return angiopose.inputOf(simulated.session)
 
 
-def test_arrays_that_come_out_are_read_only(theCase, problem, simulated):
+def test_arrays_that_come_out_are_read_only(session, problem, simulated):
     result = angiopose.evaluatePose(problem, simulated.trueCameraFromPatient)
     cArm = angiopose.CArm(isocentreInPatientMm=[1, 2, 3])
     geometry = angiopose.VolumeGeometry([3, 4, 5], [1, 1, 1])
     tracing = angiopose.VesselTracingOptions(seedsInPatient=[[1, 2, 3]], rootInPatient=[1, 2, 3])
     for array in (
-        theCase.startPose, theCase.cameraFromPatient, theCase.tree.points,
+        session.startPose, session.cameraFromPatient, session.tree.points,
         problem.initialCameraFromPatient, problem.lockReference, problem.image,
         simulated.trueCameraFromPatient, result.cameraFromPatient,
         result.uncertainty.covariance, result.uncertainty.rotationDeg, result.uncertainty.centroidInPatient,
@@ -35,43 +35,43 @@ def test_arrays_that_come_out_are_read_only(theCase, problem, simulated):
             array += 1.0
 
 
-def test_lists_that_come_out_are_tuples(theCase, problem, simulated):
+def test_lists_that_come_out_are_tuples(session, problem, simulated):
     result = angiopose.evaluatePose(problem, simulated.trueCameraFromPatient)
     for values in (
-        problem.excludedBranchIds, problem.auxiliaryBranchIds, theCase.excludedBranchIds, theCase.options.locks,
-        theCase.warnings, result.branches, result.warnings, angiopose.VesselReadOptions(labels=[1]).labels,
-        theCase.tree.labels,
+        problem.excludedBranchIds, problem.auxiliaryBranchIds, session.excludedBranchIds, session.options.locks,
+        session.warnings, result.branches, result.warnings, angiopose.VesselReadOptions(labels=[1]).labels,
+        session.tree.labels,
     ):
         assert isinstance(values, tuple)
 
 
-def test_what_a_case_gave_away_cannot_be_set(theCase):
+def test_what_a_case_gave_away_cannot_be_set(session):
     for change in (
-        lambda: setattr(theCase.camera, "fx", -1.0),
-        lambda: setattr(theCase.cArm, "rollDeg", 3.0),
-        lambda: setattr(theCase.angiogram.cArm, "rollDeg", 3.0),
-        lambda: setattr(theCase.traceOptions, "sensitivity", 2.0),
-        lambda: setattr(theCase.options, "method", "dynaweight"),
-        lambda: theCase.options.set("maxIterations", 33),
+        lambda: setattr(session.camera, "fx", -1.0),
+        lambda: setattr(session.cArm, "rollDeg", 3.0),
+        lambda: setattr(session.angiogram.cArm, "rollDeg", 3.0),
+        lambda: setattr(session.traceOptions, "sensitivity", 2.0),
+        lambda: setattr(session.options, "method", "dynaweight"),
+        lambda: session.options.set("maxIterations", 33),
     ):
         with pytest.raises(AttributeError, match="would be lost"):
             change()
     with pytest.raises(TypeError):
-        theCase.options.values["maxIterations"] = "33"
+        session.options.values["maxIterations"] = "33"
 
 
-def test_what_is_assigned_takes_effect(theCase, problem):
-    options = copy.copy(theCase.options)
-    theCase.options = options.set("maxIterations", 33).set("search", True)
-    assert theCase.options.values["maxIterations"] == "33"
-    camera = copy.copy(theCase.camera)
+def test_what_is_assigned_takes_effect(session, problem):
+    options = copy.copy(session.options)
+    session.options = options.set("maxIterations", 33).set("search", True)
+    assert session.options.values["maxIterations"] == "33"
+    camera = copy.copy(session.camera)
     camera.cx += 10
-    theCase.camera = camera
-    assert theCase.camera.cx == camera.cx
-    theCase.excludedBranchIds = [theCase.tree.branchIds[0]]
-    assert angiopose.inputOf(theCase).excludedBranchIds == (theCase.tree.branchIds[0],)
-    theCase.traceOptions = angiopose.TraceOptions(sensitivity=1.5)
-    assert theCase.traceOptions.sensitivity == 1.5
+    session.camera = camera
+    assert session.camera.cx == camera.cx
+    session.excludedBranchIds = [session.tree.branchIds[0]]
+    assert angiopose.inputOf(session).excludedBranchIds == (session.tree.branchIds[0],)
+    session.traceOptions = angiopose.TraceOptions(sensitivity=1.5)
+    assert session.traceOptions.sensitivity == 1.5
 
     before = problem.camera.cx
     problem.camera.cx += 10
@@ -85,7 +85,7 @@ def test_what_is_assigned_takes_effect(theCase, problem):
 
 
 def test_a_c_arm_gives_a_plain_image_camera_and_start_pose(simulated):
-    known = simulated.theCase
+    known = simulated.session
     run = known.angiogram
     plain = angiopose.Case(known.tree, angiopose.Angiogram(run.frame(run.suggestedFrame), run.polarity))
     with pytest.raises(angiopose.Error):
@@ -103,8 +103,8 @@ def test_principal_point_is_an_argument():
     assert (cArm.principalPointUPx, cArm.principalPointVPx) == (250.0, 260.0)
 
 
-def test_what_things_are_is_seen(theCase, problem):
-    assert "8 branches" in repr(theCase.tree)
+def test_what_things_are_is_seen(session, problem):
+    assert "8 branches" in repr(session.tree)
     assert repr(problem.camera).startswith("ProjectionCamera(fx=-")
-    assert "Simulated case" in repr(theCase)
-    assert "'angiopose'" in repr(theCase.options)
+    assert "Simulated case" in repr(session)
+    assert "'angiopose'" in repr(session.options)

@@ -18,13 +18,13 @@ def test_tracing_an_image_gives_what_the_command_line_gives(demo, cli, tmp_path)
 
 
 def test_a_path_may_be_a_path(demo, tmp_path):
-    theCase = angiopose.readCase(demo / "case.angiopose")
-    assert theCase.title == angiopose.readCase(str(demo / "case.angiopose")).title
+    session = angiopose.readCase(demo / "case.angiopose")
+    assert session.title == angiopose.readCase(str(demo / "case.angiopose")).title
     angiopose.readCase(demo / "tree.vtp", demo / "angiogram.dcm")
-    angiopose.writePose(theCase.startPose, tmp_path / "pose.json")
-    assert np.array_equal(angiopose.readPose(tmp_path / "pose.json"), theCase.startPose)
+    angiopose.writePose(session.startPose, tmp_path / "pose.json")
+    assert np.array_equal(angiopose.readPose(tmp_path / "pose.json"), session.startPose)
     angiopose.writeVesselTree(angiopose.readVesselTree(demo / "tree.vtp"), tmp_path / "tree.csv")
-    assert len(angiopose.readVessels(tmp_path / "tree.csv").tree) == len(theCase.tree)
+    assert len(angiopose.readVessels(tmp_path / "tree.csv").tree) == len(session.tree)
     angiopose.writeAngiogram(angiopose.readAngiogram(demo / "angiogram.dcm"), tmp_path / "run.dcm")
     assert (tmp_path / "run.dcm").exists()
 
@@ -86,15 +86,15 @@ def test_numbers_that_would_change_are_refused():
 
 
 def test_a_simulated_case_is_written_and_opens_again(simulated, tmp_path):
-    theCase = copy.copy(simulated.theCase)
-    theCase.title = "made here"
-    angiopose.writeCase(theCase, str(tmp_path / "made.angiopose"))
+    session = copy.copy(simulated.session)
+    session.title = "made here"
+    angiopose.writeCase(session, str(tmp_path / "made.angiopose"))
     read = angiopose.readCase(str(tmp_path / "made.angiopose"))
-    assert read.title == "made here" != simulated.theCase.title
-    assert np.array_equal(read.startPose, theCase.startPose)
-    assert np.array_equal(read.tree.points, theCase.tree.points)
+    assert read.title == "made here" != simulated.session.title
+    assert np.array_equal(read.startPose, session.startPose)
+    assert np.array_equal(read.tree.points, session.tree.points)
     both = angiopose.readCase(str(tmp_path / "made.tree.vtp"), str(tmp_path / "made.angiogram.dcm"))
-    assert np.array_equal(both.tree.branchIds, theCase.tree.branchIds)
+    assert np.array_equal(both.tree.branchIds, session.tree.branchIds)
 
 
 def test_the_true_pose_of_a_simulated_case_is_that_of_the_command_line(demo):
@@ -103,14 +103,14 @@ def test_the_true_pose_of_a_simulated_case_is_that_of_the_command_line(demo):
 
 
 def test_views_are_shared_read_only_and_outlive_their_owner(simulated):
-    run = simulated.theCase.angiogram
+    run = simulated.session.angiogram
     frame = run.frame(0)
-    assert np.shares_memory(frame, simulated.theCase.angiogram.frame(0))
+    assert np.shares_memory(frame, simulated.session.angiogram.frame(0))
     assert not frame.flags.writeable and frame.dtype == np.float32
     total = float(frame.sum())
     del run
     assert float(frame.sum()) == total
-    points = simulated.theCase.tree.points
+    points = simulated.session.tree.points
     assert points.shape[1] == 3 and not points.flags.owndata
     with pytest.raises(ValueError):
         points[0, 0] = 1.0

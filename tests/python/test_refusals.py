@@ -45,11 +45,11 @@ def test_a_tree_in_metres_is_told_of_its_unit(arrays, simulated):
 
 
 def test_a_camera_of_another_image(simulated):
-    theCase = angiopose.Case(simulated.theCase.tree, simulated.theCase.angiogram)
-    before = theCase.camera.width
+    session = angiopose.Case(simulated.session.tree, simulated.session.angiogram)
+    before = session.camera.width
     camera = angiopose.ProjectionCamera(-3000, 3000, 150, 150, 300, 300)
-    assert idOf(lambda: setattr(theCase, "camera", camera)) == "camera.other-image"
-    assert theCase.camera.width == before
+    assert idOf(lambda: setattr(session, "camera", camera)) == "camera.other-image"
+    assert session.camera.width == before
 
 
 @pytest.mark.parametrize("value", [40.5, "many"])
@@ -65,7 +65,7 @@ def test_a_choice_is_told_its_values(arrays):
 
 
 def test_geometry_that_is_no_number(simulated):
-    cArm = simulated.theCase.cArm
+    cArm = simulated.session.cArm
     assert idOf(lambda: angiopose.cameraFromPatient(cArm, [np.nan, 0, 0])) == "geometry.isocentre-not-finite"
 
 
@@ -74,7 +74,7 @@ def test_geometry_that_is_no_number(simulated):
     [{"minVesselRadiusPx": 9.0}, {"minVesselRadiusPx": -1.0}, {"maxVesselRadiusPx": np.nan}, {"sensitivity": 0.0}],
 )
 def test_tracing_of_no_vessel(simulated, options):
-    run = simulated.theCase.angiogram
+    run = simulated.session.angiogram
     assert idOf(lambda: angiopose.traceFrame(run, 0, angiopose.TraceOptions(**options))).startswith("trace.")
 
 
@@ -88,7 +88,7 @@ def test_a_simulation_that_cannot_be(options):
 
 
 def test_runs_and_cases_of_nothing(simulated):
-    run = simulated.theCase.angiogram
+    run = simulated.session.angiogram
     assert idOf(lambda: angiopose.Angiogram(np.zeros((0, 4, 5)))) == "library.no-frames"
     assert idOf(lambda: angiopose.Case(angiopose.VesselTree([], []), run)) == "tree.no-branches"
     with pytest.raises(ValueError, match="colours"):

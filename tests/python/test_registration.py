@@ -14,9 +14,9 @@ def test_a_case_gives_what_the_command_line_gives(demo, cli, tmp_path):
     cli(demo, "register", "case.angiopose", "--output", str(tmp_path / "cli"))
     theirs = json.loads((tmp_path / "cli" / "result.json").read_text())
 
-    theCase = angiopose.readCase(str(demo / "case.angiopose"))
-    found = angiopose.registerCase(theCase)
-    angiopose.writeResult(theCase, str(tmp_path / "result.json"))
+    session = angiopose.readCase(str(demo / "case.angiopose"))
+    found = angiopose.registerCase(session)
+    angiopose.writeResult(session, str(tmp_path / "result.json"))
     ours = json.loads((tmp_path / "result.json").read_text())
     for result in (theirs, ours):   # how long, when and for whom
         for key in ("timeMs", "time", "author"):
@@ -43,17 +43,17 @@ def test_options_reach_the_solver_as_from_the_command_line(demo, cli, tmp_path):
 def test_bent_vessels_are_those_of_the_command_line(demo, cli, tmp_path):
     cli(demo, "register", "case.angiopose", "--deformable", "--output", str(tmp_path))
     theirs = json.loads((tmp_path / "result.json").read_text())["deformable"]
-    theCase = angiopose.readCase(str(demo / "case.angiopose"))
-    options = theCase.options
-    theCase.options = angiopose.RegistrationOptions(options.method, **{**options.values, "deformable": "always"})
-    bent = angiopose.registerCase(theCase).bent
+    session = angiopose.readCase(str(demo / "case.angiopose"))
+    options = session.options
+    session.options = angiopose.RegistrationOptions(options.method, **{**options.values, "deformable": "always"})
+    bent = angiopose.registerCase(session).bent
 
     assert bent.verdict.name.lower() == theirs["verdict"]
     assert bent.logEvidenceGain == theirs["logEvidenceGain"]
     assert bent.viewPoses[0].tolist() == theirs["cameraFromPatient"]
     assert [message.text for message in bent.messages] == theirs["warnings"]
     assert np.array_equal(bent.tree.points, angiopose.readVesselTree(tmp_path / "bent.vtp").points)
-    assert np.allclose(bent.tree.points - bent.displacementMm, angiopose.inputOf(theCase).tree.points, atol=1e-9)
+    assert np.allclose(bent.tree.points - bent.displacementMm, angiopose.inputOf(session).tree.points, atol=1e-9)
     assert bent.covarianceMm2.shape == (len(bent.tree), 3, 3)
     with pytest.raises(ValueError):
         bent.displacementMm[0] = 0.0

@@ -2,8 +2,8 @@
 
 Two calls suffice. Of files:
 
-    theCase = angiopose.readCase("case.angiopose")
-    result = angiopose.registerCase(theCase)
+    session = angiopose.readCase("case.angiopose")
+    result = angiopose.registerCase(session)
 
 Of arrays (points (N, 3) in patient LPS mm, image points (M, 2) in px):
 

@@ -9,12 +9,12 @@ try {
         std::cerr << "usage: register_case CASE.angiopose RESULT.json\n";
         return 2;
     }
-    angiopose::Case theCase = angiopose::readCase(arguments[1]);
-    for (const angiopose::Message& warning : theCase.warnings()) {
+    angiopose::Case session = angiopose::readCase(arguments[1]);
+    for (const angiopose::Message& warning : session.warnings()) {
         std::cerr << warning.text << "\n";
     }
     const angiopose::RegistrationResult result =
-        angiopose::registerCase(theCase, [](const angiopose::Progress& progress) {
+        angiopose::registerCase(session, [](const angiopose::Progress& progress) {
             std::cerr << "\r" << progress.stage << " " << static_cast<int>(100 * progress.fraction) << " %   ";
             return angiopose::Verdict::Continue;
         });
@@ -22,7 +22,7 @@ try {
     for (const angiopose::Message& warning : result.warnings) {
         std::cout << warning.text << "\n";
     }
-    angiopose::writeResult(theCase, arguments[2]);
+    angiopose::writeResult(session, arguments[2]);
     return result.trustworthy ? 0 : 4;
 } catch (const angiopose::Error& error) {
     std::cerr << error.what() << "\n";

@@ -6,7 +6,7 @@
 int main()
 {
     const angiopose::SimulatedCase simulated = angiopose::simulateCase(7);
-    const angiopose::RegistrationInput input = angiopose::inputOf(simulated.theCase);   // traces the angiogram
+    const angiopose::RegistrationInput input = angiopose::inputOf(simulated.session);   // traces the angiogram
 
     const auto truth = angiopose::evaluatePose(input, simulated.trueCameraFromPatient);
     std::cout << "true pose: median " << truth.metrics.medianPx << " px\n";

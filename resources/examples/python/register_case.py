@@ -12,13 +12,13 @@ def show(progress: angiopose.Progress) -> None:
 if len(sys.argv) != 3:
     sys.exit("usage: register_case.py CASE.angiopose RESULT.json")
 try:
-    theCase = angiopose.readCase(sys.argv[1])
-    result = angiopose.registerCase(theCase, show)
-    angiopose.writeResult(theCase, sys.argv[2])
+    session = angiopose.readCase(sys.argv[1])
+    result = angiopose.registerCase(session, show)
+    angiopose.writeResult(session, sys.argv[2])
 except angiopose.Error as error:
     sys.exit(str(error))
 print(result.cameraFromPatient)
 print(f"median {result.metrics.medianPx:.2f} px, {'' if result.trustworthy else 'not '}trustworthy")
-for warning in [*theCase.warnings, *result.warnings]:
+for warning in [*session.warnings, *result.warnings]:
     print(warning)
 sys.exit(0 if result.trustworthy else 4)

@@ -3,7 +3,7 @@
 import angiopose
 
 simulated = angiopose.simulateCase(7)
-problem = angiopose.inputOf(simulated.theCase)  # traces the angiogram
+problem = angiopose.inputOf(simulated.session)  # traces the angiogram
 
 truth = angiopose.evaluatePose(problem, simulated.trueCameraFromPatient)
 print(f"true pose: median {truth.metrics.medianPx:.2f} px")

@@ -41,9 +41,9 @@ protected:
     {
         auto loaded = small_.load(small_.json());
         ASSERT_TRUE(loaded) << loaded.error().message;
-        theCase_ = std::move(loaded).value();
-        theCase_.title = "Jane Doe's coronaries";
-        keep(theCase_.shown(), "2026-11-26T10:00:00Z");
+        session_ = std::move(loaded).value();
+        session_.title = "Jane Doe's coronaries";
+        keep(session_.shown(), "2026-11-26T10:00:00Z");
     }
 
     static void keep(core::View& view, const std::string& time)
@@ -54,17 +54,17 @@ protected:
 
     io::ResultPlace write(io::ResultNames names = io::ResultNames::Kept)
     {
-        return {small_.folder().write("results/result.json", io::keptResultJson(theCase_, names)), {small_.path("in")}};
+        return {small_.folder().write("results/result.json", io::keptResultJson(session_, names)), {small_.path("in")}};
     }
 
     test::SmallCase small_;
-    core::Case theCase_;
+    core::Case session_;
     core::Messages warnings_;
 };
 
 TEST_F(KeptResult, TellsWhereItsRunBegan)
 {
-    theCase_.options.method = "rgbr";   // chosen since
+    session_.options.method = "rgbr";   // chosen since
     const auto place = write();
     const auto asked = io::openAsked(place, warnings_);
     ASSERT_TRUE(asked) << asked.error().message;
@@ -78,8 +78,8 @@ TEST_F(KeptResult, TellsWhereItsRunBegan)
 
 TEST_F(KeptResult, StillKnowsItFromASavedCase)
 {
-    ASSERT_TRUE(io::saveCase(theCase_, small_.path("saved.angiopose")));
-    const std::string before = io::keptResultJson(theCase_, io::ResultNames::Kept);
+    ASSERT_TRUE(io::saveCase(session_, small_.path("saved.angiopose")));
+    const std::string before = io::keptResultJson(session_, io::ResultNames::Kept);
     auto again = io::loadCase(small_.path("saved.angiopose"), warnings_);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(io::keptResultJson(again.value(), io::ResultNames::Kept), before);
@@ -87,10 +87,10 @@ TEST_F(KeptResult, StillKnowsItFromASavedCase)
 
 TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
 {
-    theCase_.views.insert(theCase_.views.begin(), 2, theCase_.views.front());
-    keep(theCase_.views[0], "2026-11-26T09:00:00Z");   // alone, before
-    theCase_.shownView = 2;
-    const auto json = nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept));
+    session_.views.insert(session_.views.begin(), 2, session_.views.front());
+    keep(session_.views[0], "2026-11-26T09:00:00Z");   // alone, before
+    session_.shownView = 2;
+    const auto json = nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept));
     EXPECT_EQ(json["case"]["views"].size(), 1U);
     const auto found = io::openFound(write(), warnings_);
     ASSERT_TRUE(found) << found.error().message;
@@ -99,11 +99,11 @@ TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
 
 TEST_F(KeptResult, TellsNoCaseWhereItsBeginningIsNotKnown)
 {
-    theCase_.shown().result->warnings = {core::says::cameraEstimated(core::Quantity{98.0, 1, "%"}, 2, 3)};
-    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept)).contains("case"));
-    theCase_.shown().result->warnings.clear();
-    theCase_.shown().result->provenance.start.reset();
-    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept)).contains("case"));
+    session_.shown().result->warnings = {core::says::cameraEstimated(core::Quantity{98.0, 1, "%"}, 2, 3)};
+    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept)).contains("case"));
+    session_.shown().result->warnings.clear();
+    session_.shown().result->provenance.start.reset();
+    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept)).contains("case"));
     const auto asked = io::openAsked(write(), warnings_);
     ASSERT_FALSE(asked);
     EXPECT_TRUE(test::contains(asked.error().message.text(), "does not hold what it was found from"));
@@ -132,7 +132,7 @@ TEST_F(KeptResult, KeepsToThePublishedSchema)
     const auto keepsTo = [&schema](const nlohmann::json& json) {
         return valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(json), nullptr);
     };
-    auto json = nlohmann::json::parse(io::keptResultJson(theCase_, io::ResultNames::Kept));
+    auto json = nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept));
     EXPECT_TRUE(keepsTo(json)) << json;
     json["pose"]["initial"] = 3;
     EXPECT_FALSE(keepsTo(json));
